@@ -76,10 +76,11 @@ UNIT = [
     "--ignore=tests/grammar/test_growth.py",
     "--ignore=tests/grammar/test_layout_random.py",
     "--ignore=tests/grammar/test_recovery.py",
+    "--ignore=tests/runtime/platform",
     "--ignore=tests/runtime/transport",
-    "--ignore=tests/runtime/test_many_agents.py",
-    "--ignore=tests/runtime/test_many_conversations.py",
-    "--ignore=tests/runtime/test_threads.py",
+    "--ignore=tests/runtime/agent/test_many_agents.py",
+    "--ignore=tests/runtime/conversation/test_many_conversations.py",
+    "--ignore=tests/runtime/workers/test_threads.py",
 ]
 """What `unit` runs, and `ci/pythons.py` on every other Python: the tests that depend on the Python (its
 regular expressions, its compiler, its standard library), without those that count work, memory or threads,
@@ -104,7 +105,11 @@ LONG = [
     ("robots on machines", ["-m", "pytest", "tests/security/test_machines.py"], {"MACHINES": "1"}),
     ("robots in processes", ["benchmarks/transport.py"], {}),
     ("whole matches", ["-m", "pytest", "tests/examples/test_robocup.py"], {"MATCH_SEEDS": "3 11"}),
-    ("letters of other agents", ["-m", "pytest", "tests/runtime/test_acl_text.py"], {"ACL_EXAMPLES": "5000"}),
+    (
+        "letters of other agents",
+        ["-m", "pytest", "tests/runtime/message/test_acl_text.py"],
+        {"ACL_EXAMPLES": "5000"},
+    ),
     (
         "links that lose",
         ["-m", "pytest", "tests/runtime/transport/test_stream.py"],

@@ -146,13 +146,3 @@ def depth(text: str) -> int:
             case _:
                 pass
     return most
-
-
-def loads_file(path: Path, largest: int = LARGEST) -> Any:
-    """What a file of JSON says.
-
-    Raises:
-        OSError: as `read_bytes`.
-        ValueError: as `loads`.
-    """
-    return loads(read_bytes(path, largest), largest)

@@ -6,6 +6,9 @@ import re
 from bisect import bisect_right
 from dataclasses import dataclass, field
 
+STANDARD_INPUT = "<stdin>"
+"""The path by which people know what came from `-`."""
+
 _NEWLINE = re.compile("\n")
 _LIBRARY = "<stdlib>/"
 """Where files of the standard library are said to be: no folder of a user is called so."""

@@ -118,7 +118,7 @@ def start(generated: Generated) -> float:
             messages=messages(generated),
             clock="real",
             stop=lambda team: "begun" if all(agent.steps for agent in team.agents) else None,
-            until=60 * SECOND,
+            until_ns=60 * SECOND,
         ),
     )
     result = team.run()
@@ -136,7 +136,7 @@ def rally(generated: Generated) -> list[int]:
             messages=messages(generated),
             clock="real",
             stop=lambda team: "enough" if len(delays) >= PASSES else None,
-            until=60 * SECOND,
+            until_ns=60 * SECOND,
             path=[Path(__file__).parent],
         ),
     )

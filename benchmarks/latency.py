@@ -35,7 +35,7 @@ from aseme_dsl.runtime.chart.inputs import Happened
 from aseme_dsl.runtime.driver.real import RealDriver
 from aseme_dsl.runtime.driver.real_time import RealTime
 from aseme_dsl.runtime.team.team import Setup, Team
-from aseme_dsl.runtime.time.timekeeper import may_raise_priority
+from aseme_dsl.runtime.time.timer_thread import may_raise_priority
 from tests.support.generated import generate
 
 MILLISECOND = 1_000_000

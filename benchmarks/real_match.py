@@ -32,7 +32,7 @@ TEAM = ("robot1", "robot2", "robot3", "keeper")
 
 WORLD = """
 import world
-from aseme_dsl.field.referee import SECOND, Rules
+from aseme_dsl.worlds.field.referee import SECOND, Rules
 
 world.RULES = Rules(half_ns={seconds} * SECOND, halves=1)
 
@@ -52,7 +52,7 @@ def main(minutes: float, ending: signal.Signals) -> int:
     with (project / "pyproject.toml").open("a") as file:
         hosts = ", ".join(f'{name} = "127.0.0.1:{_free_port()}"' for name in TEAM)
         file.write(f"\n[tool.asemec.deploy]\nhosts = {{ {hosts} }}\n")
-    command = [sys.executable, "-m", "aseme_dsl", "run", str(project), "--process-per-robot"]
+    command = [sys.executable, "-m", "aseme_dsl", "run", str(project), "--process-per-agent"]
     command += ["--world", "long_world:make", "--for", f"{int(minutes) + 5}min"]
     team = subprocess.Popen(
         command, stdout=subprocess.PIPE, text=True, env={**os.environ, "PYTHONPATH": str(ROOT)}

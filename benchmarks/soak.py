@@ -42,7 +42,7 @@ MOST_SECONDS = 2.0
 
 MATCH = """
 import world
-from aseme_dsl.field.referee import SECOND, Rules
+from aseme_dsl.worlds.field.referee import SECOND, Rules
 
 world.RULES = Rules(half_ns=24 * 3600 * SECOND, halves=1)
 
@@ -157,7 +157,7 @@ def played(duration: int, trace: Path | None) -> list[Sample]:
             activities_in(EXAMPLE / "activities"),
             seed=11,
             world=long_match.make(11),
-            until=duration,
+            until_ns=duration,
             stop=watch,
             trace=trace,
         )

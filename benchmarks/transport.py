@@ -55,11 +55,11 @@ class Robot:
     """One robot in this process, with its bus in our hands instead of its activities'."""
 
     def __init__(self, name: str, hear: Callable[[str, Any], None], mail: Callable[[Any], None]) -> None:
-        from aseme_dsl.runtime.chart.inputs import Arrived, Mail
+        from aseme_dsl.runtime.chart.inputs import AgentMessage, Sample
         from aseme_dsl.runtime.team.team import Setup, Team
         from aseme_dsl.runtime.transport import Network
         from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
-        from aseme_dsl.runtime.transport.post import Post
+        from aseme_dsl.runtime.transport.reliable_delivery import Post
         from tests.support.generated import generate
 
         generated = generate(TEXT)
@@ -85,9 +85,9 @@ class Robot:
         take = self.agent.post
 
         def post_and_tell(identity: Any, item: Any, *rest: Any, **named: Any) -> None:
-            if isinstance(item, Arrived) and item.sender != name:
+            if isinstance(item, Sample) and item.sender != name:
                 hear(item.sender, item)
-            elif isinstance(item, Mail):
+            elif isinstance(item, AgentMessage):
                 mail(item)
             take(identity, item, *rest, **named)
 

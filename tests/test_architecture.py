@@ -1,4 +1,4 @@
-"""The plan of the house: imports run downwards only, and a robot loads nothing but the runtime."""
+"""The layers of the package: imports run downwards only, and a robot loads nothing but the runtime."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import pytest
 
 PACKAGE = Path(__file__).resolve().parent.parent / "aseme_dsl"
 
-FLOORS = {
+LAYERS = {
     "cli": 5,
     "documents": 5,
     "project": 4,
@@ -26,7 +26,7 @@ FLOORS = {
     "codegen": 2,
     "interop": 2,
     "proofs": 2,
-    "field": 2,
+    "worlds": 2,
     "amola": 1,
     "runtime": 1,
     "diagnostics": 1,
@@ -35,19 +35,20 @@ FLOORS = {
     "standard_library": 0,
     "pygments_lexer": 0,
 }
-"""Each room of the package and its floor; a new room is entered here."""
+"""Each package, or module beside them, and its layer; a new one is entered here."""
 
 KNOWS_ONLY = {
     "amola": {"source"},
     "diagnostics": {"source"},
     "runtime": {"source", "outside"},
-    "field": {"runtime"},
+    "worlds": {"runtime"},
     "proofs": {"amola", "source"},
 }
-"""Rooms that may use less than all that is below them."""
+"""Packages that may import less than all that is below them."""
 
-ROOMS = {
-    "compiler": "read names formula types control chart requirements checks",
+SUBPACKAGES = {
+    "compiler": "read names formula types control chart requirements checks stages",
+    "codegen": "place seen program code step plain batch",
     "diagrams": "look models sequence rendering",
     "editor": "reading files answers typing changes",
     "grammar": "text formulas parsing layout syntax",
@@ -57,27 +58,27 @@ ROOMS = {
         " version workers agent driver team control"
     ),
 }
-"""The rooms of a package, each of which uses only those before it. What stands beside them uses them all."""
+"""The subpackages of a package: each imports only from those before it; modules beside them from all."""
 
 DOZEN = 15
-LARGER = {"cli": "a file a command", "field": "a file a thing on the field"}
-"""Rooms with more files than a dozen or so, and why."""
+LARGER = {"cli": "a file a command", "worlds/field": "a file a thing on the field"}
+"""Packages with more files than a dozen or so, and why."""
 
 TOP = {"__init__", "__main__"}
-"""The public face of the package, which sees everything and which no room may see."""
+"""The public face of the package, which sees everything and which no other may see."""
 
 
 def modules() -> list[Path]:
     return sorted(PACKAGE.rglob("*.py"))
 
 
-def room_of(path: Path) -> str:
+def unit_of(path: Path) -> str:
     first = path.relative_to(PACKAGE).parts[0]
     return first.removesuffix(".py")
 
 
-def imported_rooms(path: Path) -> set[str]:
-    """Every room that a module imports, at its top or inside a function; the package itself is `__init__`."""
+def imported_units(path: Path) -> set[str]:
+    """What of `LAYERS` a module imports, at its top or inside a function; the whole package is `__init__`."""
     package = ["aseme_dsl", *path.relative_to(PACKAGE).parts[:-1]]
     names: list[str] = []
     for node in ast.walk(ast.parse(path.read_text("utf-8"), str(path))):
@@ -86,33 +87,33 @@ def imported_rooms(path: Path) -> set[str]:
         elif isinstance(node, ast.ImportFrom):
             base = package[: len(package) - node.level + 1] if node.level else []
             origin = ".".join([*base, *([node.module] if node.module else [])])
-            # `from aseme_dsl import amola` names a room; `from aseme_dsl import __version__` does not.
+            # `from aseme_dsl import amola` names one; `from aseme_dsl import __version__` does not.
             names += [f"{origin}.{alias.name}" if origin == "aseme_dsl" else origin for alias in node.names]
-    rooms = set()
+    units = set()
     for name in names:
         parts = name.split(".")
         if parts[0] == "aseme_dsl":
-            room = parts[1] if len(parts) > 1 else "__init__"
-            rooms.add(room if room in FLOORS else "__init__")
-    return rooms
+            unit = parts[1] if len(parts) > 1 else "__init__"
+            units.add(unit if unit in LAYERS else "__init__")
+    return units
 
 
-def test_every_room_has_its_floor() -> None:
-    rooms = {room_of(path) for path in modules()} - TOP
-    assert rooms <= set(FLOORS), "enter the new room in FLOORS"
+def test_every_package_has_its_layer() -> None:
+    units = {unit_of(path) for path in modules()} - TOP
+    assert units <= set(LAYERS), "enter the new package in LAYERS"
 
 
 @pytest.mark.parametrize("path", modules(), ids=lambda path: path.relative_to(PACKAGE).as_posix())
 def test_imports_run_downwards(path: Path) -> None:
-    room = room_of(path)
-    if room in TOP:
+    unit = unit_of(path)
+    if unit in TOP:
         return
-    for other in imported_rooms(path) - {room}:
-        if room == "cli" and other == "__init__":
+    for other in imported_units(path) - {unit}:
+        if unit == "cli" and other == "__init__":
             continue  # the command prints the package's version and uses its public face
-        assert other != "__init__", f"{room} uses the public face of the package, which is above it"
-        assert FLOORS[other] < FLOORS[room], f"{room} (floor {FLOORS[room]}) uses {other} ({FLOORS[other]})"
-        assert other in KNOWS_ONLY.get(room, {other}), f"{room} may not know {other}"
+        assert other != "__init__", f"{unit} uses the public face of the package, which is above it"
+        assert LAYERS[other] < LAYERS[unit], f"{unit} (layer {LAYERS[unit]}) uses {other} ({LAYERS[other]})"
+        assert other in KNOWS_ONLY.get(unit, {other}), f"{unit} may not know {other}"
 
 
 def imported_modules(path: Path, known: Mapping[str, Path]) -> set[str]:
@@ -143,36 +144,69 @@ def test_no_modules_import_each_other_in_a_circle() -> None:
     assert [sorted(circle) for circle in nx.strongly_connected_components(graph) if len(circle) > 1] == []
 
 
-def inner_room(module: str) -> tuple[str, str] | None:
-    """The package of a module and the room in it: `("compiler", "names")`."""
+def subpackage_of(module: str) -> tuple[str, str] | None:
+    """The package of a module and the subpackage in it: `("compiler", "names")`."""
     parts = module.split(".")[1:]
-    if len(parts) < 2 or parts[0] not in ROOMS:
+    if len(parts) < 2 or parts[0] not in SUBPACKAGES:
         return None
-    return (parts[0], parts[1]) if parts[1] in ROOMS[parts[0]].split() else None
+    return (parts[0], parts[1]) if parts[1] in SUBPACKAGES[parts[0]].split() else None
 
 
-@pytest.mark.parametrize("package", ROOMS)
-def test_each_room_of_a_package_is_entered(package: str) -> None:
+@pytest.mark.parametrize("package", SUBPACKAGES)
+def test_each_subpackage_is_entered(package: str) -> None:
     found = {path.parent.name for path in (PACKAGE / package).glob("*/__init__.py")}
-    assert found == set(ROOMS[package].split()) - {path.stem for path in (PACKAGE / package).glob("*.py")}
+    assert found == set(SUBPACKAGES[package].split()) - {
+        path.stem for path in (PACKAGE / package).glob("*.py")
+    }
 
 
-def test_rooms_use_only_those_before_them() -> None:
+def test_subpackages_use_only_those_before_them() -> None:
     known = known_modules()
     wrong = []
     for name, path in known.items():
-        here = inner_room(name)
+        here = subpackage_of(name)
         for other in imported_modules(path, known) if here else ():
-            there = inner_room(other)
+            there = subpackage_of(other)
             beside = there is None and other.startswith(f"aseme_dsl.{here[0]}.") if here else False
-            order = ROOMS[here[0]].split() if here else []
+            order = SUBPACKAGES[here[0]].split() if here else []
             upwards = here and there and here[0] == there[0] and order.index(here[1]) < order.index(there[1])
             if beside or upwards:
                 wrong.append(f"{name} uses {other}")
     assert wrong == []
 
 
-def test_no_room_has_many_more_files_than_a_dozen() -> None:
+PRINTERS = ("step", "plain", "batch")
+"""The subpackages of `codegen` that only write what `codegen/program` has worked out."""
+
+ANALYSIS = {"FlatChart", "Registers", "Uses", "Following", "resting", "copies_of"}
+"""What `codegen/program` puts together, once."""
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_printers_take_what_a_chart_means_from_its_program(printer: str) -> None:
+    wrong = [
+        f"{path.name}: {node.id}"
+        for path in sorted((PACKAGE / "codegen" / printer).glob("*.py"))
+        for node in ast.walk(ast.parse(path.read_text("utf-8"), str(path)))
+        if isinstance(node, ast.Name) and node.id in ANALYSIS
+    ]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_printers_search_no_text(printer: str) -> None:
+    searched = {"re", "parse", "find", "partition", "removeprefix", "split"}
+    wrong = []
+    for path in sorted((PACKAGE / "codegen" / printer).glob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"), str(path))):
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                wrong += [f"{path.name}: {alias.name}" for alias in node.names if alias.name in searched]
+            elif isinstance(node, ast.Attribute) and node.attr in searched:
+                wrong.append(f"{path.name}: {node.attr}")
+    assert wrong == []
+
+
+def test_no_package_has_many_more_files_than_a_dozen() -> None:
     sizes = {folder: len(list(folder.glob("*.py"))) for folder in {path.parent for path in modules()}}
     large = {folder.relative_to(PACKAGE).as_posix() for folder, size in sizes.items() if size > DOZEN}
     assert large == set(LARGER)
@@ -192,7 +226,7 @@ def test_importing_loads_no_heavy_library(module: str) -> None:
     loaded = set(done.stdout.split())
     assert not loaded & set(COMPILER_LIBRARIES)
     if module == "aseme_dsl.runtime":
-        upper = {f"aseme_dsl.{room}" for room in FLOORS if room not in ("runtime", "source", "outside")}
+        upper = {f"aseme_dsl.{unit}" for unit in LAYERS if unit not in ("runtime", "source", "outside")}
         assert not loaded & upper
 
 

@@ -4,6 +4,9 @@ Expressions and formulas are canonical texts, in which a `let` is written out. D
 (`200ms`). Places name files as they were given, relative to the system's file, never absolutely.
 """
 
+# By hand: the keys are those of the schemas, not of the classes, and most values are canonical texts. msgspec
+# and cattrs need a hook for nearly each class.
+
 from __future__ import annotations
 
 import json

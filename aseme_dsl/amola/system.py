@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from aseme_dsl.amola.aip import Aip
@@ -33,6 +34,11 @@ class Team:
     name: str
     agents: tuple[Agent, ...]
     span: Span
+
+
+def agent_names(teams: Iterable[Team], roles: Iterable[str]) -> frozenset[str]:
+    """The names of all agents; without a team, one agent plays one of the roles, and is called as it."""
+    return frozenset(agent.name for team in teams for agent in team.agents) or frozenset(roles)
 
 
 @dataclass(frozen=True, slots=True)

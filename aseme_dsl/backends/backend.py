@@ -23,7 +23,12 @@ OWN = {
     "batch": "aseme_dsl.backends.batch",
 }
 """Our own backends, with the module whose `BACKEND` each is."""
-AGENTS = ("monas", "jade_like")
+ROLE_MODULES = {"monas": ("plan", "step"), "jade_like": ("plan", "step", "agent", "behaviours")}
+"""The backends whose output is played, with the modules that each generates for a role.
+
+They stand here because `asemec check` looks at imports, and loads no backend for that.
+"""
+AGENTS = tuple(ROLE_MODULES)
 """The backends whose output is played: what they generate are agents that `aseme_dsl.runtime` runs."""
 ACTIVITIES = "activities"
 """Where a backend puts first versions of activities, in its own folder; a project may choose another."""

@@ -1,7 +1,7 @@
 """The command line: `asemec`. One file a command; it parses arguments, prints, and exits.
 
-Exit codes: 0 everything is fine; 1 the files (or what they make) have errors; 2 wrong use; 70 a mistake of
-asemec itself; 130 stopped with Ctrl-C.
+Exit codes: 0 success; 1 errors in the files or a failed run; 2 invalid command line; 70 internal error;
+130 interrupted with Ctrl-C.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""`asemec bench`: what a step of the statecharts of a file costs."""
+"""`asemec bench`: the step time of the statecharts of a file."""
 
 from __future__ import annotations
 
@@ -27,37 +27,44 @@ if TYPE_CHECKING:
 
 
 @click.command(
-    short_help="Measure what a step of each role costs.",
-    help="Generate the code of a system, play inputs to its roles, and say what a step costs: as agents run"
-    " it, and as a plain statechart where a role is one. The inputs are what agents got in a recorded run, or"
-    " what the roles can take, drawn by a seed. Beside other statechart libraries, a clone of the repository"
-    f" measures the same roles: python -m benchmarks.peers --file FILE. {TARGET_HELP}",
+    short_help="Benchmark the step time of each role.",
+    help="Generate the code of a system, feed inputs to each role, and measure the CPU time of a step. A"
+    " role that has a plain statechart is measured in both forms. The inputs are random (--seed) or recorded"
+    f" (--inputs). {TARGET_HELP}",
     epilog="Example: asemec bench team.aseme   ·   asemec bench team.aseme --role player --steps 9000 --json"
     "   ·   asemec bench team.aseme --inputs out/trace.jsonl -o bench.md --plot bench.svg",
 )
 @target_argument
-@click.option("--role", "roles", multiple=True, metavar="ROLE", help="Only this role. May be repeated.")
+@click.option("--role", "roles", multiple=True, metavar="ROLE", help="Only this role. Repeatable.")
 @click.option(
     "--inputs",
     "traces",
     multiple=True,
     metavar="TRACE",
     type=FilePath(path_type=Path),
-    help="Play what the agents of each role got in this run. May be repeated.",
+    help="Replay the inputs recorded in TRACE. Repeatable.",
 )
 @click.option(
-    "--steps", type=click.IntRange(1), help="How many inputs.  [default: 2000; with --inputs, all there are]"
+    "--steps",
+    type=click.IntRange(1),
+    help="Number of inputs per role.  [default: 2000; all recorded ones with --inputs]",
 )
 @click.option(
-    "--rounds", type=click.IntRange(1), default=7, show_default=True, help="How often to time each."
+    "--rounds",
+    type=click.IntRange(1),
+    default=7,
+    show_default=True,
+    help="Timed repetitions; the median counts.",
 )
-@click.option("--seed", type=int, help="What the inputs are drawn from.  [default: 1]")
+@click.option("--seed", type=int, help="Seed for generated inputs.  [default: 1]")
 @click.option(
-    "-o", "--output", type=FilePath(path_type=Path), metavar="FILE", help="Write the report into this file."
+    "-o",
+    "--output",
+    type=FilePath(path_type=Path),
+    metavar="FILE",
+    help="Report file (Markdown).  [default: standard output]",
 )
-@click.option(
-    "--plot", type=FilePath(path_type=Path), metavar="FILE.svg", help="Write a plot of it into this file."
-)
+@click.option("--plot", type=FilePath(path_type=Path), metavar="FILE.svg", help="Plot file (SVG).")
 @json_option
 @colour_option
 def command(
@@ -78,12 +85,12 @@ def command(
     from aseme_dsl.project.files.write import check_room
 
     if traces and seed is not None:
-        raise click.UsageError("--seed draws inputs, --inputs takes recorded ones: choose one.")
+        raise click.UsageError("--seed generates inputs, --inputs replays recorded ones: choose one.")
     if plot is not None and plot.suffix != ".svg":
-        raise click.BadParameter("a plot is an SVG file: FILE.svg.", param_hint="'--plot'")
+        raise click.BadParameter("the plot file must end in .svg.", param_hint="'--plot'")
     for number, trace in enumerate(traces):
         if os.path.realpath(trace) in map(os.path.realpath, traces[:number]):
-            raise click.UsageError(f"{trace} is given twice: its agents would count twice.")
+            raise click.UsageError(f"{trace} is given twice.")
     compiled = one_system(target)
     if compiled.system is None or has_errors(compiled.diagnostics):
         print_diagnostics(compiled.diagnostics, colour)
@@ -92,7 +99,7 @@ def command(
     for role in roles:
         if role not in known:
             near = closest(role, known)
-            hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(known)}."
+            hint = f"Did you mean {near!r}?" if near else f"Roles: {', '.join(known)}."
             raise click.UsageError(f"{compiled.system.name} has no role {role!r}. {hint}")
     outputs: list[tuple[Path | None, Kind]] = [(output, "bench"), (plot, "plot")]
     wanted = [(path, kind) for path, kind in outputs if path is not None]
@@ -124,7 +131,7 @@ def command(
             click.echo(f"asemec: {problem}", err=True)
             return 1
         except Different as problem:
-            click.echo(f"nothing was timed, for the ways to run a role do not agree: {problem}", err=True)
+            click.echo(f"asemec: no timing, because the backends disagree: {problem}", err=True)
             return 1
     return _leave(found, output, plot, as_json, colour)
 

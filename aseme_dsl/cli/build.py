@@ -1,4 +1,4 @@
-"""`asemec build`: everything that follows from a file, into a folder."""
+"""`asemec build`: write models, diagrams, messages and code into a directory."""
 
 from __future__ import annotations
 
@@ -24,6 +24,7 @@ from aseme_dsl.cli.shared import (
     folder_option,
     print_diagnostics,
     standard_input,
+    stats_option,
     summary,
     targets_argument,
     watch_option,
@@ -43,37 +44,38 @@ if TYPE_CHECKING:
 
 @click.command(
     short_help="Write models, diagrams, messages and code.",
-    help="Write every model (JSON), diagram (SVG), the messages (.proto) and the code of a system into a"
-    f" folder; nothing is written if there is an error. {TARGETS_HELP} Several systems get a folder each."
-    " Files that asemec did not write, or that were edited, are never overwritten without --force;"
-    " activities, which you fill in, not even with it.",
+    help="Write the models (JSON), diagrams (SVG), messages (.proto) and code of a system to the output"
+    " directory; several systems get a subdirectory each. With an error in a file, nothing is written. Edited"
+    " files, and files that asemec did not write, are only overwritten with --force; activities never are."
+    f" {TARGETS_HELP}",
     epilog="Example: asemec build team.aseme -o out   ·   asemec build team.aseme -o out --only diagrams",
 )
 @targets_argument
-@folder_option("-o", "--output", text="Where to write.  [default: the project's, else out]")
+@folder_option("-o", "--output", text="Output directory.  [default: the project's, else out]")
 @click.option(
     "--only",
     multiple=True,
     metavar="PART",
-    help="Renew only models, diagrams, proto or a backend's code. May be repeated.",
+    help="Write only PART: models, diagrams, proto or a backend. Repeatable.",
 )
 @backend_option(
-    "The backend to generate code with, for all or also for a role. May be repeated."
+    "Backend that generates the code, for all roles or also for ROLE. Repeatable."
     "  [default: the project's, else monas]"
 )
 @activities_option
-@folder_option("--templates", text="A folder of templates that replace the backend's own, by name.")
+@folder_option("--templates", text="Directory of templates that override the backend's, by file name.")
 @click.option(
     "--labels",
     type=click.Choice(["plain", "original"]),
-    help="original: name states as the original tools do, to compare.  [default: the project's, else plain]",
+    help="State labels; original: as in the original ASEME tools.  [default: the project's, else plain]",
 )
 @click.option(
     "--native",
     is_flag=True,
-    help="Compile the classes of `--backend plain` to machine code, too, with mypyc.",
+    help="Also compile the classes of `--backend plain` to machine code (mypyc).",
 )
-@click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
+@click.option("--force", is_flag=True, help="Overwrite edited files and files that asemec did not write.")
+@stats_option
 @watch_option
 @report_options("--report")
 @colour_option
@@ -87,6 +89,7 @@ def command(
     labels: str | None,
     native: bool,
     force: bool,
+    stats: bool,
     watch: bool,
     form: str | None,
     as_json: bool,
@@ -126,7 +129,7 @@ def command(
         once(problem for item in compiled for problem in item.suppressed),
         [path_of(root) for root in inputs.roots],
         lambda: {"systems": [_json(item) for item in built], **diagnostics_json(found)},
-        "".join(f"{line}\n" for item in built for line in _lines(item)),
+        "".join(f"{line}\n" for item in built for line in _lines(item, stats)),
     )
     for note in (note for item in built for note in item.notes):
         click.echo(f"note: {note}", err=True)
@@ -195,7 +198,7 @@ def _left_behind(system: str, folder: Path, other: Path) -> Iterator[str]:
     except (DamagedManifest, OSError):
         return  # whoever builds into it is told
     if before == system:
-        yield f"{other} has an earlier build of {system}, which stays as it is: the one of now is in {folder}"
+        yield f"{other} has an older build of {system}, which is unchanged; the new one is in {folder}"
 
 
 def _check_native(choice: Choice) -> None:
@@ -203,7 +206,7 @@ def _check_native(choice: Choice) -> None:
     from aseme_dsl.project.building.native import BACKEND, NativeError, check_installed
 
     if BACKEND not in (choice.only or choice.generated):
-        raise click.UsageError(f"--native compiles what --backend {BACKEND} makes: ask for that, too.")
+        raise click.UsageError(f"--native requires --backend {BACKEND}.")
     try:
         check_installed()
     except NativeError as problem:
@@ -222,7 +225,7 @@ def _once(do: Callable[[Workshop], _Done], workshop: Workshop) -> Done:
         for line in (_changed(item, named), *item.notes)
     ]
     if has_errors(found):
-        said = [f"{summary(found, 0).partition(' in ')[0]}; what was built stays as it was"]
+        said = [f"{summary(found, 0).partition(' in ')[0]}; the previous build is unchanged"]
     written = [
         path
         for item in built
@@ -241,19 +244,19 @@ def _changed(built: Built, named: Callable[[Sequence[str | Path]], str]) -> str:
     said = [
         f"{what} {named([_inside(path, built.folder) for path in paths])}" for paths, what in parts if paths
     ]
-    return f"{built.system} -> {built.folder}: {'; '.join(said) or 'nothing has changed'}"
+    return f"{built.system} -> {built.folder}: {'; '.join(said) or 'no change'}"
 
 
 def _inside(path: Path, folder: Path) -> str:
     return str(path.relative_to(folder) if path.is_relative_to(folder) else path)
 
 
-def _lines(built: Built) -> list[str]:
+def _lines(built: Built, stats: bool) -> list[str]:
     """What became of a system, for people; nothing where it could not be built."""
     if has_errors(built.diagnostics):
         return []
     said = f"{built.system} -> {built.folder}: {written_summary(built.written)}"
-    return [said, *(f"  {line}" for line in count_lines(built.count))]
+    return [said, *(f"  {line}" for line in (count_lines(built.count) if stats else ()))]
 
 
 def _json(built: Built) -> dict[str, Any]:

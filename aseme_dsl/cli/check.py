@@ -1,4 +1,4 @@
-"""`asemec check`: what is wrong with files."""
+"""`asemec check`: check files for errors."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from aseme_dsl.cli.shared import (
     targets_argument,
     watch_option,
 )
-from aseme_dsl.compiler.formula.holes import HOLE
 from aseme_dsl.diagnostics import Severity, has_errors
+from aseme_dsl.diagnostics.problems.syntax.entries import Hole
 
 if TYPE_CHECKING:
     from aseme_dsl.cli.watching import Done
@@ -34,14 +34,14 @@ _INSTALL_Z3 = 'pip install "aseme-dsl[check]"'
 
 
 @click.command(
-    short_help="Say what is wrong with files.",
-    help=f"Say everything that is wrong with files, and what is not said yet. {TARGETS_HELP}",
+    short_help="Check files for errors.",
+    help=f"Report the errors, warnings and notes of files. {TARGETS_HELP}",
     epilog="Example: asemec check team.aseme   ·   asemec check --strict --format sarif -o report.sarif",
 )
 @targets_argument
-@click.option("--strict", is_flag=True, help="Let warnings and holes count as errors for the exit code.")
-@click.option("--fix", "mend", is_flag=True, help="Mend what has one right answer, in the files.")
-@click.option("--diff", is_flag=True, help="With --fix: change nothing, show what would change.")
+@click.option("--strict", is_flag=True, help="Exit with 1 for warnings and holes, too.")
+@click.option("--fix", "mend", is_flag=True, help="Apply unambiguous fixes to the files.")
+@click.option("--diff", is_flag=True, help="With --fix: print the changes, do not write them.")
 @watch_option
 @report_options("-o", "--output")
 @colour_option
@@ -61,17 +61,17 @@ def command(
 
     form = form_of(form, as_json, report)
     if diff and not mend:
-        raise click.UsageError("--diff shows what --fix would change: give both.")
+        raise click.UsageError("--diff requires --fix.")
     if diff and (form != "text" or report is not None):
-        raise click.UsageError("--diff prints a difference, which is no report: leave --format and -o away.")
+        raise click.UsageError("--diff prints changes, not a report: not with --format or -o.")
     if mend and "-" in targets:
-        raise click.UsageError("--fix changes files, and standard input is none.")
+        raise click.UsageError("--fix changes files: not with standard input.")
     if watch:
         from aseme_dsl.cli import watching
 
         watching.refuse_to_watch(targets, form, report)
         if mend:
-            raise click.UsageError("--watch only looks, and --fix changes files: give one of them.")
+            raise click.UsageError("--watch only checks, --fix changes files: choose one.")
         return watching.watch(partial(_once, targets), targets, None, None, colour)
     inputs = inputs_of(targets, standard_input)
     if not mend:
@@ -103,7 +103,9 @@ def _once(targets: tuple[str, ...], workshop: Workshop) -> Done:
 
 def _is_bad(checked: Checked, strict: bool) -> bool:
     bad = {Severity.ERROR, Severity.WARNING} if strict else {Severity.ERROR}
-    return any(item.severity in bad or (strict and item.code == HOLE) for item in checked.diagnostics)
+    return any(
+        item.severity in bad or (strict and isinstance(item.problem, Hole)) for item in checked.diagnostics
+    )
 
 
 def _report(
@@ -140,7 +142,7 @@ def _summary(checked: Checked) -> str:
     if checked.unchecked:
         number = plural(checked.unchecked, "choice")
         were = "was" if checked.unchecked == 1 else "were"
-        said += f"\n{number} {were} not checked for overlaps and gaps; to do so: {_INSTALL_Z3}"
+        said += f"\n{number} {were} not checked for overlaps and gaps; to enable this: {_INSTALL_Z3}"
     return said
 
 
@@ -149,9 +151,9 @@ def _tip(checked: Checked) -> str:
     from aseme_dsl.project.editing.fix import is_mendable
 
     worst = min(checked.diagnostics, key=lambda item: list(Severity).index(item.severity))
-    tip = f"asemec explain {worst.code} tells more"
+    tip = f"for details: asemec explain {worst.code}"
     number = sum(map(is_mendable, checked.diagnostics))
-    return tip if not number else f"{tip}; asemec check --fix mends {plural(number, 'problem')}"
+    return tip if not number else f"{tip}; to fix {plural(number, 'problem')}: asemec check --fix"
 
 
 def _json(checked: Checked, fixed: Fixed | None) -> dict[str, Any]:
@@ -169,10 +171,10 @@ def _json(checked: Checked, fixed: Fixed | None) -> dict[str, Any]:
 def _print_mended(fixed: Fixed) -> None:
     for item in fixed.mended:
         changed = "; ".join(_change(edit.span.text, edit.text) for edit in item.changes)
-        click.echo(f"{item.span}: mended[{item.code}]: {changed}")
+        click.echo(f"{item.span}: fixed[{item.code}]: {changed}")
     if fixed.mended:
         number = plural(len(fixed.mended), "problem")
-        click.echo(f"{number} mended in {plural(len(fixed.after), 'file')}\n")
+        click.echo(f"{number} fixed in {plural(len(fixed.after), 'file')}\n")
 
 
 def _change(before: str, after: str) -> str:

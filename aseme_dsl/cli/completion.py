@@ -6,9 +6,9 @@ import click
 
 
 @click.command(
-    short_help="Print the script that completes asemec in a shell.",
-    help="Print the script that lets a shell complete commands, options and file names. The shell reads it at"
-    " its start: put the line of the example into ~/.bashrc, or ~/.zshrc; fish reads"
+    short_help="Print the completion script for a shell.",
+    help="Print the script that completes commands, options and file names in SHELL. For bash and zsh, add"
+    " the line of the example to ~/.bashrc or ~/.zshrc. For fish, write the output to"
     " ~/.config/fish/completions/asemec.fish.",
     epilog='Example: eval "$(asemec completion bash)"',
 )

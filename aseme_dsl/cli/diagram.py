@@ -29,9 +29,8 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
 
 @click.command(
     short_help="Draw the models of a system.",
-    help="Draw the models of a system: all of them, or those that are named, such as sag, iac.player, eac or"
-    " 'srm.*'. A statechart is drawn twice, as states inside states and as a tree (iac.player.tree)."
-    f" {TARGET_HELP}",
+    help="Draw all models of a system, or each MODEL: sag, iac.player, eac, 'srm.*'. A statechart gives two"
+    f" diagrams: nested states and a tree (iac.player.tree). {TARGET_HELP}",
     epilog="Example: asemec diagram team.aseme iac.player --at 0.2.5 --depth 2 -o player.svg",
 )
 @target_argument
@@ -42,28 +41,28 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
     default="diagrams",
     show_default=True,
     type=FilePath(),
-    help="The folder for the drawings; or a file, or - for standard output, if it is one drawing.",
+    help="Directory of the diagrams; for one diagram also a file, or - for standard output.",
 )
 @click.option(
     "--format",
     "format_",
     type=click.Choice(["svg", "png", "pdf", "dot"]),
-    help="What to write.  [default: what the output file is called, else svg]",
+    help="Output format.  [default: by the suffix of the output file, else svg]",
 )
 @click.option(
     "--expressions",
     type=click.Choice(["numbered", "inline", "none"]),
-    help="How transition expressions are shown.  [default: the project's, else numbered]",
+    help="Transition expressions in the diagram.  [default: the project's, else numbered]",
 )
-@click.option("--at", metavar="LABEL", help="Draw only this state of the statecharts, with all in it.")
-@click.option("--depth", type=click.IntRange(min=1), help="How many levels of states are open.")
-@click.option("--layout", type=click.Choice(["nested", "tree"]), help="Only one of the two views.")
+@click.option("--at", metavar="LABEL", help="Draw only the state with this label and its content.")
+@click.option("--depth", type=click.IntRange(min=1), help="Levels of nested states to draw.")
+@click.option("--layout", type=click.Choice(["nested", "tree"]), help="Draw only this view.")
 @click.option(
     "--labels",
     type=click.Choice(["plain", "original"]),
-    help="original: name states as the original tools do, to compare.  [default: the project's, else plain]",
+    help="State labels; original: as in the original ASEME tools.  [default: the project's, else plain]",
 )
-@click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
+@click.option("--force", is_flag=True, help="Overwrite edited files and files that asemec did not write.")
 @json_option
 @colour_option
 def command(
@@ -100,7 +99,7 @@ def command(
     format_ = format_ or (suffix if suffix in FORMATS else "svg")
     to_file = output == "-" or suffix == format_
     if suffix.lower() in OTHER_PICTURES and not Path(output).is_dir():
-        raise click.UsageError(f"{output} cannot be written: a drawing is svg, png, pdf or dot.")
+        raise click.UsageError(f"{output}: unsupported format; use svg, png, pdf or dot.")
     try:
         system = with_labels(compiled.system, labels or compiled.configuration.labels or "plain")
         chosen = choose(system, models, options)
@@ -109,7 +108,9 @@ def command(
             chosen = nested if len(nested) == 1 else chosen
         if to_file and len(chosen) != 1:
             names = ", ".join(item.name for item in chosen) or "none"
-            raise click.UsageError(f"{output} takes one drawing, and these are {len(chosen)}: {names}.")
+            raise click.UsageError(
+                f"{output} is a file for one diagram, but {len(chosen)} are selected: {names}."
+            )
         if to_file and output != "-" and not force:
             check_outputs([(Path(output), "drawing")], [target, *compiled.depends])
         progress = Progress()
@@ -126,7 +127,7 @@ def command(
     except DrawingFailed as problem:
         raise click.ClickException(str(problem)) from problem
     if to_file and len(drawn.files) != 1:
-        raise click.ClickException(f"{'; '.join(drawn.notes)}: give a folder instead of {output}")
+        raise click.ClickException(f"{'; '.join(drawn.notes)}: name a directory instead of {output}")
     if output == "-":
         sys.stdout.buffer.write(drawn.files[0][1])
         return 0

@@ -1,4 +1,4 @@
-"""`asemec doctor`: which tools are there, and how to get the others."""
+"""`asemec doctor`: check the installed extras and tools, and the sockets of a run."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from aseme_dsl.cli.shared import (
 
 
 @click.command(
-    short_help="Say which extras and tools are there, and what a run opens.",
-    help="Say which libraries and tools are there, what each is for, and how to install what is missing;"
-    f" and which sockets a run of a project opens. {TARGET_HELP}"
-    " The exit code is 1 if something is missing that asemec cannot do without.",
+    short_help="Check installed extras and tools.",
+    help="List the libraries and tools that asemec uses, with their versions and how to install missing ones,"
+    " and the sockets that a run of the project opens. The exit code is 1 if a required one is missing."
+    f" {TARGET_HELP}",
     epilog="Example: asemec doctor",
 )
 @click.argument("target", required=False, type=FilePath())
@@ -58,12 +58,12 @@ def command(target: str | None, as_json: bool, colour: str) -> int:
         if tool.found is not None:
             mark, said = click.style("ok     ", fg="green"), tool.found
         elif tool.needed:
-            mark, said = click.style("missing", fg="red"), f"needed! {tool.advice}"
+            mark, said = click.style("missing", fg="red"), f"required: {tool.advice}"
         else:
             mark, said = click.style("absent ", fg="yellow"), tool.advice
         line = f"  {mark}  {tool.name:<{width}}  {tool.purpose}\n           {'':<{width}}  {said}"
         click.echo(line, color=painted)
-    click.echo("what a run opens, by platform")
+    click.echo("sockets of a run, by transport")
     width = max(len(opening.platform) for opening in opened)
     for opening in opened:
         click.echo(f"  {opening.platform:<{width}}  {opening.opens}\n  {'':<{width}}  {opening.reach}")

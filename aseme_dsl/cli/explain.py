@@ -1,4 +1,4 @@
-"""`asemec explain`: what a code of a message means."""
+"""`asemec explain`: explain diagnostic codes."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ def _codes(context: click.Context, parameter: click.Parameter, written: tuple[st
             continue
         if code not in CODES:
             near = closest(code, CODES)
-            hint = f"Did you mean {near!r}?" if near else "`asemec explain` lists all."
-            raise click.UsageError(f"There is no code {text!r}. {hint}", context)
+            hint = f"Did you mean {near!r}?" if near else "`asemec explain` lists all codes."
+            raise click.UsageError(f"Unknown code {text!r}. {hint}", context)
         codes.append(code)
     return tuple(codes)
 
@@ -54,9 +54,9 @@ def _completions(context: click.Context, parameter: click.Parameter, incomplete:
 
 
 @click.command(
-    short_help="Say what a code of a message means.",
-    help="Explain codes of messages: what each means, why it matters and what to do, with an example that has"
-    " the problem and one that has not. Without CODE: all codes.",
+    short_help="Explain diagnostic codes.",
+    help="Explain each CODE: its meaning, why it matters, the fix, and an example before and after the fix."
+    " Without CODE, list all codes.",
     epilog="Example: asemec explain E200   ·   asemec explain W4",
 )
 @click.argument("codes", nargs=-1, metavar="[CODE]...", callback=_codes, shell_complete=_completions)
@@ -84,7 +84,7 @@ def _list() -> Iterator[str]:
             if item.code[1] == digit:
                 yield f"  {_painted(item.code, item)}  {item.title}"
         yield ""
-    yield "`asemec explain CODE` says more of one."
+    yield "For details: asemec explain CODE"
 
 
 def _pages(codes: tuple[str, ...], painted: bool) -> Iterator[str]:
@@ -107,9 +107,12 @@ def _page(page: Page, painted: bool) -> Iterator[str]:
     yield from _example(page.wrong)
     says = _diagnostics(page.wrong)
     if not page.wrong.console and page.code not in {item.code for item in says}:
-        yield from ("", "(What asemec says needs a package that is not installed: see `asemec doctor`.)")
+        yield from (
+            "",
+            "(The output of asemec requires a package that is not installed: see `asemec doctor`.)",
+        )
     elif says:
-        yield from ("", "asemec says:", "")
+        yield from ("", "Output:", "")
         yield textwrap.indent(render_text(says, colour=painted), "  ").rstrip("\n")
     yield from ("", click.style("Right:", fg="green"))
     yield from _example(page.right)

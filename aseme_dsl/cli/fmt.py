@@ -1,4 +1,4 @@
-"""`asemec fmt`: files in their canonical layout."""
+"""`asemec fmt`: format files."""
 
 from __future__ import annotations
 
@@ -23,24 +23,24 @@ _COLOURS = {"+": "green", "-": "red", "@": "cyan"}
 
 
 @click.command(
-    short_help="Lay files out in the one canonical way.",
-    help="Lay files out in the one canonical way: the same words in the same order, with all comments. What"
-    f" they mean does not change. {TARGETS_HELP} Of a project, every file is laid out. The text of"
-    " standard input goes, laid out, to standard output. A file with syntax errors stays as it is.",
+    short_help="Format files.",
+    help="Format files in the canonical layout. Only white space and line breaks change. A file with syntax"
+    " errors is skipped. In a project directory, all files are formatted. Standard input is printed to"
+    f" standard output. {TARGETS_HELP}",
     epilog="Example: asemec fmt   ·   asemec fmt --check --diff examples/",
 )
 @targets_argument
 @click.option(
-    "--check", is_flag=True, help="Change nothing; list what would change; exit code 1 if any would."
+    "--check", is_flag=True, help="List unformatted files, do not write them; exit with 1 if there are any."
 )
-@click.option("--diff", is_flag=True, help="Change nothing; print what would change.")
+@click.option("--diff", is_flag=True, help="Print the changes, do not write them.")
 @json_option
 @colour_option
 def command(targets: tuple[str, ...], check: bool, diff: bool, as_json: bool, colour: str) -> int:
     """Lay out each file; 1 if one has errors or cannot be written, or with --check if one would change."""
     from aseme_dsl.diagnostics import has_errors
     from aseme_dsl.project.editing.format import files_to_format, format_file
-    from aseme_dsl.project.files.inputs import STANDARD_INPUT
+    from aseme_dsl.source import STANDARD_INPUT
 
     inputs = files_to_format(targets, standard_input)
     look_only = check or diff
@@ -62,7 +62,7 @@ def command(targets: tuple[str, ...], check: bool, diff: bool, as_json: bool, co
         elif diff:
             click.echo(_shown(one.difference, coloured), nl=False, color=coloured)
         if one.changed and not filtered and (check or not diff):
-            click.echo(f"{one.path}: {'would be ' if check else ''}laid out", err=diff)
+            click.echo(f"{one.path}: {'would be ' if check else ''}formatted", err=diff)
     if done and not filtered:
         laid_out = [one.changed for one in done if not one.diagnostics]
         click.echo(_summary(laid_out, len(done) - len(laid_out), look_only), err=diff)
@@ -77,12 +77,12 @@ def _shown(difference: str, coloured: bool) -> str:
 
 
 def _summary(changed: list[bool], bad: int, look_only: bool) -> str:
-    """`2 files laid out, 1 file is fine, 1 file left as it is`."""
+    """`2 files formatted, 1 file unchanged, 1 file skipped`."""
     number, fine = sum(changed), len(changed) - sum(changed)
     would = "would be " if look_only else ""
-    parts = [f"{plural(number, 'file')} {would}laid out"] if number else []
+    parts = [f"{plural(number, 'file')} {would}formatted"] if number else []
     if fine or not (number or bad):
-        parts.append(f"{plural(fine, 'file')} {'is' if fine == 1 else 'are'} fine")
+        parts.append(f"{plural(fine, 'file')} unchanged")
     if bad:
-        parts.append(f"{plural(bad, 'file')} left as {'it is' if bad == 1 else 'they are'}")
+        parts.append(f"{plural(bad, 'file')} skipped because of errors")
     return ", ".join(parts)

@@ -1,4 +1,4 @@
-"""`asemec import`: what other tools have written, as text for a `.aseme` file."""
+"""`asemec import`: convert the files of other tools to `.aseme` text."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from aseme_dsl.cli.shared import (
 
 
 @click.command(
-    short_help="Read what another tool has written.",
-    help="Read FILE, Monas' agents.xml with the modules of a robot, and print them as a `modules` block to be"
-    " put into an srm. What they read and write is to be added by hand.",
+    short_help="Convert a Monas agents.xml to a `modules` block.",
+    help="Convert FILE, an agents.xml of Monas, to a `modules` block for an srm and print it. Add by hand"
+    " what the modules read and write.",
     epilog="Example: asemec import config/agents.xml",
 )
 @click.argument("file", type=FilePath(path_type=Path))

@@ -1,4 +1,4 @@
-"""`asemec key`: make an operator's key."""
+"""`asemec key`: create an operator's key."""
 
 from __future__ import annotations
 
@@ -8,13 +8,14 @@ import click
 
 from aseme_dsl.cli.shared import FilePath, Refused
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.writing import KeyNotWritten
 
 
 @click.command(
-    short_help="Make an operator's key.",
-    help="Make a key, and write it into FILE, which only you can read. Robots that accept this key can be"
-    " controlled with it over their network: name a copy of FILE as `control` in [tool.asemec.deploy] of the"
-    " pyproject.toml. No file that is there is overwritten.",
+    short_help="Create an operator's key.",
+    help="Create an operator's key and write it to FILE, which only you can read. To let operators control"
+    " agents over the network, name a copy of FILE as `control` in [tool.asemec.deploy] of the"
+    " pyproject.toml. An existing file is never overwritten.",
     epilog="Example: asemec key operator.toml",
 )
 @click.argument("file", type=FilePath(path_type=Path))
@@ -25,6 +26,6 @@ def command(file: Path) -> int:
     try:
         key = write_key(file)
     except KeyFileError as problem:
-        raise Refused([Diagnostic("E009", str(problem), None, path=str(file))]) from problem
-    click.echo(f"{click.format_filename(file)} has the key {key.name}")
+        raise Refused([Diagnostic(KeyNotWritten(str(problem)), None, path=str(file))]) from problem
+    click.echo(f"key {key.name} written to {click.format_filename(file)}")
     return 0

@@ -25,9 +25,9 @@ INSTALL = 'pip install ".[editor]" (in a clone), or "aseme-dsl[editor]"'
 
 
 @click.command(
-    short_help="Answer an editor: the language server.",
-    help="Answer an editor in the language server protocol, on standard input and output. Editors start this"
-    " by themselves: see docs/editor.md. It needs the extra `editor`.",
+    short_help="Start the language server.",
+    help="Start the language server (LSP) on standard input and output. Editors start it themselves. It"
+    " requires the extra `editor`.",
     epilog=f"Example: {INSTALL}   ·   asemec lsp --tcp 2087",
 )
 @click.option(
@@ -35,13 +35,13 @@ INSTALL = 'pip install ".[editor]" (in a clone), or "aseme-dsl[editor]"'
     "port",
     type=click.IntRange(1, 65535),
     metavar="PORT",
-    help="For debugging: wait for one editor at this port of this machine only.",
+    help="For debugging: accept one editor at this port of 127.0.0.1.",
 )
 @click.option("--stdio", is_flag=True, hidden=True, help="What editors may say; it is the default.")
 def command(port: int | None, stdio: bool) -> int:
     """Serve until the editor leaves."""
     if find_spec("pygls") is None:
-        raise click.ClickException(f"the language server needs pygls, which is not installed: {INSTALL}")
+        raise click.ClickException(f"the language server requires pygls, which is not installed: {INSTALL}")
     from aseme_dsl import __version__
     from aseme_dsl.editor.server import make_server
 

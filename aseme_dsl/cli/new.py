@@ -1,4 +1,4 @@
-"""`asemec new`: a project to start from."""
+"""`asemec new`: create a project."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from aseme_dsl.diagnostics import has_errors
 
 
 @click.command(
-    short_help="Start a project.",
-    help="Write a small project that runs into FOLDER: an .aseme file named after it, activities, a test and"
-    " a pyproject.toml. No file that is there is overwritten.",
+    short_help="Create a project.",
+    help="Create a small project in DIR: an .aseme file, activities, a test and a pyproject.toml. An existing"
+    " file is never overwritten.",
     epilog="Example: asemec new patrol   ·   cd patrol   ·   asemec run .",
 )
-@click.argument("folder", type=FilePath(path_type=Path))
-@click.option("--name", help="What the system is called.  [default: as the folder]")
+@click.argument("folder", metavar="DIR", type=FilePath(path_type=Path))
+@click.option("--name", help="Name of the system.  [default: the name of DIR]")
 @json_option
 @colour_option
 def command(folder: Path, name: str | None, as_json: bool, colour: str) -> int:
@@ -43,5 +43,5 @@ def command(folder: Path, name: str | None, as_json: bool, colour: str) -> int:
         for path in written.created:
             click.echo(path)
         if written.created:
-            click.echo(f"Try: asemec run {click.format_filename(folder)}")
+            click.echo(f"Next: asemec run {click.format_filename(folder)}")
     return int(has_errors(written.diagnostics))

@@ -1,4 +1,4 @@
-"""`asemec node`: play one robot of a team in this process."""
+"""`asemec node`: run one agent of a team in this process."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ import click
 
 from aseme_dsl.cli.playing import (
     INTERRUPTED,
-    QUIET_AND_VERBOSE,
     body_option,
     build_target,
     duration_option,
@@ -49,6 +48,15 @@ from aseme_dsl.cli.shared import (
     wants_colour,
 )
 from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.diagnostics.problems.running import (
+    NoSuchSystem,
+    OnOneSystem,
+    OnOutput,
+    OptionWithoutEffect,
+    WithFrom,
+    WithQuiet,
+)
+from aseme_dsl.project.settings.platform_settings import IN_PROCESS, PLATFORMS
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -61,35 +69,35 @@ GRACE = 2.0
 
 
 @click.command(
-    short_help="Play one robot of a team in this process.",
-    help="Play ROBOT, one of the team that TARGET declares, in real time, and talk with the others, which are"
-    f" processes of their own. {TARGET_HELP} Nothing is built if it is an output folder with agents. How the"
-    " robots reach each other stands in [tool.asemec.deploy] of the pyproject.toml; without it, only this"
-    " machine is asked.",
+    short_help="Run one agent of a team in this process.",
+    help="Run AGENT of the team of TARGET in this process, in real time. The other agents run in processes of"
+    " their own. [tool.asemec.deploy] of the pyproject.toml says how the processes reach each other; without"
+    f" it, only processes on this machine do. {TARGET_HELP}",
     epilog="Example: asemec node robot1 team.aseme   ·   asemec node robot1 --from out",
 )
-@click.argument("robot")
+@click.argument("robot", metavar="AGENT")
 @target_argument
-@folder_option("--from", "source", text="The output folder of a build; nothing is built.")
-@folder_option("-o", "--output", text="Where to build.  [default: the project's, else out]")
-@click.option("--system", metavar="NAME", help="Which of the systems in the output folder.")
-@duration_option("How long to play.  [default: no limit]")
+@folder_option("--from", "source", text="Output directory of a build; nothing is built.")
+@folder_option("-o", "--output", text="Output directory.  [default: the project's, else out]")
+@click.option("--system", metavar="NAME", help="System to run, if the output directory has several.")
+@duration_option("Time limit.  [default: none]")
 @seed_option
 @platform_option(
-    "What carries the messages.  [default: the project's, else zenoh]", "zenoh", "spade", "mango"
+    "Transport of the messages.  [default: the project's, else zenoh]",
+    tuple(name for name in PLATFORMS if name != IN_PROCESS),
 )
-@input_option("What to give the robot.")
-@trace_option("Where the trace goes.  [default: OUTPUT/trace.ROBOT.jsonl]")
+@input_option("JSON Lines file of timed messages and events for the agent.")
+@trace_option("Trace file.  [default: OUTPUT/trace.AGENT.jsonl]")
 @state_option
 @activities_option
 @play_backend_option
-@body_option("Makes the robot's body.")
+@body_option("Factory function of the agent's body.")
 @click.option(
     "--control",
     type=FilePath(path_type=Path),
     metavar="FILE",
-    help="The operators' keys with which the robot can be controlled over its network."
-    "  [default: the project's, else it cannot]",
+    help="Keys of the operators who may control the agent over the network."
+    "  [default: the project's, else none]",
 )
 @telling_options
 @click.option("--project", type=FilePath(path_type=Path), hidden=True)
@@ -121,7 +129,7 @@ def command(
     supervised: bool,
     colour: str,
 ) -> int:
-    """Play; 1 if there are errors, it cannot be played, or the robot fails."""
+    """Run; 1 if there are errors, it cannot be run, or the agent fails."""
     from aseme_dsl.cli.telling import Telling
     from aseme_dsl.project.building.build import activities_folder, choose
     from aseme_dsl.project.playing.play import (
@@ -137,22 +145,21 @@ def command(
     from aseme_dsl.project.playing.supervisor import WORLD
     from aseme_dsl.project.settings.configuration import find_configuration, read_configuration
     from aseme_dsl.project.settings.deployment import Deployment
-    from aseme_dsl.project.settings.platform_settings import IN_PROCESS
 
     if trace is not None:
         check_outputs([(trace, "trace")], [target, *([script] if script is not None else [])])
     folder = source or Path(target)
     played_as_it_is = source is not None or is_output(folder)
     given = given_options()
-    unused: list[tuple[str, str, str]] = []
+    unused: list[OptionWithoutEffect] = []
     if source is not None and "TARGET" in given:
-        unused.append((f"TARGET {target}", "with `--from`", "name one of them"))
+        unused.append(WithFrom(f"TARGET {target}"))
     if played_as_it_is and output is not None:
-        unused.append(("-o", "on an output folder, which is played as it is", "leave it out"))
+        unused.append(OnOutput("-o"))
     if not played_as_it_is and system is not None:
-        unused.append(("--system", "on what has one system", "leave it out, or name the output folder"))
+        unused.append(OnOneSystem("--system"))
     if quiet and verbose:
-        unused.append(QUIET_AND_VERBOSE)
+        unused.append(WithQuiet("--verbose"))
     if code := refuse_options(unused, str(folder), False, colour):
         return code
     try:
@@ -166,9 +173,8 @@ def command(
             check_choice(choice, backends, [role for item in there for role in item.charts])
             systems = [item for item in there if system in (None, item.name)]
             if len(systems) != 1:
-                known = ", ".join(item.name for item in there)
-                what = f"there is no system `{system}`" if system else "there are several systems"
-                raise NoSuchPlan(what, f"choose one with --system; there are {known}")
+                known = tuple(item.name for item in there)
+                raise NoSuchPlan(NoSuchSystem(system, known))
             loaded = systems[0] if version is None else in_version(systems[0], version, configuration)
         else:
             built = build_target(target, output, activities, None, False, False, colour, backends)
@@ -227,11 +233,11 @@ def command(
             place = f" ({agent.at})" if agent.at else ""
             click.echo(f"{agent.name} ({agent.role}) failed: {agent.failure}{place}", err=True)
     if result.reason == "replaced":
-        click.echo(f"{robot} ends here: it is played by a newer process", err=True)
+        click.echo(f"{robot} stopped: a newer process runs it", err=True)
     if result.trace_error is not None:
         click.echo(result.trace_error, err=True)
     elif not supervised:
-        click.echo(f"played {result.time / 1e9:g} s\n  trace: {played.trace}")
+        click.echo(f"stopped after {result.end_ns / 1e9:g} s\n  trace: {played.trace}")
     lines = list(end_lines(result))
     if supervised:
         agents = [asdict(agent) for agent in result.agents]

@@ -1,4 +1,4 @@
-"""`asemec optimise`: many runs of a team in virtual time, to see what its numbers should be."""
+"""`asemec optimise`: compare team sizes and settings by many runs in virtual time."""
 
 from __future__ import annotations
 
@@ -26,6 +26,7 @@ from aseme_dsl.cli.shared import (
     target_argument,
 )
 from aseme_dsl.diagnostics import Diagnostic, has_errors
+from aseme_dsl.diagnostics.problems.writing import InTheWay, Obstacle
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
@@ -44,15 +45,15 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
     names = [item.name for item in knobs]
     if len(set(names)) < len(names):
         double = next(name for name in names if names.count(name) > 1)
-        raise click.BadParameter(f"{double} is varied twice.")
+        raise click.BadParameter(f"{double} is given twice.")
     return knobs
 
 
 @click.command(
-    short_help="Find out how many agents are worth it, and what slows them.",
-    help="Play a team in virtual time again and again, with more or fewer agents or other settings, and say"
-    " which are worth it and which activity is the bottleneck. Every variant is played with the same seeds."
-    f" The report, its data and its plots are left in the output folder. {TARGET_HELP}",
+    short_help="Compare team sizes and settings; find bottlenecks.",
+    help="Run a team in virtual time with different numbers of agents or settings, compare the variants, and"
+    " find the bottleneck activity. All variants run with the same seeds. The report, its data and its plots"
+    f" are written to the output directory. {TARGET_HELP}",
     epilog="Example: asemec optimise warehouse.aseme --vary carrier=1..8 --measure Deliver --runs 20",
 )
 @target_argument
@@ -62,28 +63,32 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
     multiple=True,
     callback=_knobs,
     metavar="NAME=VALUES",
-    help="What to vary: the agents of a range (carrier=1..8), or a variable of an agent, a range or a role"
-    " (keeper.limit=60,80). May be repeated: every combination is played.",
+    help="Parameter and its values: an agent range (carrier=1..8) or a variable (keeper.limit=60,80)."
+    " Repeat for all combinations.",
 )
 @click.option(
     "--measure",
     metavar="WHAT",
-    help="What counts: an activity (how often it is done a minute), `time` (until all have finished), or"
-    " MODULE:FUNCTION, which is given the world at the end and gives a number. It has to be said.",
+    help="Measure (required): ACTIVITY (completions per minute), `time` (seconds until all agents complete),"
+    " or MODULE:FUNCTION (a number computed from the world at the end).",
 )
-@click.option("--less", is_flag=True, help="Less is better, as always with `time`.")
+@click.option("--minimise", is_flag=True, help="Prefer lower values (always so for `time`).")
 @click.option(
-    "--runs", type=click.IntRange(1, 100_000), default=20, show_default=True, help="Seeds of each variant."
+    "--runs",
+    type=click.IntRange(1, 100_000),
+    default=20,
+    show_default=True,
+    help="Runs per variant, each with its own seed.",
 )
-@click.option("--seed", type=int, default=1, show_default=True, help="The first seed.")
-@duration_option("How long a run is at the most.  [default: the project's, else 60s]")
+@click.option("--seed", type=int, default=1, show_default=True, help="First seed.")
+@duration_option("Time limit of each run.  [default: the project's, else 60s]")
 @click.option(
     "--worth",
     type=click.FloatRange(0, min_open=False),
     default=5.0,
     show_default=True,
     metavar="PERCENT",
-    help="What going on to the next size must gain.",
+    help="Minimum gain (percent) to accept the next team size.",
 )
 @click.option(
     "--quicker",
@@ -91,25 +96,27 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
     default=2.0,
     show_default=True,
     metavar="TIMES",
-    help="How much quicker each activity is tried, to find the bottleneck; 1: do not look for it.",
+    help="Speed-up factor for the bottleneck search; 1 disables it.",
 )
 @click.option(
     "-j",
     "--jobs",
     type=click.IntRange(1),
-    help="How many runs at once.  [default: as many as there are cores]",
+    help="Parallel runs.  [default: the number of cores]",
 )
-@click.option("--world", metavar="MODULE:FUNCTION", help="Makes the simulated world to play in.")
-@folder_option("-o", "--output", text="Where the report goes.  [default: `optimise` in the project's output]")
+@click.option("--world", metavar="MODULE:FUNCTION", help="Factory function of the simulated world.")
+@folder_option(
+    "-o", "--output", text="Directory of the report.  [default: `optimise` in the project's output directory]"
+)
 @activities_option
-@click.option("-q", "--quiet", is_flag=True, help="Show no progress.")
+@click.option("-q", "--quiet", is_flag=True, help="Suppress progress output.")
 @json_option
 @colour_option
 def command(
     target: str,
     knobs: tuple[Knob, ...],
     measure: str | None,
-    less: bool,
+    minimise: bool,
     runs: int,
     seed: int,
     duration: int | None,
@@ -123,7 +130,7 @@ def command(
     as_json: bool,
     colour: str,
 ) -> int:
-    """Play and report; 1 if the file has errors or cannot be played so."""
+    """Run and report; 1 if the file has errors or cannot be run so."""
     from aseme_dsl.cli.playing import is_function
     from aseme_dsl.diagnostics import Severity
     from aseme_dsl.project.building.build import activities_folder, choose
@@ -134,9 +141,11 @@ def command(
     from aseme_dsl.project.studying.variation import VariationError
 
     if duration == 0:
-        raise click.BadParameter("in 0s nothing can be measured.", param_hint="'--for'")
+        raise click.BadParameter("the time limit must be greater than zero.", param_hint="'--for'")
     if measure is not None and ":" in measure and not is_function(measure):
-        raise click.BadParameter(f"{measure!r} is not MODULE:FUNCTION.", param_hint="'--measure'")
+        raise click.BadParameter(
+            f"{measure!r} does not have the form MODULE:FUNCTION.", param_hint="'--measure'"
+        )
     compiled = one_system(target, activities)
     found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
     if compiled.system is None or has_errors(found):
@@ -153,7 +162,7 @@ def command(
     question = Question(
         knobs,
         tuple(range(seed, seed + runs)),
-        less or measure == TIME,
+        minimise or measure == TIME,
         worth / 100,
         quicker,
         min(jobs or os.cpu_count() or 1, runs),
@@ -192,12 +201,12 @@ def _in_the_way(folder: Path) -> tuple[Diagnostic, ...]:
     around = (folder, *folder.absolute().parents)
     there = next(place for place in around if os.path.exists(place))  # noqa: PTH110  raises nothing
     if not there.is_dir():
-        why = "there is a file where its folder should be" if there != folder else "it is a file"
+        obstacle = Obstacle.FILE_ABOVE if there != folder else Obstacle.FILE_INSTEAD
     elif not os.access(there, os.W_OK | os.X_OK):
-        why = "its folder is read-only" if there != folder else "it is read-only"
+        obstacle = Obstacle.READ_ONLY_ABOVE if there != folder else Obstacle.READ_ONLY_ITSELF
     else:
         return tuple(problem for name in _FILES for problem in check_room(folder / name))[:1]
-    return (Diagnostic("E009", f"{folder} cannot be written: {why}", None, path=str(folder)),)
+    return (Diagnostic(InTheWay(str(folder), obstacle), None, path=str(folder)),)
 
 
 def _measures(system: System) -> str:
@@ -206,10 +215,10 @@ def _measures(system: System) -> str:
 
     names = ", ".join(activities_of(system))
     lines = [
-        "Missing option '--measure'. What counts may be",
-        *([f"an activity, for how often it is done a minute: {names};"] if names else []),
-        "time, for how long it takes until all agents have finished;",
-        "MODULE:FUNCTION, which is given the world at the end and gives a number.",
+        "Missing option '--measure'. Choose one of",
+        *([f"an activity (completions per minute): {names};"] if names else []),
+        "time (seconds until all agents complete);",
+        "MODULE:FUNCTION (a number computed from the world at the end).",
     ]
     return "\n  ".join(lines)
 

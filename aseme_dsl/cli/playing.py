@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from aseme_dsl.project.code.activity_files import WithoutCode
     from aseme_dsl.project.settings.configuration import Configuration
 
-QUIET_AND_VERBOSE = ("--verbose", "with `--quiet`", "leave one of them out")
-"""Why the one is refused where the other is given."""
 INTERRUPTED = 130
 """The exit code of what was ended by a signal."""
 
@@ -50,7 +48,7 @@ def bodies_of(context: click.Context, parameter: click.Parameter, values: tuple[
     for value in values:
         agent, _, function = value.rpartition("=")
         if not is_function(function):
-            raise click.BadParameter(f"{value!r} is not [AGENT=]MODULE:FUNCTION.")
+            raise click.BadParameter(f"{value!r} does not have the form [AGENT=]MODULE:FUNCTION.")
         if agent in found:
             raise click.BadParameter(f"two bodies for {agent or 'every agent'}.")
         found[agent] = function
@@ -87,27 +85,25 @@ def body_option(text: str) -> Callable[[CommandT], CommandT]:
 
 def seed_option(command: CommandT) -> CommandT:
     """`--seed NUMBER`."""
-    text = "Where chance begins.  [default: the project's, else 1]"
+    text = "Seed for random numbers.  [default: the project's, else 1]"
     return click.option("--seed", type=int, help=text)(command)
 
 
-def platform_option(text: str, *platforms: str) -> Callable[[CommandT], CommandT]:
+def platform_option(text: str, platforms: Sequence[str]) -> Callable[[CommandT], CommandT]:
     """`--platform NAME`."""
     return click.option("--platform", type=click.Choice(platforms), help=text)
 
 
 def state_option(command: CommandT) -> CommandT:
     """`--state DIR`."""
-    text = "Where `persist` states are kept for the next run.  [default: the project's]"
+    text = "Directory for persistent states.  [default: the project's]"
     return folder_option("--state", text=text)(command)
 
 
 def telling_options(command: CommandT) -> CommandT:
     """`--quiet` and `--verbose`."""
-    quiet = click.option("-q", "--quiet", is_flag=True, help="Say nothing while it plays.")
-    verbose = click.option(
-        "-v", "--verbose", is_flag=True, help="Say every transition and activity while it plays."
-    )
+    quiet = click.option("-q", "--quiet", is_flag=True, help="Suppress progress output.")
+    verbose = click.option("-v", "--verbose", is_flag=True, help="Print each transition and activity.")
     return quiet(verbose(command))
 
 
@@ -160,13 +156,13 @@ def lines_without_code(found: WithoutCode, target: str, output: Path | None) -> 
     """Which activities only last, why, and what starts their files."""
     lines = []
     if found.simulated:
-        lines.append(f"simulated, as the file says: {', '.join(found.simulated)}")
+        lines.append(f"simulated (declared): {', '.join(found.simulated)}")
     if found.missing:
         into = "" if output is None else f" -o {click.format_filename(output)}"
-        command = f"`asemec build {click.format_filename(target)}{into}` starts a file for each"
-        lines.append(f"simulated, since there is no code: {', '.join(found.missing)} ({command})")
+        command = f"`asemec build {click.format_filename(target)}{into}` creates stubs"
+        lines.append(f"simulated (no code): {', '.join(found.missing)}; {command}")
     if found.empty:
-        lines.append(f"simulated, since nothing is written in its file: {', '.join(found.empty)}")
+        lines.append(f"simulated (empty stub): {', '.join(found.empty)}")
     return lines
 
 

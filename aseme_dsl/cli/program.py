@@ -33,7 +33,7 @@ COMMANDS = (
     "run",
     "node",
     "status",
-    "select",
+    "switch",
     "swap",
     "key",
     "trace",
@@ -78,23 +78,23 @@ class _Commands(click.Group):
             from aseme_dsl.diagnostics import closest
 
             near = closest(args[0], COMMANDS)
-            hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(COMMANDS)}."
-            raise click.UsageError(f"There is no command {args[0]!r}. {hint}", ctx)
+            hint = f"Did you mean {near!r}?" if near else f"Commands: {', '.join(COMMANDS)}."
+            raise click.UsageError(f"Unknown command {args[0]!r}. {hint}", ctx)
         return super().resolve_command(ctx, args)
 
 
 @click.group(
     cls=_Commands,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    epilog="Example: asemec check team.aseme   ·   Every command has --help, with an example.",
+    epilog="Example: asemec check team.aseme   ·   Every command has --help with an example.",
 )
 @click.version_option(__version__, "-V", "--version", prog_name="asemec", message="%(prog)s %(version)s")
-@click.option("--debug", is_flag=True, help="Show the traceback if asemec itself fails.")
+@click.option("--debug", is_flag=True, help="Show the Python traceback of an internal error.")
 @click.pass_context
 def program(context: click.Context, debug: bool) -> None:
-    """From a text file with the goals, roles and protocols of a team to statecharts that run.
+    """Compile and run teams of robots and agents that .aseme files describe.
 
-    Exit codes: 0 fine, 1 the files have errors, 2 wrong use.
+    Exit codes: 0 success, 1 errors in the files or a failed run, 2 invalid command line.
     """
     context.obj = debug
 
@@ -121,7 +121,7 @@ def run_program(arguments: Sequence[str] | None = None) -> int:
         _ignore_output()
         return BROKEN_PIPE
     except MemoryError:
-        _say("asemec: there is not enough memory for this")
+        _say("asemec: out of memory")
         return ERRORS
     except OSError as error:
         # Only what cannot be said better where it happens comes here: the standard output of a full disk.
@@ -212,8 +212,8 @@ def _our_mistake(error: Exception, arguments: Sequence[str]) -> None:
     line = str(error).partition("\n")[0]
     again = shlex.join(["asemec", "--debug", *arguments])
     _say(
-        f"asemec: this is a mistake of asemec, not yours ({type(error).__name__}: {line}).\n"
-        "Please report it to the project, with the file and with what this command says:\n"
+        f"asemec: internal error: {type(error).__name__}: {line}\n"
+        "This is a bug in asemec; please report it, with the file and the output of this command:\n"
         f"  {again}"
     )
 

@@ -11,6 +11,7 @@ import click
 
 from aseme_dsl.cli.shared import FilePath, Refused
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.running import NotDone, NotOneTeam
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -26,8 +27,8 @@ def key_option(command: CommandT) -> CommandT:
         "--key",
         type=FilePath(path_type=Path),
         metavar="FILE",
-        help="Reach the robots over their network, with the last key of FILE.  [default: by the control"
-        " sockets of this machine]",
+        help="Reach the agents over the network with the last key of FILE.  [default: the control sockets of"
+        " this machine]",
     )(command)
 
 
@@ -59,8 +60,8 @@ def reached(key: Path | None, output: Path, system: str | None = None) -> Iterat
     except PlayError as problem:
         raise Refused(problem.problems(str(output))) from problem
     if len(systems) != 1:
-        names = ", ".join(item.name for item in systems) or "none"
-        raise not_done([f"{output} must have one system with a team; it has {names}"], output)
+        names = tuple(item.name for item in systems)
+        raise Refused([Diagnostic(NotOneTeam(str(output), names), None, path=str(output))])
     team = [name for name, _ in systems[0].team]
     try:
         with robots_of(systems[0].name, team, configuration, key) as robots:
@@ -72,5 +73,5 @@ def reached(key: Path | None, output: Path, system: str | None = None) -> Iterat
 def not_done(reasons: Iterable[object], output: Path, first: str | None = None) -> Refused:
     """What cannot be done with robots that run from an output folder; `first` says what became of them."""
     about = [] if first is None else [first]
-    text = "\n".join([*about, *map(str, reasons)])
-    return Refused([Diagnostic("E034", text, None, path=str(output))])
+    problem = NotDone((*about, *map(str, reasons)))
+    return Refused([Diagnostic(problem, None, path=str(output))])

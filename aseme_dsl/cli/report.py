@@ -42,15 +42,14 @@ def report_options(*names: str) -> Callable[[CommandT], CommandT]:
             "report",
             type=FilePath(path_type=Path),
             metavar="REPORT",
-            help="Write the report into this file.  [default: standard output]",
+            help="Report file.  [default: standard output]",
         )(command)
-        command = click.option("--json", "as_json", is_flag=True, help="The same as --format json.")(command)
+        command = click.option("--json", "as_json", is_flag=True, help="Short for --format json.")(command)
         return click.option(
             "--format",
             "form",
             type=click.Choice(FORMATS),
-            help="How to say it: for people, for programs, for code scanning, as GitHub workflow commands, as"
-            " a test report, as GitLab's code quality.  [default: text]",
+            help="Output format; github: workflow commands, codequality: GitLab.  [default: text]",
         )(command)
 
     return add
@@ -59,9 +58,9 @@ def report_options(*names: str) -> Callable[[CommandT], CommandT]:
 def form_of(form: str | None, as_json: bool, report: Path | None) -> str:
     """The format that the options mean; what contradicts itself is wrong use."""
     if as_json and form not in (None, "json"):
-        raise click.UsageError(f"--json is --format json, and not --format {form}.")
+        raise click.UsageError(f"--json contradicts --format {form}.")
     if report is not None and report.suffix == ".aseme":
-        raise click.UsageError(f"{report} is the name of a source: give the report another one.")
+        raise click.UsageError(f"{report} is a source file name: choose another one for the report.")
     if report is not None:
         check_outputs([(report, "report")])
     return "json" if as_json else form or "text"

@@ -1,4 +1,4 @@
-"""`asemec run`: build a system and play it."""
+"""`asemec run`: build and run a system."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ import click
 
 from aseme_dsl.cli.playing import (
     INTERRUPTED,
-    QUIET_AND_VERBOSE,
     body_option,
     build_target,
     duration_option,
@@ -43,10 +42,21 @@ from aseme_dsl.cli.shared import (
     print_json,
     refuse,
     refuse_options,
+    stats_option,
     target_argument,
     wants_colour,
 )
 from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.diagnostics.problems.running import (
+    AgentWithoutRole,
+    OnOutputOfTarget,
+    OnOutputWithoutBackend,
+    OptionWithoutEffect,
+    WithList,
+    WithProcesses,
+    WithQuiet,
+)
+from aseme_dsl.project.settings.platform_settings import IN_PROCESS, PLATFORMS, ZENOH
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -61,53 +71,50 @@ if TYPE_CHECKING:
 
 def _world(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
     if value is not None and not is_function(value):
-        raise click.BadParameter(f"{value!r} is not MODULE:FUNCTION.")
+        raise click.BadParameter(f"{value!r} does not have the form MODULE:FUNCTION.")
     return value
 
 
 @click.command(
-    short_help="Build a system and play it.",
-    help=f"Build a system and play its team, in virtual time unless --real is given. {TARGET_HELP} A project"
-    " is played as its pyproject.toml says; the plans in an output folder are played as they are. Models,"
-    " diagrams, Python and a trace are left in the output folder.",
-    epilog="Example: asemec run team.aseme --for 30s   ·   asemec run out --plan player --real",
+    short_help="Build and run a system.",
+    help="Build a system and run its team, in virtual time unless --real is given. Models, diagrams, Python"
+    " code and a trace are written to the output directory. Defaults come from [tool.asemec.run] of the"
+    f" project. An output directory is run as it is, without a build. {TARGET_HELP}",
+    epilog="Example: asemec run team.aseme --for 30s   ·   asemec run out --role player --real",
 )
 @target_argument
-@folder_option("-o", "--output", text="Where to build.  [default: the project's, else out]")
-@click.option("--plan", metavar="ROLE", help="Play one plan alone: ROLE, or SYSTEM.ROLE.")
-@click.option("--agent", metavar="NAME", help="What the agent of --plan is called.")
-@click.option("--list", "list_", is_flag=True, help="Play nothing; list the plans that there are.")
-@duration_option(
-    "How long to play, such as 90s or 2min.  [default: the project's, else 60s; with --real, no limit]"
-)
+@folder_option("-o", "--output", text="Output directory.  [default: the project's, else out]")
+@click.option("--role", "plan", metavar="ROLE", help="Run only this role (ROLE or SYSTEM.ROLE).")
+@click.option("--agent", metavar="NAME", help="Name of the agent that runs --role.")
+@click.option("--list", "list_", is_flag=True, help="List the compiled roles and exit.")
+@duration_option("Time limit, such as 90s or 2min.  [default: the project's, else 60s; none with --real]")
 @seed_option
-@click.option("--real", is_flag=True, help="Play in real time.")
-@click.option("--team", is_flag=True, help="Play the whole team, as is usual: not with --plan.")
+@click.option("--real", is_flag=True, help="Run in real time.")
+@click.option("--team", is_flag=True, help="Run the whole team (the default).")
 @click.option(
-    "--process-per-robot", is_flag=True, help="Play in real time, with a process for each robot of the team."
+    "--process-per-agent", is_flag=True, help="Run in real time, each agent in a process of its own."
 )
 @platform_option(
-    "What carries messages between the agents, in real time: with spade and mango, agents of others may take"
-    " part.  [default: with --real or --process-per-robot the project's, else zenoh between processes]",
-    "in_process",
-    "zenoh",
-    "spade",
-    "mango",
+    "Transport of the messages in real time. spade and mango admit external agents.  [default: the project's,"
+    " else zenoh with --process-per-agent and in_process with --real]",
+    PLATFORMS,
 )
 @input_option(
-    'What to give the agents, a line each: {"at": "1s", "channel": "vision.state.Ball", "message": {}}.'
+    "JSON Lines file of timed messages and events:"
+    ' {"at": "1s", "channel": "vision.state.Ball", "message": {}}.'
 )
-@trace_option("Where the trace goes.  [default: the project's, else OUTPUT/trace.jsonl]")
+@trace_option("Trace file.  [default: the project's, else OUTPUT/trace.jsonl]")
 @state_option
 @activities_option
-@folder_option("--templates", text="A folder of templates that replace the backend's own, by name.")
+@folder_option("--templates", text="Directory of templates that override the backend's, by file name.")
 @click.option(
-    "--world", metavar="MODULE:FUNCTION", callback=_world, help="Makes the simulated world to play in."
+    "--world", metavar="MODULE:FUNCTION", callback=_world, help="Factory function of the simulated world."
 )
 @play_backend_option
-@body_option("Makes the body of an agent, or of all. May be repeated.")
-@click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
+@body_option("Factory function of the body, for AGENT or all agents. Repeatable.")
+@click.option("--force", is_flag=True, help="Overwrite edited files and files that asemec did not write.")
 @allow_option
+@stats_option
 @telling_options
 @json_option
 @colour_option
@@ -121,7 +128,7 @@ def command(
     seed: int | None,
     real: bool,
     team: bool,
-    process_per_robot: bool,
+    process_per_agent: bool,
     platform: str | None,
     script: Path | None,
     trace: Path | None,
@@ -135,10 +142,11 @@ def command(
     allowed: tuple[str, ...],
     quiet: bool,
     verbose: bool,
+    stats: bool,
     as_json: bool,
     colour: str,
 ) -> int:
-    """Play; 1 if the file has errors, it cannot be played, or an agent fails or waits for ever."""
+    """Run; 1 if the file has errors, it cannot be run, or an agent fails or is in a deadlock."""
     from aseme_dsl.backends.backend import AGENTS
     from aseme_dsl.cli.telling import Telling
     from aseme_dsl.project.building.build import activities_folder, choose
@@ -153,37 +161,31 @@ def command(
         select,
     )
     from aseme_dsl.project.settings.configuration import find_configuration
-    from aseme_dsl.project.settings.platform_settings import IN_PROCESS, ZENOH
 
-    if plan is not None and (team or process_per_robot):
-        raise click.UsageError("--plan plays one plan: not with --team or --process-per-robot.")
+    if plan is not None and (team or process_per_agent):
+        raise click.UsageError("--role runs one role: not with --team or --process-per-agent.")
     if plan is not None and platform not in (None, IN_PROCESS):
-        raise click.UsageError("--plan plays one plan, in this process: not with --platform.")
-    if process_per_robot and platform == IN_PROCESS:
-        raise click.UsageError("--process-per-robot needs a platform between processes, such as zenoh.")
+        raise click.UsageError("--role runs one role in this process: not with --platform.")
+    if process_per_agent and platform == IN_PROCESS:
+        raise click.UsageError("--process-per-agent needs a transport between processes, such as zenoh.")
     if trace is not None:
         check_outputs([(trace, "trace")], [target, *([script] if script is not None else [])])
     report: Report | None = None
     bare: WithoutCode | None = None
     played_as_it_is = is_output(Path(target))
-    unused: list[tuple[str, str, str]] = []
+    unused: list[OptionWithoutEffect] = []
     if agent is not None and plan is None and not list_:
-        hint = "add `--plan ROLE`; without it, the whole team plays"
-        unused.append(("--agent", "without `--plan`", hint))
+        unused.append(AgentWithoutRole("--agent"))
     if list_:
-        why = "with `--list`, which plays nothing"
-        unused += [(option, why, "leave it out") for option in given_options() if option not in _LISTED]
+        unused += [WithList(option) for option in given_options() if option not in _LISTED]
     elif quiet and verbose:
-        unused.append(QUIET_AND_VERBOSE)
+        unused.append(WithQuiet("--verbose"))
     if played_as_it_is:
-        why = "on an output folder, which is played as it is"
-        hint = "leave it out, or name the .aseme file or the project's folder to build"
-        given = {"-o": output, "--templates": templates, "--force": force or None}
-        unused += [(option, why, hint) for option, value in given.items() if value is not None]
+        given = {"-o": output, "--templates": templates, "--force": force or None, "--stats": stats or None}
+        unused += [OnOutputOfTarget(option) for option, value in given.items() if value is not None]
         for name in dict.fromkeys(item.rpartition("=")[2] for item in backends):
             if name in AGENTS and not (Path(target) / name).is_dir():
-                hint = f"build with `--backend {name}` first"
-                unused.append((f"--backend {name}", "on an output folder without its files", hint))
+                unused.append(OnOutputWithoutBackend(f"--backend {name}", name))
     if code := refuse_options(unused, target, as_json, colour):
         return code
     try:
@@ -207,13 +209,11 @@ def command(
         if trace is None and configuration.run is not None and configuration.run.trace is not None:
             check_outputs([(configuration.run.trace, "trace")])
         loaded, plan = select(systems, plan)
-        if platform is None and plan is None and (real or process_per_robot):
+        if platform is None and plan is None and (real or process_per_agent):
             platform = configuration.platform
-        if platform == ZENOH or process_per_robot:
+        if platform == ZENOH or process_per_agent:
             if allowed:
-                why = "where each robot is a process"
-                hint = "leave it out: the robots end by themselves, or when the time is over"
-                return refuse_options([("--allow", why, hint)], target, as_json, colour)
+                return refuse_options([WithProcesses("--allow")], target, as_json, colour)
             if not quiet and not as_json and bare is not None:
                 for line in lines_without_code(bare, target, output):
                     click.echo(line)
@@ -229,7 +229,11 @@ def command(
                 configuration, duration, seed, script, state, backends, bodies, quiet, verbose, colour
             )
             place = activities_folder(folder, choice)
-            return _supervise(loaded, folder, place, configuration, request, options, quiet, as_json)
+            code = _supervise(loaded, folder, place, configuration, request, options, quiet, as_json)
+            if stats and report is not None and not as_json:
+                for line in count_lines(report.count):
+                    click.echo(line)
+            return code
         if configuration.run is None or configuration.run.trace is None:
             trace = trace or folder / "trace.jsonl"
         real = real or platform not in (None, IN_PROCESS)
@@ -265,7 +269,7 @@ def command(
         raise refused(found, colour) from problem
     telling.end()
     code = exit_code(played.result, allowed, INTERRUPTED)
-    _print(played, loaded, report, folder, telling, as_json, bare, target, output)
+    _print(played, loaded, report, folder, telling, as_json, bare, target, output, real, stats)
     if played.result.left:
         leave_at_once(code)
     return code
@@ -336,9 +340,8 @@ def _supervise(
         result = {"system": loaded.name, "reason": ended.reason, "robots": robots, "folder": str(folder)}
         print_json({"result": result, **diagnostics_json(())})
         return code
-    click.echo(
-        f"played with {count_processes(len(ended.robots))}: {_REASONS.get(ended.reason, ended.reason)}"
-    )
+    processes = f"({count_processes(len(ended.robots))})"
+    click.echo(_end_of(ended.reason, processes, sum(bool(robot.code) for robot in ended.robots)))
     for robot in ended.robots:
         starts = f", started {robot.starts} times" if robot.starts > 1 else ""
         click.echo(f"  {robot.name}{starts}  trace: {', '.join(map(str, robot.traces))}")
@@ -348,12 +351,12 @@ def _supervise(
 
 
 def count_processes(robots: int) -> str:
-    """`a process`, `4 processes`."""
-    return "a process" if robots == 1 else f"{robots} processes"
+    """`1 process`, `4 processes`."""
+    return "1 process" if robots == 1 else f"{robots} processes"
 
 
 def _list(systems: Iterable[Loaded], as_json: bool) -> int:
-    """The plans that are carried, as registered."""
+    """The compiled roles, as registered."""
     rows: list[dict[str, Any]] = [
         {
             "plan": f"{plan.system}.{plan.name}",
@@ -370,7 +373,7 @@ def _list(systems: Iterable[Loaded], as_json: bool) -> int:
         return 0
     width = max((len(str(row["plan"])) for row in rows), default=0)
     for row in rows:
-        agents = ", ".join(row["agents"]) or "no agent of a team"
+        agents = ", ".join(row["agents"]) or "no agent"
         size = f"{row['states']:4} states {row['transitions']:4} transitions"
         click.echo(f"{row['plan']:<{width}}  {size}  model {row['model']}  {agents}")
     return 0
@@ -386,6 +389,8 @@ def _print(
     bare: WithoutCode | None,
     target: str,
     output: Path | None,
+    real: bool,
+    stats: bool,
 ) -> None:
     """How it ended, and what is left behind."""
     from dataclasses import asdict
@@ -397,7 +402,7 @@ def _print(
                 "result": {
                     "system": loaded.name,
                     "reason": result.reason,
-                    "time": result.time,
+                    "time": result.end_ns,
                     "seed": played.seed,
                     "agents": [asdict(agent) for agent in result.agents],
                     "faults": telling.faults,
@@ -417,16 +422,16 @@ def _print(
         return
     if played.summary:
         click.echo(played.summary)
-    reason = _REASONS.get(result.reason, result.reason)
-    if result.reason == "finished" and result.failed:
-        reason = "all agents have ended, not all of them well"
-    click.echo(f"played {result.time / 1e9:g} s with seed {played.seed}: {reason}")
+    clock = "real time" if real else "virtual"
+    length = f"after {result.end_ns / 1e9:g} s ({clock}, seed {played.seed})"
+    failed = sum(agent.failure is not None for agent in result.agents)
+    click.echo(_end_of(result.reason, length, failed))
     for agent in result.agents:
         if agent.failure is not None:
             place = f" ({agent.at})" if agent.at else ""
             click.echo(f"  {agent.name} ({agent.role}) failed: {agent.failure}{place}", err=True)
         elif agent.finished:
-            click.echo(f"  {agent.name} ({agent.role}) has finished")
+            click.echo(f"  {agent.name} ({agent.role}) completed")
     for line in end_lines(result):
         click.echo(f"  {line}")
     for line in lines_without_code(bare, target, output) if bare is not None else ():
@@ -437,7 +442,7 @@ def _print(
         click.echo(f"  trace: {played.trace}")
     if report is not None:
         click.echo(f"  models, diagrams and code: {folder}")
-        for line in count_lines(report.count):
+        for line in count_lines(report.count) if stats else ():
             click.echo(f"  {line}")
 
 
@@ -446,9 +451,17 @@ _LISTED = frozenset(
 )
 """What has an effect on the list of plans: which they are, and how they are said."""
 
+
+def _end_of(reason: str, how: str, failed: int) -> str:
+    """`finished after 25 s (virtual, seed 1): all agents completed`; `how` is the part in the middle."""
+    if reason == "finished":
+        return f"finished {how}: all agents {f'ended; {failed} failed' if failed else 'completed'}"
+    return f"stopped {how}: {_REASONS.get(reason, reason)}"
+
+
 _REASONS = {
-    "finished": "all agents have finished",
-    "time": "the time is over",
-    "idle": "nothing would happen any more",
-    "interrupted": "stopped",
+    "time": "time limit reached",
+    "idle": "no pending inputs, timers or activities",
+    "interrupted": "interrupted",
 }
+"""Why a run stopped before its agents completed."""

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.trace.fault_counts import FaultCount
 
 WAITING = "waiting"
-"""What `--allow` takes: agents that wait for ever are no failure of the run."""
+"""What `--allow` accepts: agents in a deadlock are not a failure of the run."""
 _MOST = 20
 """So many lines of one sort are printed; of the others only the number."""
 _MOST_AWAITED = 4
@@ -27,7 +27,7 @@ _LONG = 60
 
 def allow_option(command: CommandT) -> CommandT:
     """`--allow waiting`."""
-    text = "Exit with 0 although agents wait for ever."
+    text = "Exit with 0 even if agents are in a deadlock."
     return click.option("--allow", "allowed", type=click.Choice([WAITING]), multiple=True, help=text)(command)
 
 

@@ -1,4 +1,4 @@
-"""`asemec scaffold`: write what is missing into a file, as skeletons."""
+"""`asemec scaffold`: add skeletons for missing declarations to a file."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ from aseme_dsl.cli.shared import (
 
 
 @click.command(
-    short_help="Write what is missing into a file.",
-    help="Write skeletons of what is still missing (protocols, roles, formulas, control) into a file, and"
-    " touch nothing else in it; you fill them in. Where the project has a folder of activities, each activity"
-    f" without a file gets one to fill in, unless it is `simulated`. {TARGETS_HELP} The text of standard"
-    " input is completed on standard output. A file with errors stays as it is.",
+    short_help="Add skeletons for missing declarations.",
+    help="Add skeletons for missing protocols, roles, formulas and control lines to a file, and change"
+    " nothing else in it. In a project with a directory of activities, also create a stub for each activity"
+    " that has no file and is not `simulated`. A file with errors is skipped. Standard input is printed to"
+    f" standard output. {TARGETS_HELP}",
     epilog="Example: asemec scaffold --diff team.aseme   ·   asemec scaffold team.aseme",
 )
 @targets_argument
-@folder_option("--activities", text="Where your activities are.  [default: the project's]")
-@click.option("--diff", is_flag=True, help="Change nothing; print what would be added.")
+@folder_option("--activities", text="Directory of the activities' Python code.  [default: the project's]")
+@click.option("--diff", is_flag=True, help="Print the additions, do not write them.")
 @json_option
 @colour_option
 def command(targets: tuple[str, ...], activities: Path | None, diff: bool, as_json: bool, colour: str) -> int:
@@ -39,7 +39,7 @@ def command(targets: tuple[str, ...], activities: Path | None, diff: bool, as_js
     from aseme_dsl.diagnostics import Severity, has_errors, render_json
     from aseme_dsl.project.building.project import inputs_of
     from aseme_dsl.project.editing.complete import complete
-    from aseme_dsl.project.files.inputs import STANDARD_INPUT
+    from aseme_dsl.source import STANDARD_INPUT
 
     inputs = inputs_of(targets, standard_input)
     completed = [complete(root, write=not diff, activities=activities) for root in inputs.roots]
@@ -67,17 +67,15 @@ def command(targets: tuple[str, ...], activities: Path | None, diff: bool, as_js
             click.echo(item.text, nl=False)
         elif not has_errors(item.diagnostics):
             for note in item.added:
-                click.echo(f"{note.span or item.path}: {note.message}: written", err=True)
+                click.echo(f"{note.span or item.path}: {note.message}: skeleton added", err=True)
             for note in item.advised:
                 place = note.span or item.path
-                click.echo(
-                    f"{place}: {note.message}: only a comment is written, which says what to do", err=True
-                )
+                click.echo(f"{place}: {note.message}: comment added", err=True)
             counted = plural(len(item.added), "skeleton")
             counted += f" and {plural(len(item.advised), 'comment')}" if item.advised else ""
-            click.echo(f"{item.path}: {counted} written", file=sys.stdout)
+            click.echo(f"{item.path}: {counted} added", file=sys.stdout)
             if item.wait:
-                click.echo(f"{item.path}: when no hole is left, its activities get files")
+                click.echo(f"{item.path}: activity stubs follow when no hole is left")
             for path in item.code:
-                click.echo(f"{path}: written", file=sys.stdout)
+                click.echo(f"{path}: created", file=sys.stdout)
     return int(has_errors(found))

@@ -21,6 +21,7 @@ from aseme_dsl.diagnostics import (
     render_json,
     render_text,
 )
+from aseme_dsl.diagnostics.problems.running import AgentNotInTrace, OptionWithoutEffect, TraceNotRead
 
 if TYPE_CHECKING:
     from aseme_dsl.project.building.build import Choice
@@ -41,7 +42,7 @@ class FilePath(click.Path):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if value == "":
-            self.fail("a path is wanted, and this is empty.", param, ctx)
+            self.fail("the path must not be empty.", param, ctx)
         return super().convert(value, param, ctx)
 
 
@@ -58,19 +59,25 @@ def colour_option(command: CommandT) -> CommandT:
         type=click.Choice(["auto", "always", "never"]),
         default="auto",
         show_default=True,
-        help="Colour the messages; auto: on a terminal, unless NO_COLOR is set.",
+        help="Coloured output; auto: on a terminal, unless NO_COLOR is set.",
     )(command)
+
+
+def stats_option(command: CommandT) -> CommandT:
+    """`--stats`: how much of the code is generated."""
+    text = "Print the numbers of generated and hand-written lines (--json always has them)."
+    return click.option("--stats", is_flag=True, help=text)(command)
 
 
 def watch_option(command: CommandT) -> CommandT:
     """`--watch`."""
-    text = "Do it again whenever a file changes on which it depends, until Ctrl-C."
+    text = "Repeat whenever an input file changes, until Ctrl-C."
     return click.option("-w", "--watch", is_flag=True, help=text)(command)
 
 
 def activities_option(command: CommandT) -> CommandT:
     """`--activities DIR`."""
-    text = "Where your activities are.  [default: the project's, else OUTPUT/monas/activities]"
+    text = "Directory of the activities' Python code.  [default: the project's, else OUTPUT/monas/activities]"
     return folder_option("--activities", text=text)(command)
 
 
@@ -128,7 +135,7 @@ def refuse(found: Iterable[Diagnostic], as_json: bool, colour: str) -> int:
 
 def say_unreadable(problem: object, path: Path, colour: str = "auto") -> None:
     """Say that a trace cannot be read, or only up to a line."""
-    print_diagnostics([Diagnostic("E035", str(problem), None, path=str(path))], colour)
+    print_diagnostics([Diagnostic(TraceNotRead(str(problem)), None, path=str(path))], colour)
 
 
 def not_in_traces(unknown: Iterable[str], team: Collection[str], files: Sequence[Path]) -> list[Diagnostic]:
@@ -136,9 +143,8 @@ def not_in_traces(unknown: Iterable[str], team: Collection[str], files: Sequence
     problems = []
     for name in unknown:
         near = closest(name, team)
-        hint = f"did you mean `{near}`?" if near else f"the team has {', '.join(team)}"
-        message = f"the trace has nothing about an agent `{name}`"
-        problems.append(Diagnostic("E029", message, None, hint=hint, path=", ".join(map(str, files))))
+        absent = AgentNotInTrace(name, near, tuple(team))
+        problems.append(Diagnostic(absent, None, path=", ".join(map(str, files))))
     return problems
 
 
@@ -175,18 +181,14 @@ def given_options() -> list[str]:
     ]
 
 
-def refuse_options(found: Sequence[tuple[str, str, str]], target: str, as_json: bool, colour: str) -> int:
-    """Refuse options that have no effect on a target: each with why not, and what to do.
+def refuse_options(found: Sequence[OptionWithoutEffect], target: str, as_json: bool, colour: str) -> int:
+    """Refuse options that have no effect on a target.
 
     The exit code: 0 if there are none.
     """
     if not found:
         return 0
-    problems = [
-        Diagnostic("E028", f"`{option}` has no effect {why}", None, hint=hint, path=target)
-        for option, why, hint in found
-    ]
-    refuse(problems, as_json, colour)
+    refuse([Diagnostic(problem, None, path=target) for problem in found], as_json, colour)
     return WRONG_USE
 
 
@@ -220,12 +222,12 @@ def plural(number: int, noun: str) -> str:
 
 
 def summary(diagnostics: Iterable[Diagnostic], files: int) -> str:
-    """`2 errors, 1 warning in 1 file`; `1 file is fine` where there is nothing to say."""
+    """`2 errors, 1 warning in 1 file`; `no problems found in 1 file` without diagnostics."""
     found = tuple(diagnostics)
     counts = [(count(found, severity), severity.value) for severity in Severity]
     said = ", ".join(plural(number, noun) for number, noun in counts if number)
     if not said:
-        return "1 file is fine" if files == 1 else f"{files} files are fine"
+        return f"no problems found in {plural(files, 'file')}"
     return f"{said} in {plural(files, 'file')}" if files else said
 
 
@@ -237,11 +239,13 @@ def standard_input() -> bytes:
 
 
 TARGET_HELP = (
-    "TARGET is a file, a project's folder or the output folder of a build. Without TARGET: the project here."
+    "TARGET is a file, a project directory or the output directory of a build. Default: the project in the"
+    " current directory."
 )
 TARGETS_HELP = (
-    "TARGET is a file, a project's folder, another folder (all .aseme files in it), the output folder of a"
-    " build, a pattern in quotes, or - for standard input. Without TARGET: the project here."
+    "TARGET is a file, a project directory, any other directory (all .aseme files in it), the output"
+    " directory of a build, a quoted pattern, or - for standard input."
+    " Default: the project in the current directory."
 )
 
 
@@ -268,7 +272,7 @@ def one_file(target: str) -> Path | tuple[Diagnostic, ...]:
     from aseme_dsl.project.building.project import inputs_of
 
     if target == "-":
-        raise click.UsageError("Standard input is not a file that can be looked at again.")
+        raise click.UsageError("Standard input cannot be read a second time: name a file.")
     inputs = inputs_of([target], standard_input)
     if inputs.diagnostics:
         return inputs.diagnostics
@@ -282,7 +286,7 @@ def one_file(target: str) -> Path | tuple[Diagnostic, ...]:
 
 def _not_one(target: str, inputs: Inputs) -> str:
     names = ", ".join(str(getattr(root, "path", root)) for root in inputs.roots) or "no `system` declaration"
-    return f"{target} means {len(inputs.roots)} systems ({names}): name one of them."
+    return f"{target} contains {len(inputs.roots)} systems ({names}), not one: name a file with one system."
 
 
 def check_outputs(outputs: Iterable[tuple[Path, Kind]], inputs: Iterable[Path | str] = ()) -> None:
@@ -367,7 +371,7 @@ def running_option(command: CommandT) -> CommandT:
         type=FilePath(path_type=Path),
         metavar="DIR",
         callback=default,
-        help="The output folder that it runs from.  [default: the project's, else out]",
+        help="Output directory that the team runs from.  [default: the project's, else out]",
     )(command)
 
 
@@ -379,7 +383,8 @@ def backend_option(text: str) -> Callable[[CommandT], CommandT]:
 def play_backend_option(command: CommandT) -> CommandT:
     """`--backend` of what plays agents."""
     text = (
-        "Whose agents to play, all or those of a role. May be repeated.  [default: the project's, else monas]"
+        "Backend that runs the agents, for all roles or for ROLE. Repeatable."
+        "  [default: the project's, else monas]"
     )
     return backend_option(text)(command)
 
@@ -394,11 +399,13 @@ def check_choice(choice: Choice, asked: Iterable[str], roles: Iterable[str], *, 
     for item in asked:
         role, given, name = item.partition("=")
         if given and plays and name not in AGENTS:
-            raise click.UsageError(f"{name} makes no agents: {role} can have one of {', '.join(AGENTS)}.")
+            raise click.UsageError(
+                f"Backend {name} cannot run agents; use one of {', '.join(AGENTS)} for {role}."
+            )
         if given and role not in known:
             near = closest(role, known)
-            hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(known) or 'none'}."
-            raise click.UsageError(f"There is no role {role!r}. {hint}")
+            hint = f"Did you mean {near!r}?" if near else f"Roles: {', '.join(known) or 'none'}."
+            raise click.UsageError(f"Unknown role {role!r}. {hint}")
 
 
 def check_backends(names: Iterable[str], others: Sequence[str] = ()) -> None:
@@ -409,24 +416,24 @@ def check_backends(names: Iterable[str], others: Sequence[str] = ()) -> None:
     for name in names:
         if name not in ours and name not in (known := (*others, *backend_names())):
             near = closest(name, known)
-            hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(known)}."
-            raise click.UsageError(f"There is no {'part or ' if others else ''}backend {name!r}. {hint}")
+            hint = f"Did you mean {near!r}?" if near else f"Available: {', '.join(known)}."
+            raise click.UsageError(f"Unknown {'part or ' if others else ''}backend {name!r}. {hint}")
 
 
 def count_lines(count: Count | None) -> list[str]:
-    """How much is generated and how much was written by hand, in the words of the papers."""
+    """How many lines are generated and how many are hand-written (`--stats`)."""
     if count is None:
         return []
     generated, by_hand, source = count.generated, count.by_hand, count.source
     lines = f"{generated.lines} of {count.lines} lines ({_percent(generated.lines, count.lines)})"
     size = f"{_kilobytes(generated.bytes)} of {_kilobytes(count.bytes)} KB"
-    hand = "no activity yet"
+    hand = "no activity code"
     if by_hand.files:
         hand = f"{plural(by_hand.lines, 'line')} of activities in {plural(by_hand.files, 'file')}"
     text = f"{plural(source.lines, 'line')} of .aseme ({_kilobytes(source.bytes)} KB)"
     return [
         f"generated: {lines} of code, {size} ({_percent(generated.bytes, count.bytes)})",
-        f"by hand: {hand}, {text}",
+        f"hand-written: {hand}, {text}",
     ]
 
 

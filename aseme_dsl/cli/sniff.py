@@ -1,4 +1,4 @@
-"""`asemec sniff`: what the agents of a run say to each other, as text, as Mermaid or as a picture."""
+"""`asemec sniff`: the agent messages of a run as text, as Mermaid or as a picture."""
 
 from __future__ import annotations
 
@@ -29,6 +29,7 @@ from aseme_dsl.cli.shared import (
     say_unreadable,
     targets_argument,
 )
+from aseme_dsl.diagnostics.problems.running import WithJson
 
 if TYPE_CHECKING:
     from aseme_dsl.diagrams.sequence.sequence import Row, SequenceDiagram
@@ -42,40 +43,42 @@ _SUFFIX_OF = {"svg": ".svg", "mermaid": ".mmd", "text": ".txt"}
 
 
 @click.command(
-    short_help="Show what agents say to each other.",
-    help="Show the agent messages of a run: as lines of text, as a Mermaid sequence diagram, or as an SVG"
-    " picture. TARGET is a trace, a file, a project's folder or an output folder; several are the processes"
-    " of one run. Without TARGET: the project here. The filters go together; of several of one kind, any."
-    " What they leave out is counted.",
+    short_help="Show the agent messages of a run.",
+    help="Show the agent messages of a run as text, as a Mermaid sequence diagram or as an SVG picture."
+    " Filters of one kind are alternatives; filters of different kinds must all match. TARGET is a trace, a"
+    " file, a project directory or an output directory; several are the processes of one run. Default: the"
+    " project in the current directory.",
     epilog="Example: asemec sniff out --protocol contract_net -o talk.svg   ·   asemec sniff out --follow",
 )
 @targets_argument
-@click.option("-f", "--follow", is_flag=True, help="Show them as they come, until the run ends.")
+@click.option("-f", "--follow", is_flag=True, help="Print messages as they are sent, until the run ends.")
 @click.option(
     "--conversation",
     "conversations",
     multiple=True,
     metavar="NAME",
-    help="Only this conversation, or these: 'auction-*'.",
+    help="Only conversations with this name or pattern: 'auction-*'.",
 )
-@click.option("--protocol", "protocols", multiple=True, metavar="NAME", help="Only those of this protocol.")
-@click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only what this agent says or hears.")
-@click.option("--from", "since", metavar="TIME", callback=moment_of, help="Only from this time on: 12.5s.")
-@click.option("--to", "until", metavar="TIME", callback=moment_of, help="Only up to this time.")
+@click.option(
+    "--protocol", "protocols", multiple=True, metavar="NAME", help="Only messages of this protocol."
+)
+@click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only messages to or from this agent.")
+@click.option("--from", "since", metavar="TIME", callback=moment_of, help="Start of the time range: 12.5s.")
+@click.option("--to", "until", metavar="TIME", callback=moment_of, help="End of the time range.")
 @click.option(
     "--format",
     "format_",
     type=click.Choice(["text", "mermaid", "svg"]),
-    help="What to write.  [default: what the output file is called, else text]",
+    help="Output format.  [default: by the suffix of the output file, else text]",
 )
 @click.option(
     "-o",
     "--output",
     type=FilePath(path_type=Path),
     metavar="FILE",
-    help="Where to write: .svg, .mmd or .txt. What is too long for one picture goes on in FILE-2, FILE-3, ….",
+    help="Output file: .svg, .mmd or .txt. A long picture continues in FILE-2, FILE-3, …",
 )
-@click.option("--each", is_flag=True, help="A picture for each conversation: FILE-CONVERSATION.")
+@click.option("--each", is_flag=True, help="One file per conversation: FILE-CONVERSATION.")
 @json_option
 @colour_option
 def command(
@@ -98,14 +101,13 @@ def command(
     from aseme_dsl.runtime.trace.trace_files import TraceError
 
     if as_json and format_ is not None and output is None:
-        unused = [("--format", "with `--json`, which prints rows", "write a file with -o, or leave one out")]
         where = ", ".join(targets) or "."
-        return refuse_options(unused, where, as_json, colour)
+        return refuse_options([WithJson("--format")], where, as_json, colour)
     format_ = _format(format_, output)
     if each and output is None:
-        raise click.UsageError("--each writes files: name one with -o.")
+        raise click.UsageError("--each requires -o.")
     if follow and (output is not None or format_ != "text"):
-        raise click.UsageError("--follow shows text as it comes: leave --format and -o out.")
+        raise click.UsageError("--follow prints text: not with --format or -o.")
     wanted = Wanted(conversations, protocols, agents, since, until)
     paths, problems = all_traces_of(targets, following=follow)
     if problems:
@@ -125,7 +127,7 @@ def _format(given: str | None, output: Path | None) -> str:
         return given or "text"
     found = _SUFFIXES.get(output.suffix.lower())
     if found is None:
-        raise click.UsageError(f"{output} cannot be written: it is called .svg, .mmd or .txt.")
+        raise click.UsageError(f"{output}: unsupported suffix; use .svg, .mmd or .txt.")
     return found
 
 
@@ -209,7 +211,7 @@ def _show(
             print_json({"rows": [_row(row) for row in rows], "remarks": list(diagram.remarks)})
         elif format_ == "text":
             width = max([5, *(len(line.name) for line in diagram.lifelines)])
-            click.echo("\n".join(line_of(row, width) for row in rows) or "nobody says anything")
+            click.echo("\n".join(line_of(row, width) for row in rows) or "no agent messages in this trace")
             for text in diagram.remarks:
                 click.echo(text, err=True)
         else:

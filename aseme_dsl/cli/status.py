@@ -1,4 +1,4 @@
-"""`asemec status`: what runs."""
+"""`asemec status`: the running agents and their active states."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from aseme_dsl.cli.shared import json_option, print_json, running_option
 
 
 @click.command(
-    short_help="Say what runs, and in which state.",
-    help="Say which agents run in real time from an output folder: their plans, the models of these, and what"
-    " each is doing.",
+    short_help="Show running agents and their active states.",
+    help="Show the agents that run in real time from an output directory: the role, the model hash and the"
+    " current activities of each.",
     epilog="Example: asemec status   ·   asemec status -o out --json",
 )
 @running_option
@@ -38,7 +38,7 @@ def command(output: Path, key: Path | None, as_json: bool) -> int:
         for agent in status["agents"]:
             doing = ", ".join(agent["activities"]) or "no activity"
             if agent["over"]:
-                doing = f"failed: {agent['failure']}" if agent["failure"] else "has ended"
+                doing = f"failed: {agent['failure']}" if agent["failure"] else "completed"
             click.echo(f"  {agent['name']:<12} {agent['role']:<12} model {agent['model']}  {doing}")
     if silent:
         not_done(silent, output).show()

@@ -1,4 +1,4 @@
-"""`asemec swap`: change a running team to another version of its model."""
+"""`asemec swap`: hot-swap a running team to a new model version."""
 
 from __future__ import annotations
 
@@ -31,16 +31,15 @@ def _seconds(context: click.Context, parameter: click.Parameter, value: str) -> 
 
 
 @click.command(
-    short_help="Change a running team to another version of its model.",
-    help="Compile TARGET, and have the agents that run in real time from the output folder go on under it:"
-    " each in the states in which it is, with what it knows. It is done between two steps, for all agents or"
-    " for none; it is refused, with the reason, where an agent is in a state that TARGET does not have."
-    f" {TARGET_HELP}",
+    short_help="Hot-swap a running team to a new model version.",
+    help="Compile TARGET and switch the agents that run from the output directory to the new model. Each"
+    " agent keeps its active states and its data. The swap happens between two steps, for all agents or for"
+    f" none. It is refused if an agent is in a state that TARGET does not have. {TARGET_HELP}",
     epilog="Example: asemec swap team.aseme   ·   asemec swap half_time.aseme -o out --within 5s",
 )
 @target_argument
 @folder_option(
-    "-o", "--output", text="The output folder that it runs from.  [default: the project's, else out]"
+    "-o", "--output", text="Output directory that the team runs from.  [default: the project's, else out]"
 )
 @key_option
 @click.option(
@@ -49,10 +48,12 @@ def _seconds(context: click.Context, parameter: click.Parameter, value: str) -> 
     default="10s",
     show_default=True,
     callback=_seconds,
-    help="How long to wait for conversations that TARGET plays differently to end.",
+    help="Time to wait for conversations of changed protocols.",
 )
-@click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only this agent. May be repeated.")
-@folder_option("--activities", text="Where the new version's activities are.  [default: as those that run]")
+@click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only this agent. Repeatable.")
+@folder_option(
+    "--activities", text="Directory of the new version's activities.  [default: that of the running team]"
+)
 @json_option
 @colour_option
 def command(
@@ -65,7 +66,7 @@ def command(
     as_json: bool,
     colour: str,
 ) -> int:
-    """Change it; 1 if the file has errors or the change is refused."""
+    """Swap; 1 if the file has errors or the swap is refused."""
     from aseme_dsl.diagnostics import Severity
     from aseme_dsl.project.building.build import activities_folder, choose
     from aseme_dsl.project.playing.operate import (
@@ -108,5 +109,5 @@ def command(
         return 0
     for note in notes:
         click.echo(f"note: {note}", err=True)
-    click.echo(f"{compiled.system.name} goes on as model {model}")
+    click.echo(f"{compiled.system.name} swapped to model {model}")
     return 0

@@ -136,16 +136,14 @@ class Telling:
         self._clear()
         again = self.faults - min(len(self._faults), _QUIET_AFTER)
         if again > 0:
-            click.echo(f"... and {plural(again, 'fault')} more; the trace has them all", err=True)
+            click.echo(f"... and {plural(again, 'fault')} more, see the trace", err=True)
         for (agent, activity, at), times in self._late.items():
             if times > _SAME:
-                late = plural(times, "passed deadline")
-                click.echo(
-                    f"... {late} of {activity} of {agent}{_place(at)}; the trace has them all", err=True
-                )
-        counts = ((self.untaken, "not taken"), (self.unexpected, "not expected"))
+                late = plural(times, "missed deadline")
+                click.echo(f"... {late} of {activity} of {agent}{_place(at)}, see the trace", err=True)
+        counts = ((self.untaken, "not consumed"), (self.unexpected, "unexpected"))
         if lost := [f"{plural(count, 'agent message')} {what}" for count, what in counts if count]:
-            click.echo(f"... {', '.join(lost)}: `asemec sniff` shows which", err=True)
+            click.echo(f"... {', '.join(lost)}; for details: asemec sniff", err=True)
 
     @property
     def faults(self) -> int:
@@ -172,13 +170,13 @@ class Telling:
         if reasons:
             about = {"agent": ", ".join(record.get("agents", ())), **record}
             for reason in reasons:
-                self._wrong(about, "fault", f"it does not change to {what}: {reason}", None)
+                self._wrong(about, "fault", f"switch to {what} refused: {reason}", None)
             return
         found = next((plan for plan in plans() if plan.model == record["model"]), None)
         if found is not None:
             self._followed[record["agent"]] = found
         if self._progress:
-            self._say(record, f"goes on with {what}" if record["kind"] == "swap" else f"changes to {what}")
+            self._say(record, f"swapped to {what}" if record["kind"] == "swap" else f"switched to {what}")
 
     def _took(self, record: Mapping[str, Any], numbers: Sequence[int]) -> None:
         """A transition, or the parts of a compound one."""

@@ -1,4 +1,4 @@
-"""`asemec trace`: what happened in a run."""
+"""`asemec trace`: summarise, filter or convert traces."""
 
 from __future__ import annotations
 
@@ -53,22 +53,22 @@ def _known_kinds(
     for value in values:
         if value not in kinds():
             near = closest(value, kinds())
-            hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(kinds())}."
-            raise click.BadParameter(f"there is no kind of line {value!r}. {hint}")
+            hint = f"Did you mean {near!r}?" if near else f"Record kinds: {', '.join(kinds())}."
+            raise click.BadParameter(f"unknown record kind {value!r}. {hint}")
     return values
 
 
 @click.command(
-    short_help="Say what happened in a run.",
-    help="Sum up the traces of runs, list their lines, or write them into another file. TARGET is a trace as"
-    " JSON lines or MCAP, also one that a killed run has left (TARGET.part); or a file, a project's folder or"
-    " an output folder, for the traces of its last run. Without TARGET: the project here. The filters go"
-    " together: a line is taken that all let through; of several of one kind, any.",
+    short_help="Summarise, filter or convert traces.",
+    help="Summarise traces, list their records, or write the records to another file. Filters of one kind are"
+    " alternatives; filters of different kinds must all match. TARGET is a trace (JSON Lines or MCAP, or the"
+    " TARGET.part of a killed run). A file, a project directory or an output directory stands for the traces"
+    " of its last run. Default: the project in the current directory.",
     epilog="Example: asemec trace out/trace.jsonl --lines --agent robot1 --from 12.5s --to 14s",
 )
 @targets_argument
-@click.option("--lines", is_flag=True, help="List the lines rather than sum them up.")
-@click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only what is about this agent.")
+@click.option("--lines", is_flag=True, help="List the records instead of a summary.")
+@click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only records about this agent.")
 @click.option(
     "--kind",
     "kinds",
@@ -76,30 +76,30 @@ def _known_kinds(
     metavar="KIND",
     callback=_known_kinds,
     shell_complete=_kinds,
-    help="Only lines of this kind: step, activity, message, fault, ...",
+    help="Only records of this kind: step, activity, message, fault, ...",
 )
 @click.option(
     "--channel",
     "channels",
     multiple=True,
     metavar="CHANNEL",
-    help="Only this channel, or these: 'vision.*'.",
+    help="Only channels with this name or pattern: 'vision.*'.",
 )
 @click.option(
     "--state",
     "states",
     multiple=True,
     metavar="STATE",
-    help="Only this state: a label, or an activity.",
+    help="Only records about this state: a label or an activity.",
 )
-@click.option("--from", "since", metavar="TIME", callback=moment_of, help="Only from this time on: 12.5s.")
-@click.option("--to", "until", metavar="TIME", callback=moment_of, help="Only up to this time.")
+@click.option("--from", "since", metavar="TIME", callback=moment_of, help="Start of the time range: 12.5s.")
+@click.option("--to", "until", metavar="TIME", callback=moment_of, help="End of the time range.")
 @click.option(
     "-o",
     "--output",
     type=FilePath(path_type=Path),
     metavar="FILE",
-    help="Write the lines into this file: MCAP if it is called .mcap, else JSON lines.",
+    help="Output file: MCAP if it ends in .mcap, else JSON Lines.",
 )
 @json_option
 @colour_option
@@ -124,9 +124,9 @@ def command(
 
     files, problems = all_traces_of(targets)
     if output is not None and len(files) > 1:
-        raise click.UsageError("-o writes one trace: name one.")
+        raise click.UsageError("-o converts one trace: name one.")
     if output is not None and lines:
-        raise click.UsageError("-o writes the lines into a file, --lines shows them: choose one.")
+        raise click.UsageError("-o writes the records to a file, --lines prints them: choose one.")
     if output is not None:
         check_outputs([(output, "trace")], files)
     wanted = Filter(agents, kinds, channels, states, since, until)
@@ -192,7 +192,7 @@ def _convert(reader: TraceReader, wanted: Filter, output: Path, as_json: bool, c
     if as_json:
         print_json({"file": str(output), "lines": number, "problem": reader.problem})
     else:
-        click.echo(f"{output}: {plural(number, 'line')}")
+        click.echo(f"{output}: {plural(number, 'record')}")
     return int(reader.problem is not None)
 
 
@@ -230,14 +230,14 @@ def _sum(reader: TraceReader, wanted: Filter) -> dict[str, Any]:
 def _shown(result: dict[str, Any], blank_before: bool) -> Iterator[str]:
     if blank_before:
         yield ""
-    clock = f"began {result['start']}" if result["start"] else "virtual time"
+    clock = f"started {result['start']}" if result["start"] else "virtual time"
     yield f"{result['file']}: {result['system']}, seed {result['seed']}, {clock}"
-    span = f"{_seconds(result['from'])} to {_seconds(result['to'])}, {plural(result['lines'], 'line')}"
+    span = f"{_seconds(result['from'])} to {_seconds(result['to'])}, {plural(result['lines'], 'record')}"
     yield f"{span}{f', ended: {reason}' if (reason := result['reason']) else ''}"
     if result["missing"]:
-        yield f"{plural(result['missing'], 'line')} missing: the disk was slower than the run"
+        yield f"{plural(result['missing'], 'record')} missing: the disk was slower than the run"
     yield from _table(
-        ("agent", "role", "steps", "activities", "crashes", "faults", "stopped by"),
+        ("agent", "role", "steps", "activities", "crashes", "faults", "failure"),
         [
             (a["name"], a["role"], a["steps"], a["activities"], a["crashes"], a["faults"], a["error"] or "")
             for a in result["agents"]

@@ -23,17 +23,15 @@ if TYPE_CHECKING:
 
 
 @click.command(
-    short_help="Show the models of a system in a browser, live.",
-    help="Show the models of a system on a page in a browser of this machine, and again whenever a file"
-    " changes. A click on a state or transition shows its place in the text, a double click on a state what"
-    f" is in it. Ctrl-C ends it. {TARGET_HELP}",
+    short_help="Show the diagrams of a system in a browser, live.",
+    help="Serve the diagrams of a system to a browser on this machine, and update them whenever a file"
+    " changes. A click on a state or transition shows its source line; a double click on a state shows its"
+    f" content. Ctrl-C stops the server. {TARGET_HELP}",
     epilog="Example: asemec view team.aseme   ·   asemec view team.aseme iac.player --open",
 )
 @target_argument
 @click.argument("model", required=False)
-@click.option(
-    "--port", type=click.IntRange(0, 65535), default=0, help="The port.  [default: any that is free]"
-)
+@click.option("--port", type=click.IntRange(0, 65535), default=0, help="TCP port.  [default: a free port]")
 @click.option("--open", "opens", is_flag=True, help="Open the page in the browser.")
 @colour_option
 def command(target: str, model: str | None, port: int, opens: bool, colour: str) -> int:
@@ -51,9 +49,11 @@ def command(target: str, model: str | None, port: int, opens: bool, colour: str)
     try:
         viewer = Viewer(said.put, port)
     except OSError as problem:
-        raise click.ClickException(f"port {port} cannot be used: {problem.strerror or problem}") from problem
+        raise click.ClickException(
+            f"port {port} is not available: {problem.strerror or problem}"
+        ) from problem
     try:
-        click.echo(f"{file}: {viewer.url} (Ctrl-C ends it)")
+        click.echo(f"{file}: {viewer.url} (Ctrl-C to stop)")
         with opened(viewer.url) if opens else nullcontext():
             watched = Watched(file, Workspace(project()), Diagrams(), model)
             viewer.show(watched.state())
@@ -152,9 +152,7 @@ class Watched:
         except GraphvizMissing as missing:
             return page_state(title=str(missing), models=models)
         if drawing is None:
-            return page_state(
-                title=f"There is nothing to draw in {self._path}.", models=models, text=problems
-            )
+            return page_state(title=f"Nothing to draw in {self._path}.", models=models, text=problems)
         here = selection.clicked if selection.clicked in drawing.elements else None
         return page_state(
             drawing,

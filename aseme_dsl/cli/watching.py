@@ -37,11 +37,9 @@ class Done:
 def refuse_to_watch(files: Sequence[str], form: str, report: Path | None) -> None:
     """Say what does not go together with `--watch`."""
     if "-" in files:
-        raise click.UsageError("--watch waits for files to change, and standard input is none.")
+        raise click.UsageError("--watch waits for file changes: not with standard input.")
     if form != "text" or report is not None:
-        raise click.UsageError(
-            "--watch tells people what has changed: leave --format, --json and reports away."
-        )
+        raise click.UsageError("--watch prints text: not with --format, --json or a report file.")
 
 
 def watch(
@@ -77,7 +75,7 @@ def watch(
                 watcher.depend(paths, done.written, code)
                 if not news:
                     number = sum(Path(path).is_file() for path in paths)
-                    click.echo(f"watching {plural(number, 'file')}; Ctrl-C ends it")
+                    click.echo(f"watching {plural(number, 'file')}; Ctrl-C to stop")
                     gc.freeze()
             sys.stdout.flush()
             gc.collect(0)
@@ -85,7 +83,7 @@ def watch(
             assert changes is not None
             begun, news = time.perf_counter(), _news(changes)
     except KeyboardInterrupt:
-        click.echo("\nasemec: no longer watching", err=True)
+        click.echo("\nasemec: stopped watching", err=True)
         return 0
     finally:
         gc.unfreeze()
@@ -102,7 +100,7 @@ def _tell(done: Done, before: Iterable[Diagnostic], news: str, seconds: float, c
     print_diagnostics(new, colour)
     sys.stderr.flush()
     same = len(done.diagnostics) - len(new)
-    again = f"; {plural(same, 'message')} as before" if same else ""
+    again = f"; {plural(same, 'message')} unchanged" if same else ""
     click.echo(f"{_clock()}  {done.said}{again} ({seconds:.2f} s)")
 
 

@@ -28,31 +28,16 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.messages import AGENT, Comm
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import OriginKind, Statechart, Transition, TransitionKind
-from aseme_dsl.codegen.expressions import may_fail
+from aseme_dsl.codegen.code.values import may_fail
+from aseme_dsl.diagnostics.problems.running import AgentFeature, SingleFeature
 from aseme_dsl.source import Span
-
-AGENT_MESSAGES = "the messages of agents"
-AGENTS = "other agents"
-PROTOCOLS = "what a participant of a protocol does"
-PUBLISHING = "publishing"
-SIGNALS = "signals (a program sends events)"
-DATA = "data with its time of measurement, and looking back"
-AGES = "how old a message is"
-DEADLINES = "the deadline of an activity"
-GIVEN = "what an activity is given, where that may be absent or fail"
-NUMBERS = "the number of an agent"
-STAYING = "`on` without an event of the program"
-RESUMING = "`resume`"
-LEAVING = "leading out of an AND from inside"
-ENTERING = "leading into a region of an AND"
-READING = "reading messages during a step"
 
 
 @dataclass(frozen=True, slots=True)
 class Limit:
     """Something that a plain statechart cannot do, and where it is asked for."""
 
-    what: str
+    what: AgentFeature | SingleFeature
     span: Span
 
 
@@ -69,26 +54,26 @@ def _limits(chart: Statechart, activities: Iterable[Activity]) -> Iterator[Limit
     used = {node.activity for node in chart.nodes}
     for said in activities:
         if said.name in used and said.within is not None:
-            yield Limit(DEADLINES, said.span)
+            yield Limit(AgentFeature.DEADLINES, said.span)
     for node in chart.nodes:
         for argument in node.arguments:
             for value in walk(argument.value):
-                what = GIVEN if may_fail(value) else _of_value(value)
+                what = AgentFeature.GIVEN if may_fail(value) else _of_value(value)
                 if what is not None:
                     yield Limit(what, value.span)
         if node.origin.kind is OriginKind.PROTOCOL:
-            yield Limit(PROTOCOLS, node.span)
+            yield Limit(AgentFeature.PROTOCOLS, node.span)
     for transition in chart.transitions:
         if chart.acts_in(transition) != chart.region_of(transition.source):
-            yield Limit(LEAVING, transition.span)
+            yield Limit(AgentFeature.LEAVING, transition.span)
         elif chart.region_of(transition.target) != chart.region_of(transition.source):
-            yield Limit(ENTERING, transition.span)
+            yield Limit(AgentFeature.ENTERING, transition.span)
         elif transition.kind is TransitionKind.ON and chart.is_region(transition.source):
-            yield Limit(STAYING, transition.span)
+            yield Limit(AgentFeature.STAYING, transition.span)
         yield from _of_transition(transition)
     for variable in chart.variables:
         if variable.type == AGENT:
-            yield Limit(AGENTS, variable.span)
+            yield Limit(AgentFeature.AGENTS, variable.span)
 
 
 def _of_transition(transition: Transition) -> Iterator[Limit]:
@@ -96,46 +81,46 @@ def _of_transition(transition: Transition) -> Iterator[Limit]:
     if transition.kind is TransitionKind.ON and (
         expression.when or not expression.events or not all(isinstance(e, Raised) for e in expression.events)
     ):
-        yield Limit(STAYING, transition.span)
+        yield Limit(AgentFeature.STAYING, transition.span)
     if transition.resume:
-        yield Limit(RESUMING, transition.span)
+        yield Limit(AgentFeature.RESUMING, transition.span)
     for event in expression.events:
         match event:
             case Received() | Lost():
-                yield Limit(AGENT_MESSAGES, event.span)
+                yield Limit(AgentFeature.AGENT_MESSAGES, event.span)
     for action in expression.actions:
         match action:
             case Send():
-                yield Limit(AGENT_MESSAGES, action.span)
+                yield Limit(AgentFeature.AGENT_MESSAGES, action.span)
             case Publish():
-                yield Limit(PUBLISHING, action.span)
+                yield Limit(AgentFeature.PUBLISHING, action.span)
             case ReadMessages():
-                yield Limit(READING, action.span)
+                yield Limit(AgentFeature.READING, action.span)
             case Assign(target=Member()):
-                yield Limit(PUBLISHING, action.span)
+                yield Limit(AgentFeature.PUBLISHING, action.span)
     for value in values_of(expression):
         what = _of_value(value)
         if what is not None:
             yield Limit(what, value.span)
 
 
-def _of_value(value: Value) -> str | None:
+def _of_value(value: Value) -> AgentFeature | None:
     match value:
         case Bound() | Sender():
-            return AGENT_MESSAGES
+            return AgentFeature.AGENT_MESSAGES
         case Age():
-            return AGES
+            return AgentFeature.AGES
         case At() | Mean():
-            return DATA
+            return AgentFeature.DATA
         case Index():
-            return NUMBERS
+            return AgentFeature.NUMBERS
         case VariableValue(type=kind) if kind == AGENT:
-            return AGENTS
+            return AgentFeature.AGENTS
         case Member(channel=channel):
             if channel.comm is Comm.SIGNAL:
-                return SIGNALS
+                return AgentFeature.SIGNALS
             if channel.comm is Comm.DATA:
-                return DATA
+                return AgentFeature.DATA
     return None
 
 

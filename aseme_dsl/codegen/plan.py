@@ -13,10 +13,10 @@ from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Topic
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable, transition_text
 from aseme_dsl.amola.system import Agent, System
-from aseme_dsl.codegen.expressions import function_key
-from aseme_dsl.codegen.flat import FlatChart
+from aseme_dsl.codegen.code.values import function_key
 from aseme_dsl.codegen.place import place
-from aseme_dsl.codegen.step import retention
+from aseme_dsl.codegen.program.flat import FlatChart
+from aseme_dsl.codegen.program.uses import retention
 
 Term = tuple[Any, ...]
 
@@ -278,8 +278,8 @@ def plan_sections(system: System, chart: Statechart, versions: Mapping[str, str]
 
     `versions` is `protocol_versions(system)`, for whoever makes the plans of many charts.
     """
-    flat = FlatChart(chart, system.activities)
-    kept = retention(system, chart, flat)
+    flat = FlatChart(chart)
+    kept = retention(system, chart)
     used = {node.activity for node in chart.nodes if node.activity}
     activities = [item for item in system.activities if item.name in used]
     channels = {str(c) for region in chart.regions for c in (*region.reads, *region.writes)}

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 from aseme_dsl.amola.messages import EnumType, Field, Kind, Message
 from aseme_dsl.amola.system import System
@@ -37,7 +38,7 @@ class Unfit:
     """A member that no radio message can have, and why."""
 
     path: tuple[Field, ...]
-    why: str
+    why: Literal["repeated", "recursive", "optional", "wide", "long"]
 
     @property
     def name(self) -> str:
@@ -59,28 +60,28 @@ def parts(
         field = path[-1]
         extra = 1 if field.label == "optional" else 0
         if field.label == "repeated":
-            found.append(Unfit(path, "it is repeated"))
+            found.append(Unfit(path, "repeated"))
         elif field.type.kind is Kind.MESSAGE:
             inner = message_named(field.type.name)
             if inner is None:
                 continue
             if inner.name in around:
-                found.append(Unfit(path, f"`{inner.name}` contains itself"))
+                found.append(Unfit(path, "recursive"))
                 continue
             if extra:
-                found.append(Unfit(path, "it is a message that may be absent"))
+                found.append(Unfit(path, "optional"))
                 continue
             stack += [((*path, item), (*around, inner.name)) for item in reversed(inner.fields)]
         elif field.type.kind is Kind.ENUM:
             enum = enum_named(field.type.name)
             if enum is not None and any(not 0 <= number <= 255 for _, number in enum.constants):
-                found.append(Unfit(path, f"a number of `{enum.name}` does not fit one byte"))
+                found.append(Unfit(path, "wide"))
             else:
                 found.append(Part(path, extra + SIZES[Kind.ENUM]))
         elif field.type.kind in SIZES:
             found.append(Part(path, extra + SIZES[field.type.kind]))
         else:
-            found.append(Unfit(path, f"{field.type} may be of any length"))
+            found.append(Unfit(path, "long"))
     return tuple(found)
 
 

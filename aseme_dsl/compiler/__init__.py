@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from aseme_dsl.compiler.analysis import Analysis, Options
+from aseme_dsl.compiler.stages.analysis import Analysis, Options
 
 if TYPE_CHECKING:
     from aseme_dsl.source import Source

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from aseme_dsl.diagnostics.codes import CODES, GROUPS, Code
+from aseme_dsl.diagnostics.problem import Problem
 from aseme_dsl.source import Span
 
 
@@ -36,7 +37,7 @@ class Edit:
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:
-    """A problem with its code, the place, and what to do about it.
+    """A problem, its place, and the edits that mend it.
 
     `span` is None only for problems that are in no text (a file that cannot be read); then `path` says
     which file is meant. `fix` is the replacement of the span's text where there is one right answer; an
@@ -44,11 +45,9 @@ class Diagnostic:
     project's policy has given it, None where it has said nothing.
     """
 
-    code: str
-    message: str
+    problem: Problem
     span: Span | None
     related: tuple[Related, ...] = ()
-    hint: str | None = None
     fix: str | None = None
     path: str | None = None
     edits: tuple[Edit, ...] = ()
@@ -57,6 +56,18 @@ class Diagnostic:
     def __post_init__(self) -> None:
         if self.code not in CODES:
             raise ValueError(f"unknown diagnostic code {self.code!r}")
+
+    @property
+    def code(self) -> str:
+        return self.problem.code
+
+    @property
+    def message(self) -> str:
+        return self.problem.message
+
+    @property
+    def hint(self) -> str | None:
+        return self.problem.hint
 
     @property
     def severity(self) -> Severity:
@@ -104,6 +115,7 @@ __all__ = [
     "Code",
     "Diagnostic",
     "Edit",
+    "Problem",
     "Related",
     "Severity",
     "Suppressed",

@@ -27,7 +27,14 @@ from aseme_dsl.diagrams.look.drawing import (
 from aseme_dsl.diagrams.look.view import view
 from aseme_dsl.diagrams.models import aip, division, sag, srm, statechart, suc, tree
 from aseme_dsl.diagrams.rendering.drawn import Drawn, draw
-from aseme_dsl.diagrams.rendering.layout import FORMATS, DrawingFailed, GraphvizMissing, program, render
+from aseme_dsl.diagrams.rendering.layout import (
+    FORMATS,
+    DrawingFailed,
+    GraphvizMissing,
+    program,
+    render,
+    writes_pdf,
+)
 
 __all__ = [
     "FORMATS",
@@ -48,6 +55,7 @@ __all__ = [
     "names",
     "program",
     "render",
+    "writes_pdf",
 ]
 
 

@@ -21,7 +21,7 @@ except ImportError as missing:
     raise ImportError('the directive needs Sphinx: pip install "aseme-dsl[sphinx]"') from missing
 
 from aseme_dsl import outside
-from aseme_dsl.diagrams import Drawing, DrawingFailed
+from aseme_dsl.diagrams import Drawing, DrawingFailed, writes_pdf
 from aseme_dsl.diagrams.rendering.store import Store
 from aseme_dsl.documents import html
 from aseme_dsl.documents.figures import Drawer, Figures, Picture, Problem
@@ -158,14 +158,15 @@ def _html(translator: Any, node: aseme_picture) -> None:
 
 
 def _latex(translator: Any, node: aseme_picture) -> None:
-    name = f"{node['file'].replace('.', '-')}.pdf"  # TeX takes what follows a dot for the kind of file
     store = _drawer(translator.builder.doctreedir).store
     try:
-        picture = store.render(Drawing(node["file"], node["dot"]), "pdf")
+        form = "pdf" if writes_pdf() else "png"
+        picture = store.render(Drawing(node["file"], node["dot"]), form)
     except DrawingFailed as problem:
         _LOGGER.warning("%s", problem, location=node, type="aseme", subtype="diagram")
         translator.body.append(translator.encode(node["alt"]))
         raise nodes.SkipNode from None
+    name = f"{node['file'].replace('.', '-')}.{form}"  # TeX takes what follows a dot for the kind of file
     _write(Path(translator.builder.outdir) / name, picture)
     translator.body.append(f"\n\\sphinxincludegraphics[]{{{name}}}\n")
     raise nodes.SkipNode

@@ -570,7 +570,7 @@ def _drawings(server: Server) -> None:
 
     @server.feature(DIAGRAM)
     async def diagram(params: Any) -> dict[str, Any] | None:
-        """The picture for a place, or null: what goes over the wire is said in docs/editor.md."""
+        """The picture for a place, or null: docs/howto/editors/language-server.md has the messages."""
         try:
             found = await drawn(*_asked_place(params))
         except GraphvizMissing as missing:

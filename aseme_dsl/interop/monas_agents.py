@@ -23,6 +23,7 @@ from dataclasses import dataclass, field
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems import files as problems
 from aseme_dsl.source import Source, Span
 
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
@@ -87,13 +88,7 @@ def modules_of(source: Source) -> tuple[str, tuple[Diagnostic, ...]]:
         else:
             lines += _thread(item, kind, known, found)
     if not any_known:
-        found.append(
-            Diagnostic(
-                "E220",
-                f"{source.path} is not a configuration of Monas: it has no agent, provider or statechart",
-                root.place,
-            )
-        )
+        found.append(Diagnostic(problems.NotOfMonas(source.path), root.place))
         return "", tuple(found)
     found += left_out
     about = [f"  // statecharts: {', '.join(statecharts)}"] if statecharts else []
@@ -113,9 +108,9 @@ def _thread(item: _Element, kind: str, known: set[str], found: list[Diagnostic])
     lines = [f"  // {kind} {name}"]
     for member, is_enabled, place in members:
         if not _NAME.fullmatch(member):
-            found.append(_left_out(f"`{member}` cannot be the name of a module", place))
+            found.append(Diagnostic(problems.NoModuleName(member), place))
         elif member in known:
-            found.append(_left_out(f"the module `{member}` is there a second time", place))
+            found.append(Diagnostic(problems.ModuleAgain(member), place))
         else:
             known.add(member)
             clause = f" every {duration_text(period)}" if period is not None else ""
@@ -140,14 +135,12 @@ def _period(item: _Element, name: str, found: list[Diagnostic]) -> int | None:
     if 0 < frequency <= 1e6:
         return round(1e9 / frequency)
     if written is None:
-        problem = f"`{name}` has no frequency"
+        problem = problems.NoFrequency(name)
     elif frequency == 0:
-        problem = f"`{name}` runs without a pause (frequency 0): a module has a period"
+        problem = problems.WithoutPause(name)
     else:
-        problem = f"`{written}` is no frequency in Hz"
-    found.append(
-        Diagnostic("W111", problem, item.place, hint="its modules are commented out: give them `every …`")
-    )
+        problem = problems.NotFrequency(name, written)
+    found.append(Diagnostic(problem, item.place))
     return None
 
 
@@ -155,19 +148,15 @@ def _strangers(item: _Element, found: list[Diagnostic]) -> None:
     usual = {"name", "activity", "enable", "threadfrequency", "frequency", *_PASSED_OVER}
     for name in (*item.attributes, *(child.name for child in item.children)):
         if name.lower() not in usual:
-            found.append(_left_out(f"`{name}` of the {item.name} means nothing here", item.place))
+            found.append(Diagnostic(problems.MeaninglessPart(name, item.name), item.place))
 
 
 def _unknown(item: _Element, root: _Element) -> Iterator[Diagnostic]:
     """What is not an agent, provider or statechart, and holds none either."""
     if item is not root and not item.children:
-        yield _left_out(f"`<{item.name[:_LONGEST]}>` means nothing here", item.place)
+        yield Diagnostic(problems.MeaninglessElement(item.name), item.place)
     elif item.text.strip():
-        yield _left_out("there is text between the elements", item.place)
-
-
-def _left_out(problem: str, place: Span) -> Diagnostic:
-    return Diagnostic("W110", f"{problem}: it is left out", place)
+        yield Diagnostic(problems.TextBetweenElements(), item.place)
 
 
 def _all(root: _Element) -> Iterator[_Element]:
@@ -185,7 +174,7 @@ def _parsed(source: Source, found: list[Diagnostic]) -> _Element | None:
     try:
         return _Reader(source).read()
     except _NotThis as problem:
-        found.append(Diagnostic("E220", f"{source.path} is not read: {problem}", problem.place))
+        found.append(Diagnostic(problems.MonasNotRead(source.path, str(problem)), problem.place))
         return None
 
 

@@ -27,6 +27,7 @@ from aseme_dsl.amola.messages import (
 )
 from aseme_dsl.amola.python_names import free_name, taken_as_constant, taken_as_member, taken_as_type
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.files import GrpcToolsMissing, ProtocSays, ProtoNotRead
 from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:
@@ -111,14 +112,7 @@ def read_proto(
     import tempfile
 
     if find_spec("grpc_tools") is None:
-        return None, (
-            Diagnostic(
-                "E007",
-                f"{source.path} cannot be imported: grpcio-tools is not installed",
-                at,
-                hint='pip install "aseme-dsl[proto]"',
-            ),
-        )
+        return None, (Diagnostic(GrpcToolsMissing(source.path), at),)
     root = _root(source, path, buffers)
     name = path.relative_to(root).as_posix()
     texts = {
@@ -211,11 +205,11 @@ def _diagnostics(problems: tuple[str, ...], source: Source, name: str, at: Span)
     for problem in problems:
         match = _PROBLEM.match(problem)
         if match is None or match["file"] != name:
-            found.append(Diagnostic("E007", f"{source.path} cannot be imported: {problem}", at))
+            found.append(Diagnostic(ProtoNotRead(source.path, problem), at))
             continue
         related = (Related(at, "it is imported here"),)
         span = _word(source, int(match["line"]), int(match["column"]))
-        found.append(Diagnostic("E007", f"protoc says: {match['text']}", span, related))
+        found.append(Diagnostic(ProtocSays(match["text"]), span, related))
     return tuple(found)
 
 

@@ -252,8 +252,3 @@ def sources(value: e.Value) -> frozenset[Key]:
 def reads_signal(value: e.Value) -> bool:
     """Whether it reads a signal, which comes and goes like an event."""
     return any(isinstance(part, e.Member) and part.channel.comm is Comm.SIGNAL for part in e.walk(value))
-
-
-def is_presence(key: Key) -> bool:
-    """Whether the unknown says that something is there."""
-    return key[0] in PRESENCES

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.activity.context import Cancelled, Context
     from aseme_dsl.runtime.chart.board import NEVER, Board
     from aseme_dsl.runtime.chart.chart import Chart
-    from aseme_dsl.runtime.chart.inputs import Arrived, Mail
+    from aseme_dsl.runtime.chart.inputs import AgentMessage, Sample
     from aseme_dsl.runtime.chart.plan import (
         ActivityInfo,
         BranchInfo,
@@ -28,19 +28,19 @@ if TYPE_CHECKING:
         plans,
         register,
     )
-    from aseme_dsl.runtime.team.scripted import Scripted, ScriptError, read_script
     from aseme_dsl.runtime.team.team import AgentResult, RunResult, Setup, Team, TeamError, make_team, run
+    from aseme_dsl.runtime.team.timed_inputs import InputFileError, TimedInput, read_inputs
     from aseme_dsl.runtime.version.loading import Loaded, LoadError, activities_in, load_system
-    from aseme_dsl.runtime.world.body import Body, BodyLost, Heard, World
+    from aseme_dsl.runtime.world.body import Body, BodyConnectionError, RadioMessage, World
 
 _MODULES = {
     "activity.access": ("UndeclaredError",),
     "activity.activities": ("Activity", "ActivityError"),
     "chart.board": ("NEVER", "Board"),
-    "world.body": ("Body", "BodyLost", "Heard", "World"),
+    "world.body": ("Body", "BodyConnectionError", "RadioMessage", "World"),
     "chart.chart": ("Chart",),
     "activity.context": ("Cancelled", "Context"),
-    "chart.inputs": ("Arrived", "Mail"),
+    "chart.inputs": ("Sample", "AgentMessage"),
     "version.loading": ("Loaded", "LoadError", "activities_in", "load_system"),
     "chart.plan": (
         "ActivityInfo",
@@ -55,7 +55,7 @@ _MODULES = {
         "plans",
         "register",
     ),
-    "team.scripted": ("Scripted", "ScriptError", "read_script"),
+    "team.timed_inputs": ("TimedInput", "InputFileError", "read_inputs"),
     "team.team": ("AgentResult", "RunResult", "Setup", "Team", "TeamError", "make_team", "run"),
 }
 """Where each name is: its module is imported when it is asked for, since most commands need none."""
@@ -74,29 +74,29 @@ __all__ = [
     "Activity",
     "ActivityError",
     "ActivityInfo",
+    "AgentMessage",
     "AgentResult",
-    "Arrived",
     "Board",
     "Body",
-    "BodyLost",
+    "BodyConnectionError",
     "BranchInfo",
     "Cancelled",
     "ChannelInfo",
     "Chart",
     "Context",
-    "Heard",
+    "InputFileError",
     "LoadError",
     "Loaded",
-    "Mail",
     "Plan",
+    "RadioMessage",
     "Region",
     "RunResult",
-    "ScriptError",
-    "Scripted",
+    "Sample",
     "Setup",
     "State",
     "Team",
     "TeamError",
+    "TimedInput",
     "Transition",
     "UndeclaredError",
     "Variable",
@@ -106,7 +106,7 @@ __all__ = [
     "load_system",
     "make_team",
     "plans",
-    "read_script",
+    "read_inputs",
     "register",
     "run",
 ]

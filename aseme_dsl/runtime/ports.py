@@ -11,8 +11,8 @@ from contextlib import AbstractContextManager
 from typing import Any, Protocol, TypeVar
 
 from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.input_queue import Errand, Posted, Writer
 from aseme_dsl.runtime.chart.inputs import Identity, Input
-from aseme_dsl.runtime.chart.intake import Errand, Posted, Writer
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.message.convert import Messages
 from aseme_dsl.runtime.time.timers import Scheduler

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from aseme_dsl.project.studying import course as recorded
-from aseme_dsl.runtime.chart.inputs import Arrived, Completed, Happened, Input, Written
+from aseme_dsl.runtime.chart.inputs import Completed, Happened, Input, Sample, Written
 from aseme_dsl.runtime.chart.plan import Plan
 from benchmarks.behaviours.aseme import camel, channel, labels, names, text_of
 from benchmarks.behaviours.description import Behaviour, Change
@@ -73,7 +73,7 @@ def course_of(behaviour: Behaviour, steps: int) -> Course:
             message, dot, member = name.partition(".")
             if dot:
                 arrived = made.message(camel(message), **{member: value})
-                yield Arrived(channel(message), arrived, "camera", now, ("camera", now))
+                yield Sample(channel(message), arrived, "camera", now, ("camera", now))
             else:
                 yield Written(name, value)
 

@@ -36,13 +36,16 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.plain.generate import problems_of
-from aseme_dsl.codegen.expressions import Names, converted, evaluate, function_key, holds
-from aseme_dsl.codegen.flat import FlatChart, Way
+from aseme_dsl.codegen.code.python import text_of
+from aseme_dsl.codegen.code.tree import CallOf, Const, Expr, Item, Name, all_of
+from aseme_dsl.codegen.code.values import Names, converted, evaluate, function_key, holds
 from aseme_dsl.codegen.place import place
+from aseme_dsl.codegen.program.flat import FlatChart, Way
+from aseme_dsl.codegen.program.uses import Uses
 from aseme_dsl.diagnostics import render_text
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun, give, runs
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.inputs import Arrived, Completed, Crashed, Happened, Input, Written
+from aseme_dsl.runtime.chart.inputs import Completed, Crashed, Happened, Input, Sample, Written
 from aseme_dsl.runtime.plain.plain import NEVER
 from benchmarks.behaviours import description
 from benchmarks.behaviours.description import Action, Behaviour, Change, Guard, State
@@ -77,8 +80,8 @@ def one_by_one(kind: type[Chart], course: Course) -> Course:
     reference = begun(kind, course.agent, course.seed, course.queue)
     recorder = Recorder(begun(kind, course.agent, course.seed, course.queue), course.agent, course.seed)
     for given in course.steps:
-        written = tuple(item for item in given.inputs if isinstance(item, Arrived | Written))
-        others = [item for item in given.inputs if not isinstance(item, Arrived | Written)]
+        written = tuple(item for item in given.inputs if isinstance(item, Sample | Written))
+        others = [item for item in given.inputs if not isinstance(item, Sample | Written)]
         alone: list[tuple[Input, ...]] = [(item,) for item in others if not isinstance(item, Completed)]
         for item in others:
             if isinstance(item, Crashed):
@@ -123,13 +126,13 @@ class _Describing:
 
     def __init__(self, system: System, chart: Statechart) -> None:
         self.chart = chart
-        self.flat = FlatChart(chart, system.activities)
+        self.flat = FlatChart(chart)
         self.name = {node.label: identifier(node) for node in chart.nodes}
         self.constants = {
             (enum.name, name): str(value) for enum in system.enums for name, value in enum.constants
         }
         self.slots: dict[tuple[str, str | None], str] = {}
-        for members in self.flat.members.values():
+        for members in Uses(self.flat).members.values():
             for member in members:
                 key = str(member.channel), member.host
                 self.slots[key] = re.sub(r"\W", "_", f"{member.host or 'any'}_{member.channel}")
@@ -243,7 +246,7 @@ class _Describing:
                     if part.expression.every is not None:
                         guard = (*guard, self.since(node, part.expression.every))
                     if part.expression.condition is not None:
-                        guard = (*guard, ("", self.code(holds(part.expression.condition, names)[0])))
+                        guard = (*guard, ("", self.code(text_of(holds(part.expression.condition, names)[0]))))
                 actions = tuple(action for part in path.parts for action in self.actions(part, node.label))
                 # With `when`, a condition counts whether or not an event is there.
                 events = [
@@ -280,16 +283,16 @@ class _Describing:
     def names(self, label: str) -> Names:
         """What is read where, in the region of a state."""
         region = self.flat.region_number[label]
-        slots = {key: f"bb[{slot!r}]" for key, slot in self.slots.items()}
-        variables = {item.name: f"bb['var_{item.name}']" for item in self.chart.variables}
+        slots: dict[tuple[str, str | None], Expr] = {key: _kept(slot) for key, slot in self.slots.items()}
+        variables: dict[str, Expr] = {item.name: _kept(f"var_{item.name}") for item in self.chart.variables}
         timer = partial(_timer_code, region)
         return Names(slots, variables, self.fields, self.constants, timer=timer, called=self.called)
 
-    def called(self, call: Call, arguments: Sequence[str]) -> str:
+    def called(self, call: Call, arguments: Sequence[Expr]) -> Expr:
         """The code of a call of the document's functions."""
         names = self.functions
         name = names.setdefault(function_key(call), (f"call_{len(names) + 1}", call.function.target))[0]
-        return f"{name}({', '.join(arguments)})"
+        return CallOf(Name(name), tuple(arguments))
 
     def actions(self, transition: Transition, label: str) -> Iterator[Action]:
         """What a transition out of a state does."""
@@ -298,13 +301,13 @@ class _Describing:
             match action:
                 case Assign(target=VariableValue() as target, value=value):
                     piece = evaluate(value, names)
-                    text = f"bb['var_{target.name}'] = {converted(piece, value.type, target.type)}"
+                    text = f"bb['var_{target.name}'] = {text_of(converted(piece, value.type, target.type))}"
                 case StartTimer(timer=timer, duration=value):
                     piece = evaluate(value, names)
-                    text = f"{names.timer(timer)} = now + {piece.code}"
+                    text = f"{text_of(names.timer(timer))} = now + {text_of(piece.code)}"
                 case _:
                     continue
-            needs = " and ".join(piece.needs)
+            needs = text_of(all_of(piece.needs)) if piece.needs else ""
             yield "python", self.code(f"if {needs}: {text}" if needs else text)
 
     def code(self, text: str) -> str:
@@ -327,7 +330,7 @@ class _Describing:
         event = NO_EVENT
         for item in given.inputs:
             match item:
-                case Arrived(channel, message, sender):
+                case Sample(channel, message, sender):
                     places = [self.slots.get((channel, host)) for host in (None, sender)]
                     change += [(place, _text(message)) for place in places if place is not None]
                 case Written(variable, value):
@@ -374,8 +377,13 @@ def _timers(chart: Statechart) -> Iterator[tuple[str, StartTimer | Expired]]:
                     yield item.source, part
 
 
-def _timer_code(region: int, name: str) -> str:
-    return f"bb[{_timer(region, name)!r}]"
+def _kept(name: str) -> Expr:
+    """Where something of a name is on the blackboard."""
+    return Item(Name("bb"), Const(name))
+
+
+def _timer_code(region: int, name: str) -> Expr:
+    return _kept(_timer(region, name))
 
 
 def _timer(region: int, name: str) -> str:

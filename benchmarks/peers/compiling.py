@@ -11,7 +11,7 @@ from aseme_dsl.backends.backend import Artefact, BackendOptions
 from aseme_dsl.backends.monas import BACKEND as MONAS
 from aseme_dsl.backends.plain import BACKEND as PLAIN
 from aseme_dsl.backends.plain.generate import module_text
-from aseme_dsl.codegen.plain import PlainOptions
+from aseme_dsl.codegen.plain.options import PlainOptions
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import has_errors, render_text
 from aseme_dsl.project.building.native import NativeError, compiled

@@ -108,9 +108,10 @@ def table(kinds: dict[str, list[str]]) -> list[str]:
 HEAD = f"""# Ten mistakes, seven tools
 
 The same small behaviour was written for each tool as its documentation shows it: a robot looks for a ball,
-then kicks it or walks towards it. Then the same slip was made in each. This page is what each tool said: when
-the text was loaded, or else in a match of six events in which every branch is taken. It is written by
-`python benchmarks/ten_mistakes --write docs/ten-mistakes.md`; the texts are in `benchmarks/ten_mistakes/`.
+then kicks it or walks towards it. Then each file got the same mistake. This page has what each tool reported:
+when the text was loaded, or else in a match of six events in which every branch is taken. It is written by
+`python benchmarks/ten_mistakes --write docs/explanation/ten-mistakes.md`; the texts are in
+`benchmarks/ten_mistakes/`.
 
 Versions: {", ".join(f"{NAMES.get(name, name)} {item[0]}" for name, item in PYTHON_PEERS.items())}, XState
 {XSTATE} with TypeScript {TYPESCRIPT} (`--strict`). What KSE did is known from its source and from runs of its
@@ -168,7 +169,7 @@ def run(command: list[str], folder: Path, path: Path | None = None) -> str:
     said = "\n".join([done.stdout.strip(), *last]).strip()
     return (
         ""
-        if said == "1 file is fine"
+        if said == "no problems found in 1 file"
         else said.replace(str(folder), "").replace("/behaviour.ts", "behaviour.ts")
     )
 

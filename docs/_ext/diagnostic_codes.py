@@ -1,8 +1,8 @@
 """The pages of the diagnostics, from the compiler's own table and pages.
 
 `{diagnostic-codes}` is every code with its title. Before a build each code gets a page of its own,
-`diagnostics/CODE.md`, which shows what the compiler says to the wrong example as it says it now; git does not
-know these files.
+`reference/diagnostics/CODE.md`, which shows what the compiler says now to the wrong example; git ignores
+these files.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from aseme_dsl.diagnostics import CODES, GROUPS, Code, render_text
 from aseme_dsl.diagnostics.pages import blocks, fenced, page
 from aseme_dsl.project.building.examples import diagnostics_of
 
-FOLDER = "diagnostics"
+FOLDER = "reference/diagnostics"
 """Where the pages of the codes stand, in the folder of the documentation."""
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from aseme_dsl.field import render
-from aseme_dsl.field.event import Event, EventKind, clock
-from aseme_dsl.field.field import HALF_LENGTH
-from aseme_dsl.field.match import Match
-from aseme_dsl.field.referee import SECOND, Rules
-from aseme_dsl.field.team import team_sheet
+from aseme_dsl.worlds.field import render
+from aseme_dsl.worlds.field.event import Event, EventKind, clock
+from aseme_dsl.worlds.field.field import HALF_LENGTH
+from aseme_dsl.worlds.field.match import Match
+from aseme_dsl.worlds.field.referee import SECOND, Rules
+from aseme_dsl.worlds.field.team import team_sheet
 
 OURS = team_sheet(1, "Kouretes", ("robot1", "robot2", "robot3"), goalie="keeper")
 """Three players and a goalie. The other team is played by the field itself."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from aseme_dsl.codegen.plain import PlainOptions
+from aseme_dsl.codegen.plain.options import PlainOptions
 from aseme_dsl.runtime.chart.inputs import Happened
 from tests.support import batches
 from tests.support.generated import generate, system_of

@@ -8,7 +8,15 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.backends.backend import BackendOptions, UnknownBackend, backend_names, find_backend
+from aseme_dsl.backends.backend import (
+    AGENTS,
+    OWN,
+    ROLE_MODULES,
+    BackendOptions,
+    UnknownBackend,
+    backend_names,
+    find_backend,
+)
 from aseme_dsl.backends.monas.generate import BACKEND
 from aseme_dsl.runtime.message.naming import class_name, module_name
 from tests.support.generated import system_of
@@ -46,6 +54,22 @@ def test_a_template_of_the_user_replaces_ours_by_name(tmp_path: Path) -> None:
     texts = {a.path: a.text for a in BACKEND.generate(system_of(WALKER), BackendOptions(tmp_path))}
     assert texts["activities/walk.py"] == "# Walk of robot\n"
     assert "class RobotStep(Chart):" in texts["Walker/robot/step.py"]
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_each_of_ours_has_the_name_that_finds_it_and_makes_the_same_again(name: str) -> None:
+    backend = find_backend(name)
+    made = backend.generate(system_of(WALKER), BackendOptions())
+    assert backend.name == name
+    assert made == backend.generate(system_of(WALKER), BackendOptions())
+    assert made and not any(Path(item.path).is_absolute() or ".." in Path(item.path).parts for item in made)
+
+
+@pytest.mark.parametrize("name", AGENTS)
+def test_the_modules_of_a_role_are_those_that_are_said_of_its_backend(name: str) -> None:
+    made = [Path(a.path) for a in find_backend(name).generate(system_of(WALKER), BackendOptions())]
+    of_role = {path.stem for path in made if path.parent.name == "robot"}
+    assert of_role - {"__init__"} == set(ROLE_MODULES[name])
 
 
 def test_activities_are_kept_and_everything_else_is_generated_anew() -> None:

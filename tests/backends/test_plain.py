@@ -13,8 +13,8 @@ import pytest
 from aseme_dsl.backends.backend import BackendOptions, Refused
 from aseme_dsl.backends.plain import BACKEND
 from aseme_dsl.backends.plain import generate as generate_module
-from aseme_dsl.codegen import plain_limits
-from aseme_dsl.codegen.plain import TAKEN, PlainOptions
+from aseme_dsl.codegen.plain.options import TAKEN, PlainOptions
+from aseme_dsl.diagnostics.problems.running import AgentFeature
 from aseme_dsl.runtime.plain import plain as runtime
 from tests.support.generated import generate, system_of
 from tests.support.plain_engine import plain_class
@@ -245,6 +245,14 @@ def test_it_may_be_said_how_an_activity_has_ended_though_nobody_asks() -> None:
     assert chart.configuration() == ("0.3",)
 
 
+def test_what_moves_without_doing_anything_is_written_so() -> None:
+    text = "system S srm R { liveness { R = (A . B)~ || C } control R { repeat (A . B) : again } }"
+    chart = plain_class(generate(text), "R", PlainOptions())()
+    chart.start()
+    assert chart.send("again")
+    assert chart.names() == ("A", "C")
+
+
 WORDS = """
 system S
 message Now {{ int now }}
@@ -411,29 +419,28 @@ def test_what_is_taken_is_all_that_a_module_has() -> None:
 
 
 REFUSED = {
-    plain_limits.AGENT_MESSAGES: "the messages of agents",
-    plain_limits.AGENTS: "variables of type `agent`",
-    plain_limits.PROTOCOLS: "protocols",
-    plain_limits.PUBLISHING: "publishing",
-    plain_limits.SIGNALS: "signals",
-    plain_limits.DATA: "measurements (`data`, `at`, `mean`)",
-    plain_limits.AGES: "how old a message is (`age`)",
-    plain_limits.DEADLINES: "deadlines of activities",
-    plain_limits.GIVEN: "arguments of activities that may be absent or fail",
-    plain_limits.NUMBERS: "`index`",
-    plain_limits.STAYING: "`on` without an event",
-    plain_limits.RESUMING: "`resume`",
-    plain_limits.READING: "`read_messages`",
-    plain_limits.LEAVING: "transitions out of a parallel from inside it",
-    plain_limits.ENTERING: "from outside into a part of it",
+    AgentFeature.AGENT_MESSAGES: "the messages of agents",
+    AgentFeature.AGENTS: "variables of type `agent`",
+    AgentFeature.PROTOCOLS: "protocols",
+    AgentFeature.PUBLISHING: "publishing",
+    AgentFeature.SIGNALS: "signals",
+    AgentFeature.DATA: "measurements (`data`, `at`, `mean`)",
+    AgentFeature.AGES: "how old a message is (`age`)",
+    AgentFeature.DEADLINES: "deadlines of activities",
+    AgentFeature.GIVEN: "arguments of activities that may be absent or fail",
+    AgentFeature.NUMBERS: "`index`",
+    AgentFeature.STAYING: "`on` without an event",
+    AgentFeature.RESUMING: "`resume`",
+    AgentFeature.READING: "`read_messages`",
+    AgentFeature.LEAVING: "transitions out of a parallel from inside it",
+    AgentFeature.ENTERING: "from outside into a part of it",
 }
 """Everything that is refused, and what the page calls it."""
 
 
 def test_the_page_names_everything_that_is_refused() -> None:
-    said = {value for name, value in vars(plain_limits).items() if name.isupper() and name != "AGENT"}
-    assert said == set(REFUSED)
-    page = (Path(__file__).parents[2] / "docs" / "plain.md").read_text("utf-8")
+    assert set(AgentFeature) == set(REFUSED)
+    page = (Path(__file__).parents[2] / "docs" / "howto" / "embed-a-statechart.md").read_text("utf-8")
     text = " ".join(page.partition("## What is refused")[2].split())
     assert [phrase for phrase in REFUSED.values() if phrase not in text] == []
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.codegen.plain import PlainOptions
+from aseme_dsl.codegen.plain.options import PlainOptions
 from aseme_dsl.runtime.plain.machine import Machine
 from aseme_dsl.runtime.plain.plain import NotStarted
 from tests.support.generated import generate

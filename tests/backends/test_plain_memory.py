@@ -11,7 +11,7 @@ import tracemalloc
 
 import pytest
 
-from aseme_dsl.codegen.plain import PlainOptions
+from aseme_dsl.codegen.plain.options import PlainOptions
 from tests.support.generated import generate
 from tests.support.plain_engine import plain_class
 

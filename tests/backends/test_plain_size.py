@@ -8,7 +8,8 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.codegen.plain import PlainCode, PlainOptions, generate_plain
+from aseme_dsl.codegen.plain.generate import generate_plain
+from aseme_dsl.codegen.plain.options import PlainCode, PlainOptions
 from tests.support.generated import generate, system_of
 from tests.support.plain_engine import plain_class
 

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 from aseme_dsl.runtime.chart.inputs import (
     LOST,
-    Arrived,
+    AgentMessage,
     Cancel,
     Completed,
     Crashed,
@@ -21,10 +21,10 @@ from aseme_dsl.runtime.chart.inputs import (
     Input,
     Joined,
     Left,
-    Mail,
     MailTaken,
     Outcome,
     Publication,
+    Sample,
     Sending,
     Start,
     Written,
@@ -64,7 +64,7 @@ class Run:
         """One step, `ms` after the last one; what was heard is as old then as `heard` says."""
         wait = round(ms * MS)
         self.now += wait
-        dated = [replace(i, time=i.time + wait) if isinstance(i, Arrived) else i for i in inputs]
+        dated = [replace(i, time=i.time + wait) if isinstance(i, Sample) else i for i in inputs]
         self.last = self.chart.step(self.now, dated)
         for start in self.last.of(Start):
             self.tokens[start.label] = start.token
@@ -79,17 +79,17 @@ class Run:
         label = self.label(activity)
         return Crashed(label, self.tokens[label], reason)
 
-    def heard(self, channel: str, sender: str = "ann", ms_ago: float = 0, **members: Any) -> Arrived:
+    def heard(self, channel: str, sender: str = "ann", ms_ago: float = 0, **members: Any) -> Sample:
         """A message of another agent."""
         message = self.generated.message(channel.split(".")[2], **members)
         identity = (sender, next(self._numbers))
-        return Arrived(channel, message, sender, self.now - round(ms_ago * MS), identity)
+        return Sample(channel, message, sender, self.now - round(ms_ago * MS), identity)
 
-    def came_back(self, number: int = 0) -> Arrived:
+    def came_back(self, number: int = 0) -> Sample:
         """A publication of the last step, as the bus brings it to the agent's own regions."""
         sent = list(self.last.of(Publication))[number]
         identity = ("me", next(self._numbers))
-        return Arrived(sent.channel, sent.message, "me", self.now, identity, sent.region)
+        return Sample(sent.channel, sent.message, "me", self.now, identity, sent.region)
 
     def event(self, name: str) -> Happened:
         return Happened(name)
@@ -99,16 +99,18 @@ class Run:
 
     def mail(
         self, performative: str, message: str, sender: str = "ann", at: str | None = None, **members: Any
-    ) -> Mail:
+    ) -> AgentMessage:
         """An agent message of participant `b` for the branch of `a` (at a label, where there are several)."""
         branch = at or self.plan.branches[0].label
         content = self.generated.message(message, **members)
-        return Mail(branch, performative, message, content, "b", sender, (sender, next(self._numbers)))
+        return AgentMessage(
+            branch, performative, message, content, "b", sender, (sender, next(self._numbers))
+        )
 
-    def lost(self, agent: str, participant: str = "b") -> Mail:
+    def lost(self, agent: str, participant: str = "b") -> AgentMessage:
         """An agent that plays a participant is gone."""
         branch = self.plan.branches[0].label
-        return Mail(branch, LOST, "", None, participant, agent, (agent, next(self._numbers)))
+        return AgentMessage(branch, LOST, "", None, participant, agent, (agent, next(self._numbers)))
 
     def label(self, name: str) -> str:
         """The label of a BASIC state by its activity; a label is its own."""

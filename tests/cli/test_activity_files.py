@@ -55,7 +55,7 @@ def files(folder: Path) -> list[str]:
 
 
 def test_a_project_with_all_its_files_is_fine(here: Here, project: Path) -> None:
-    assert here("check").out == "1 file is fine\n"
+    assert here("check").out == "no problems found in 1 file\n"
 
 
 def test_a_missing_file_is_an_error_and_nothing_is_played_or_written(here: Here, project: Path) -> None:
@@ -76,12 +76,12 @@ def test_a_missing_file_is_an_error_and_nothing_is_played_or_written(here: Here,
 def test_a_simulated_activity_needs_no_file(here: Here, project: Path) -> None:
     (project / "acts/kick_ball.py").unlink()
     change(project, "KickBall takes 1s", "KickBall takes 1s simulated")
-    assert here("check").out == "1 file is fine\n"
+    assert here("check").out == "no problems found in 1 file\n"
     done = here("run")
     assert done.code == 0
-    assert "  simulated, as the file says: KickBall\n" in done.out
+    assert "  simulated (declared): KickBall\n" in done.out
     assert here("build").code == 0 and not (project / "acts/kick_ball.py").exists()
-    assert here("scaffold", "team.aseme").out == "team.aseme: 0 skeletons written\n"
+    assert here("scaffold", "team.aseme").out == "team.aseme: 0 skeletons added\n"
 
 
 def test_the_file_of_a_simulated_activity_is_reported(here: Here, project: Path) -> None:
@@ -112,7 +112,7 @@ def test_a_folder_that_is_missing_is_reported_once(here: Here, project: Path) ->
 
 def test_a_folder_that_an_option_names(here: Here, project: Path) -> None:
     (project / "pyproject.toml").unlink()
-    assert here("check", "team.aseme").out == "1 file is fine\n"
+    assert here("check", "team.aseme").out == "no problems found in 1 file\n"
     for command in ("build", "run"):
         done = here(command, "team.aseme", "--activities", "nowhere")
         assert done.code == 1 and "error[E544]" in done.err, command
@@ -127,7 +127,7 @@ def test_a_folder_that_an_option_names(here: Here, project: Path) -> None:
 def test_a_file_that_nobody_has_filled_in_is_noted(here: Here, project: Path) -> None:
     (project / "acts/kick_ball.py").unlink()
     done = here("scaffold", "team.aseme")
-    assert done.out == "team.aseme: 0 skeletons written\nacts/kick_ball.py: written\n"
+    assert done.out == "team.aseme: 0 skeletons added\nacts/kick_ball.py: created\n"
     code, message, hint = only(here("check", "--json"))
     assert (code, message) == (
         "N740",
@@ -135,7 +135,7 @@ def test_a_file_that_nobody_has_filled_in_is_noted(here: Here, project: Path) ->
     )
     assert hint == "write its `execute`; or delete the file and say `KickBall takes 1s simulated`"
     assert "acts/kick_ball.py:6:7: note[N740]" in here("check").out
-    assert "  simulated, since nothing is written in its file: KickBall\n" in here("run").out
+    assert "  simulated (empty stub): KickBall\n" in here("run").out
 
 
 def test_a_preview_of_scaffold_shows_the_files(here: Here, project: Path) -> None:
@@ -235,13 +235,13 @@ def test_run_never_starts_files_and_says_what_does(here: Here, project: Path) ->
     (project / "pyproject.toml").unlink()
     done = here("run", "team.aseme")
     assert done.code == 0
-    said = "simulated, since there is no code: Search, KickBall"
-    assert f"  {said} (`asemec build team.aseme` starts a file for each)\n" in done.out
+    said = "simulated (no code): Search, KickBall"
+    assert f"  {said}; `asemec build team.aseme` creates stubs\n" in done.out
     assert not (project / "out/monas/activities").exists()
     assert here("build", "team.aseme").code == 0
     assert files(project / "out/monas/activities") == ["kick_ball.py", "search.py"]
-    assert "since nothing is written in its file: Search, KickBall" in here("run", "team.aseme").out
-    assert here("check", "team.aseme").out == "1 file is fine\n"
+    assert "simulated (empty stub): Search, KickBall" in here("run", "team.aseme").out
+    assert here("check", "team.aseme").out == "no problems found in 1 file\n"
 
 
 def test_what_scaffold_writes_says_which_variables_may_be_used(here: Here, folder: Path) -> None:
@@ -316,7 +316,7 @@ def test_a_participant_that_the_role_forgets_to_play(here: Here, project: Path) 
     assert sorted(codes(here("check", "--json"))) == ["E543", "W541"]
     (project / "acts/sale.py").unlink()
     change(project, "srm shop {", "srm shop { plays deal.seller ")
-    assert here("check").out == "1 file is fine\n"
+    assert here("check").out == "no problems found in 1 file\n"
     change(project, "plays deal.seller ", "")
     change(project, "1s simulated } }\nsrm shop", "1s simulated } }\nsrm shop")
     change(project, "activities { Open", "activities { seller takes 1s simulated  Open")

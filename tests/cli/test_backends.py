@@ -162,7 +162,8 @@ def test_activities_import_messages_under_either_name(
     (folder / "activities/watch.py").write_text(
         f"from {name}.Pair.messages import Seen\n\n\nclass Watch:\n"
         "    def execute(self, context):\n"
-        "        while (seen := context.state('eyes.state.Seen')) is None:\n            context.wait(0.05)\n"
+        "        while (seen := context.latest_message('eyes.state.Seen')) is None:\n"
+        "            context.wait(0.05)\n"
         "        assert type(seen) is Seen\n        context.log('seen')\n"
     )
     done = here(
@@ -170,7 +171,7 @@ def test_activities_import_messages_under_either_name(
         *("--real", "--for", "60s"),
     )
     assert done.code == 0, done.out + done.err
-    assert "all agents have finished" in done.out
+    assert "all agents completed" in done.out
     assert '"text":"seen"' in (folder / "out/trace.jsonl").read_text()
 
 
@@ -231,9 +232,9 @@ def test_a_role_of_one_of_several_systems(here: Here, folder: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--backend", "jadelike"], "There is no backend 'jadelike'. Did you mean 'jade_like'?"),
-        (["--backend", "robot=jadelike"], "There is no backend 'jadelike'. Did you mean 'jade_like'?"),
-        (["--backend", "robt=jade_like"], "There is no role 'robt'. Did you mean 'robot'?"),
+        (["--backend", "jadelike"], "Unknown backend 'jadelike'. Did you mean 'jade_like'?"),
+        (["--backend", "robot=jadelike"], "Unknown backend 'jadelike'. Did you mean 'jade_like'?"),
+        (["--backend", "robt=jade_like"], "Unknown role 'robt'. Did you mean 'robot'?"),
     ],
 )
 @pytest.mark.parametrize("command", ["build", "run"])
@@ -302,7 +303,7 @@ def test_plain_classes_of_some_roles_are_made_beside_the_agents_of_all(here: Her
 def test_what_plays_agents_has_no_use_for_a_plain_class(here: Here, folder: Path) -> None:
     done = here("run", "good.aseme", "--backend", "robot=plain")
     assert done.code == 2
-    assert "plain makes no agents: robot can have one of monas, jade_like." in done.err
+    assert "Backend plain cannot run agents; use one of monas, jade_like for robot." in done.err
 
 
 NO_NAMES_FOR_PYTHON = """\

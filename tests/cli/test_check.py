@@ -18,7 +18,7 @@ from tests.support.terminal import shown
 
 def test_a_good_file(here: Here, folder: Path) -> None:
     done = here("check", "good.aseme")
-    assert (done.code, done.out, done.err) == (0, "1 file is fine\n", "")
+    assert (done.code, done.out, done.err) == (0, "no problems found in 1 file\n", "")
 
 
 def test_all_errors_of_a_file_in_one_run(here: Here, folder: Path) -> None:
@@ -46,7 +46,7 @@ def test_everything_below_a_folder(here: Here, folder: Path) -> None:
 def test_a_file_that_others_import_needs_no_system(here: Here, folder: Path) -> None:
     (folder / "shared.aseme").write_text("message Seen { bool ball }\ntopic eyes { state Seen }\n")
     done = here("check", "shared.aseme")
-    assert (done.code, done.out) == (0, "1 file is fine\n")
+    assert (done.code, done.out) == (0, "no problems found in 1 file\n")
     done = here("build", "shared.aseme")
     assert done.code == 1 and "E008" in done.err
     (folder / "shared.aseme").write_text("srm player { liveness { player = Look } }")
@@ -64,7 +64,7 @@ def test_a_library_that_nobody_imports_is_checked_too(here: Here, folder: Path) 
 
 
 def test_standard_input(folder: Path) -> None:
-    assert asemec("check", "-", input=GOOD.encode()).out == "1 file is fine\n"
+    assert asemec("check", "-", input=GOOD.encode()).out == "no problems found in 1 file\n"
     done = asemec("check", "-", input=b"\xef\xbb\xbfsystem A }")
     assert done.code == 1
     assert "<stdin>:1:10" in done.out
@@ -72,7 +72,7 @@ def test_standard_input(folder: Path) -> None:
 
 
 def test_patterns(here: Here, folder: Path) -> None:
-    assert here("check", "g*.aseme").out == "1 file is fine\n"
+    assert here("check", "g*.aseme").out == "no problems found in 1 file\n"
     done = here("check", "x*.aseme")
     assert done.code == 1
     assert "no .aseme file matches x*.aseme" in done.out
@@ -135,14 +135,14 @@ class TestWithoutZ3:
         done = asemec("check", "bad.aseme", cwd=folder)
         install = 'pip install "aseme-dsl[check]"'
         assert (
-            done.out
-            == f"1 file is fine\n1 choice was not checked for overlaps and gaps; to do so: {install}\n"
+            done.out == "no problems found in 1 file\n"
+            f"1 choice was not checked for overlaps and gaps; to enable this: {install}\n"
         )
         assert done.code == 0
         assert asemec("check", "--json", "bad.aseme", cwd=folder).json["unchecked_choices"] == 1
 
     def test_where_there_is_no_such_choice_nothing_is_said(self, folder: Path) -> None:
-        assert asemec("check", "good.aseme", cwd=folder).out == "1 file is fine\n"
+        assert asemec("check", "good.aseme", cwd=folder).out == "no problems found in 1 file\n"
 
     def test_what_is_allowed_in_case_it_is_looked_for_is_not_idle(self, folder: Path) -> None:
         allowed = CHOICE.replace("  enter Walk", "  // asemec: allow(W411) it waits\n    enter Walk")
@@ -249,7 +249,7 @@ class TestTerminal:
         assert link is not None
         assert Path(urlparse(link[1]).path).read_text("utf-8").startswith("A comment")
         assert said.endswith(
-            "1 warning in 1 file\nasemec explain W014 tells more; asemec check --fix mends 1 problem\n"
+            "1 warning in 1 file\nfor details: asemec explain W014; to fix 1 problem: asemec check --fix\n"
         )
         assert "explain" not in self.run("good.aseme")
 
@@ -276,7 +276,7 @@ class TestPolicy:
 
     def test_a_group_that_is_off(self, here: Here, folder: Path) -> None:
         self.write(folder, 'W3 = "off"')
-        assert here("check", "--strict", "warned.aseme").out == "1 file is fine\n"
+        assert here("check", "--strict", "warned.aseme").out == "no problems found in 1 file\n"
         assert "W300" not in here("build", "warned.aseme").err
 
     def test_a_note_is_not_strict(self, here: Here, folder: Path) -> None:
@@ -318,12 +318,12 @@ class TestFix:
         assert done.code == 1
         lines = done.out.splitlines()
         assert lines[0].startswith("bad.aseme:8:")
-        assert lines[0].endswith(": mended[E502]: `Sen` -> `Seen`")
-        assert lines[1] == "1 problem mended in 1 file"
+        assert lines[0].endswith(": fixed[E502]: `Sen` -> `Seen`")
+        assert lines[1] == "1 problem fixed in 1 file"
         assert lines[-1] == "1 error in 1 file"
         after = (folder / "bad.aseme").read_bytes()
         assert after == b"\xef\xbb\xbf" + text.replace(b"state.Sen.", b"state.Seen.")
-        assert "mended" not in here("check", "--fix", "bad.aseme").out
+        assert "fixed" not in here("check", "--fix", "bad.aseme").out
 
     def test_diff_shows_it_and_writes_nothing(self, here: Here, folder: Path) -> None:
         done = here("check", "--fix", "--diff", "bad.aseme")
@@ -348,7 +348,7 @@ class TestFix:
             text = text.replace("message Seen { bool ball  bool home }\n", "")
             (folder / f"{name}.aseme").write_text(text)
         done = here("check", "--fix")
-        assert done.out.endswith("1 problem mended in 1 file\n\n3 files are fine\n")
+        assert done.out.endswith("1 problem fixed in 1 file\n\nno problems found in 3 files\n")
         assert (folder / "shared.aseme").read_text() == "message Seen { bool ball  bool home }\n"
 
 
@@ -363,8 +363,8 @@ class TestConfiguration:
 
     def test_its_files_are_checked_if_none_are_named(self, here: Here, folder: Path) -> None:
         (folder / "pyproject.toml").write_text('[tool.asemec]\nfiles = ["good.aseme"]\n')
-        assert here("check").out == "1 file is fine\n"
-        assert here("check", ".").out == "1 file is fine\n"
+        assert here("check").out == "no problems found in 1 file\n"
+        assert here("check", ".").out == "no problems found in 1 file\n"
         assert here("check", "*.aseme").code == 1
 
     def test_its_size_limit_counts(self, here: Here, folder: Path) -> None:
@@ -389,7 +389,7 @@ def test_a_variable_that_only_the_code_reads_is_read(here: Here, folder: Path) -
     )
     (folder / "activities").mkdir()
     (folder / "activities" / "walk.py").write_text(
-        'class Walk:\n    def execute(self, context):\n        context.log(context.variable("n"))\n'
+        'class Walk:\n    def execute(self, context):\n        context.log(context.get_variable("n"))\n'
     )
     done = here("check", "count.aseme")
     assert "variable `m`" in done.out + done.err

@@ -41,7 +41,7 @@ def test_every_extra_is_there() -> None:
         for extra, packages in extras.items()
         for package in packages
     }
-    table = (ROOT / "docs/troubleshooting.md").read_text("utf-8")
+    table = (ROOT / "docs/index.md").read_text("utf-8")
     assert [name for name in extras if f"| `{name}` |" not in table] == []
 
 
@@ -90,4 +90,4 @@ def test_without_what_is_needed_the_exit_code_is_1(here: Here, monkeypatch: pyte
     monkeypatch.setattr(tools.metadata, "version", version)
     done = here("doctor")
     assert done.code == 1
-    assert "needed! pip install textx" in done.out
+    assert "required: pip install textx" in done.out

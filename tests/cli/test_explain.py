@@ -12,7 +12,7 @@ def test_the_page_of_a_code(here: Here) -> None:
     done = here("explain", "E200")
     assert (done.code, done.err) == (0, "")
     lines = done.out.splitlines()
-    assert lines[0] == "error[E200]: an unknown name"
+    assert lines[0] == "error[E200]: unknown name"
     wrong, right = lines.index("Wrong:"), lines.index("Right:")
     assert "        leave  Look : [pases >= 3]" in lines[wrong:right]
     assert "  team.aseme:7:20: error[E200]: there is no variable or let `pases`" in lines[wrong:right]
@@ -67,7 +67,7 @@ def test_an_unknown_code_is_wrong_use(here: Here, written: str, words: str) -> N
 
 def test_json(here: Here) -> None:
     (entry,) = here("explain", "--json", "E200").json["codes"]
-    assert (entry["code"], entry["severity"], entry["title"]) == ("E200", "error", "an unknown name")
+    assert (entry["code"], entry["severity"], entry["title"]) == ("E200", "error", "unknown name")
     assert entry["group"] == "Names and declarations"
     (found,) = entry["wrong"]["diagnostics"]
     assert found["fix"] == "passes"

@@ -36,14 +36,14 @@ def test_all_files_of_a_folder(here: Here, files: Path) -> None:
     assert done.code == 0
     assert done.err == ""
     assert done.out.splitlines() == [
-        "ugly.aseme: laid out",
-        "deep/library.aseme: laid out",
-        "2 files laid out, 1 file is fine",
+        "ugly.aseme: formatted",
+        "deep/library.aseme: formatted",
+        "2 files formatted, 1 file unchanged",
     ]
     assert (files / "ugly.aseme").read_text() == NICE
     assert (files / "deep" / "library.aseme").read_text() == "let b = 2\n"
     assert mark(files / "nice.aseme") == before
-    assert here("fmt").out == "3 files are fine\n"
+    assert here("fmt").out == "3 files unchanged\n"
 
 
 def test_without_files_all_of_the_project(here: Here, files: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -51,20 +51,20 @@ def test_without_files_all_of_the_project(here: Here, files: Path, monkeypatch: 
     monkeypatch.chdir(files / "deep")
     done = here("fmt", "--check")
     assert done.code == 1
-    assert done.out.splitlines()[-1] == "2 files would be laid out, 1 file is fine"
+    assert done.out.splitlines()[-1] == "2 files would be formatted, 1 file unchanged"
     (files / "pyproject.toml").write_text("[tool.asemec\n")
     assert here("fmt").code == 1
 
 
 def test_patterns(here: Here, files: Path) -> None:
-    assert here("fmt", "n*.aseme").out == "1 file is fine\n"
+    assert here("fmt", "n*.aseme").out == "1 file unchanged\n"
     assert here("fmt", "x*.aseme").code == 1
 
 
 def test_check_changes_nothing(here: Here, files: Path) -> None:
     done = here("fmt", "--check", "ugly.aseme", "nice.aseme")
     assert done.code == 1
-    assert done.out == "ugly.aseme: would be laid out\n1 file would be laid out, 1 file is fine\n"
+    assert done.out == "ugly.aseme: would be formatted\n1 file would be formatted, 1 file unchanged\n"
     assert (files / "ugly.aseme").read_text() == UGLY
     assert here("fmt", "--check", "nice.aseme").code == 0
 
@@ -76,7 +76,7 @@ def test_diff_changes_nothing(here: Here, files: Path) -> None:
         "--- ugly.aseme\n+++ ugly.aseme\n@@ -1,2 +1,2 @@\n"
         "-system   A\n-let a=1 // one\n+system A\n+let a = 1  // one\n"
     )
-    assert done.err == "1 file would be laid out, 1 file is fine\n"
+    assert done.err == "1 file would be formatted, 1 file unchanged\n"
     assert (files / "ugly.aseme").read_text() == UGLY
     both = here("fmt", "--check", "--diff", "ugly.aseme")
     assert both.code == 1
@@ -97,7 +97,7 @@ def test_standard_input(here: Here, files: Path) -> None:
     done = here("fmt", "-", input=UGLY.replace("\n", "\r\n").encode())
     assert done.out == NICE.replace("\n", "\r\n")
     done = here("fmt", "--check", "-", input=UGLY.encode())
-    assert (done.code, done.out.splitlines()[0]) == (1, "<stdin>: would be laid out")
+    assert (done.code, done.out.splitlines()[0]) == (1, "<stdin>: would be formatted")
     done = here("fmt", "--diff", "-", input=UGLY.encode())
     assert done.out.startswith("--- <stdin>\n")
     done = here("fmt", "-", input=b"system A }")
@@ -110,7 +110,7 @@ def test_a_file_with_mistakes_stays_and_others_go_on(here: Here, files: Path) ->
     done = here("fmt", "bad.aseme", "ugly.aseme")
     assert done.code == 1
     assert "bad.aseme:1:12" in done.err
-    assert done.out == "ugly.aseme: laid out\n1 file laid out, 1 file left as it is\n"
+    assert done.out == "ugly.aseme: formatted\n1 file formatted, 1 file skipped because of errors\n"
     assert (files / "bad.aseme").read_text() == "system   A }\n"
     assert (files / "ugly.aseme").read_text() == NICE
     assert here("fmt", "--check", "bad.aseme").code == 1
@@ -134,7 +134,7 @@ def test_line_ends_mark_permissions_and_links_stay(here: Here, files: Path) -> N
 
 
 def test_a_file_that_is_named_twice(here: Here, files: Path) -> None:
-    assert here("fmt", "ugly.aseme", "./ugly.aseme").out == "ugly.aseme: laid out\n1 file laid out\n"
+    assert here("fmt", "ugly.aseme", "./ugly.aseme").out == "ugly.aseme: formatted\n1 file formatted\n"
 
 
 def test_files_that_cannot_be_read(here: Here, files: Path) -> None:
@@ -212,4 +212,4 @@ def test_a_read_only_file(files: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_file_with_errors_is_not_called_fine(here: Here, files: Path) -> None:
     (files / "broken.aseme").write_text("system S srm {")
     done = here("fmt", "broken.aseme")
-    assert (done.code, done.out) == (1, "1 file left as it is\n")
+    assert (done.code, done.out) == (1, "1 file skipped because of errors\n")

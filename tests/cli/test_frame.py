@@ -58,7 +58,7 @@ def test_every_command_has_help_with_an_example(here: Here, name: str) -> None:
     ("arguments", "words"),
     [
         (["chekc"], "Did you mean 'check'?"),
-        (["fly"], "There are new, check, explain"),
+        (["fly"], "Commands: new, check, explain"),
         (["check", "--nothing"], "No such option"),
         (["import"], "Missing argument"),
         (["run", "x.aseme", "--for", "5 apples"], "is no duration"),
@@ -88,7 +88,7 @@ def test_our_own_mistakes_show_no_traceback(
     done = here("check", "good.aseme")
     assert done.code == 70
     assert "Traceback" not in done.err
-    assert "mistake of asemec, not yours (KeyError: 'the drawer is empty')" in done.err
+    assert "internal error: KeyError: 'the drawer is empty'" in done.err
     assert "asemec --debug check good.aseme" in done.err
     done = here("--debug", "check", "good.aseme")
     assert done.code == 70
@@ -101,7 +101,7 @@ def test_too_little_memory_is_said(here: Here, monkeypatch: pytest.MonkeyPatch, 
 
     monkeypatch.setattr("aseme_dsl.project.building.project.check", greedy)
     done = here("check", "good.aseme")
-    assert (done.code, done.err) == (1, "asemec: there is not enough memory for this\n")
+    assert (done.code, done.err) == (1, "asemec: out of memory\n")
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

@@ -17,11 +17,11 @@ def test_a_new_project_is_checked_played_and_tested(
     assert here("new", "my-patrol").code == 0
     made = folder / "my-patrol"
     monkeypatch.chdir(made)
-    assert here("check", "--strict").out == "1 file is fine\n"
+    assert here("check", "--strict").out == "no problems found in 1 file\n"
     done = here("run", ".")
     assert done.code == 0, done.err
     assert done.err == ""
-    assert "scout (robot) has finished" in done.out
+    assert "scout (robot) completed" in done.out
     assert (made / "out/diagrams/iac.robot.svg").exists()
     tests = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"],
@@ -48,7 +48,7 @@ def test_it_says_what_it_made(here: Here, folder: Path) -> None:
     done = here("new", "patrol")
     assert done.code == 0
     assert str(Path("patrol/patrol.aseme")) in done.out.splitlines()
-    assert done.out.splitlines()[-1] == "Try: asemec run patrol"
+    assert done.out.splitlines()[-1] == "Next: asemec run patrol"
     assert here("new", "second", "--json").json["created"]
 
 

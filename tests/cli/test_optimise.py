@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.project.files.write import Written
 from tests.cli.support import Done, Here, asemec, command
+from tests.support.worded import worded
 
 FEED = """\
 system Feed
@@ -260,8 +260,8 @@ def test_a_knob_that_is_written_wrongly_is_wrong_use(here: Here, feed: Path, var
 def test_without_a_measure_it_says_what_may_be_measured(here: Here, feed: Path) -> None:
     done = here("optimise", feed)
     assert done.code == 2 and "Missing option '--measure'" in done.err
-    assert re.search(r"how often it is done a minute: .*Carry", done.err) and "MODULE:FUNCTION" in done.err
-    assert "\n  time, for how long" in done.err
+    assert re.search(r"per minute\): .*Carry", done.err) and "MODULE:FUNCTION" in done.err
+    assert "\n  time (seconds" in done.err
 
 
 def test_a_value_of_another_type_is_refused(here: Here, trips: Path) -> None:
@@ -297,7 +297,7 @@ def test_a_report_that_cannot_be_left_is_printed(
     here: Here, feed: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out = feed.parent / "found"
-    problem = Diagnostic("E009", "the disk is full", None, path=str(out))
+    problem = worded("E009", "the disk is full", None, path=str(out))
     written = Written(diagnostics=(problem,))
     monkeypatch.setattr("aseme_dsl.project.files.write.write_file", lambda *_: written)
     base = ("optimise", feed, "--measure", "Carry", "--runs", "1", "--for", "5s", "-o", out)
@@ -399,7 +399,7 @@ def test_ctrl_c_while_the_workers_start_is_told_once(feed: Path) -> None:
 def test_a_run_of_no_time_is_refused(here: Here, feed: Path) -> None:
     done = here("optimise", feed, "--measure", "Carry", "--for", "0s")
     assert done.code == 2
-    assert "in 0s nothing can be measured" in done.err
+    assert "must be greater than zero" in done.err
 
 
 def test_what_an_agent_does_several_times_at_once_is_counted_as_often(here: Here, trips: Path) -> None:
@@ -626,7 +626,7 @@ def work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "code" / "work.py").write_text(
         "class Work:\n"
         "    def execute(self, context):\n"
-        "        context.body.act(context.variable('speed'))\n"
+        "        context.body.act(context.get_variable('speed'))\n"
         "        context.wait(1.0)\n",
         "utf-8",
     )

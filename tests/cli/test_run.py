@@ -141,16 +141,19 @@ def test_a_team_plays_until_all_have_finished(here: Here, script: Path) -> None:
     assert "    0.00 s  one  Stand" in lines
     assert "    3.00 s  one  Walk" in lines
     assert "    3.00 s  two  Walk" in lines
-    assert "played 6 s with seed 1: all agents have finished" in lines
-    assert "  one (robot) has finished" in lines
+    assert "finished after 6 s (virtual, seed 1): all agents completed" in lines
+    assert "  one (robot) completed" in lines
     assert trace(Path("out/trace.jsonl"))[-1]["reason"] == "finished"
     for part in ("models/iac.robot.json", "diagrams/iac.robot.svg", "monas/Walker/robot/plan.py"):
         assert (Path("out") / part).exists()
 
 
 def test_it_ends_in_time(here: Here, folder: Path) -> None:
-    assert "played 60 s with seed 1: the time is over" in here("run", "good.aseme").out
-    assert "played 3 s with seed 7: the time" in here("run", "good.aseme", "--for", "3s", "--seed", "7").out
+    assert "stopped after 60 s (virtual, seed 1): time limit reached" in here("run", "good.aseme").out
+    assert (
+        "stopped after 3 s (virtual, seed 7): time limit"
+        in here("run", "good.aseme", "--for", "3s", "--seed", "7").out
+    )
 
 
 def test_the_same_seed_gives_the_same_trace(folder: Path, script: Path) -> None:
@@ -172,7 +175,7 @@ def test_the_same_seed_gives_the_same_trace(folder: Path, script: Path) -> None:
 def test_quiet_and_verbose(here: Here, script: Path) -> None:
     quiet = here("run", "good.aseme", "--input", "script.jsonl", "--quiet").out
     assert "one  Stand" not in quiet
-    assert "played 6 s" in quiet
+    assert "finished after 6 s" in quiet
     verbose = here("run", "good.aseme", "--input", "script.jsonl", "--verbose").out
     assert "one  0.2.1 -> 0.2.4 Stand" in verbose
     assert verbose.count("one  Stand") > 1
@@ -196,7 +199,7 @@ srm r {
     (folder / "late.aseme").write_text((folder / "late.aseme").read_text().replace("< 3", "< 9"))
     done = here("run", "late.aseme")
     assert done.err.count("deadline: Brew") == 3
-    assert "... 9 passed deadlines of Brew of r (late.aseme:3:18); the trace has them all\n" in done.err
+    assert "... 9 missed deadlines of Brew of r (late.aseme:3:18), see the trace\n" in done.err
 
 
 def test_what_comes_again_after_something_else_is_told_again(here: Here, folder: Path) -> None:
@@ -240,10 +243,10 @@ def test_a_file_with_errors_is_not_played(here: Here, folder: Path) -> None:
 
 class TestPlans:
     def test_one_plan_alone(self, here: Here, script: Path) -> None:
-        done = here("run", "good.aseme", "--plan", "robot", "--for", "1s")
+        done = here("run", "good.aseme", "--role", "robot", "--for", "1s")
         assert "    0.00 s  one  Stand" in done.out
         assert "  two  " not in done.out
-        done = here("run", "good.aseme", "--plan", "Walker.robot", "--agent", "solo", "--for", "1s")
+        done = here("run", "good.aseme", "--role", "Walker.robot", "--agent", "solo", "--for", "1s")
         assert "    0.00 s  solo  Stand" in done.out
 
     def test_what_a_robot_carries_is_listed(self, here: Here, folder: Path) -> None:
@@ -273,14 +276,14 @@ class TestPlans:
         done = here("run", "robot", "--for", "1s")
         assert done.code == 2
         assert "choose a plan of Runner.robot, Walker.robot" in done.err
-        assert "several plans are called `robot`" in here("run", "robot", "--plan", "robot").err
-        assert here("run", "robot", "--plan", "Runner.robot", "--for", "1s").code == 0
+        assert "several plans are called `robot`" in here("run", "robot", "--role", "robot").err
+        assert here("run", "robot", "--role", "Runner.robot", "--for", "1s").code == 0
 
     def test_a_plan_that_is_not_there(self, here: Here, folder: Path) -> None:
-        done = here("run", "good.aseme", "--plan", "robbot")
+        done = here("run", "good.aseme", "--role", "robbot")
         assert done.code == 2
         assert "error[E032]: no plan is called `robbot`\n   hint: did you mean `robot`?" in done.err
-        told = here("run", "good.aseme", "--plan", "robbot", "--json")
+        told = here("run", "good.aseme", "--role", "robbot", "--json")
         assert (told.code, told.json["result"]) == (2, None)
 
     def test_without_a_team_the_only_role_plays(self, here: Here, folder: Path) -> None:
@@ -364,7 +367,7 @@ class TestProjects:
         assert "whistle at 1 s" in lines
         assert "whistle at 2 s" in lines
         assert "the court of seed 9 is closed" in lines
-        assert "played 2 s with seed 9: the world is over" in lines
+        assert "stopped after 2 s (virtual, seed 9): the world is over" in lines
         assert "one  Stand" not in done.out
         assert (project / "made/trace.jsonl").exists()
 
@@ -384,7 +387,7 @@ class TestProjects:
 
     def test_the_command_line_goes_first(self, here: Here, project: Path) -> None:
         done = here("run", ".", "--for", "1s", "--seed", "3", "--trace", "mine.jsonl", "-o", "out")
-        assert "played 1 s with seed 3: the time is over" in done.out
+        assert "stopped after 1 s (virtual, seed 3): time limit reached" in done.out
         assert Path("mine.jsonl").exists()
         assert Path("out/monas").exists()
 
@@ -439,7 +442,7 @@ class TestProjects:
         (project / "pyproject.toml").write_text("[tool.asemec.run]\nseed = 1\n")
         done = here("run", ".")
         assert done.code == 2
-        assert "means 2 systems (good.aseme, other.aseme)" in done.err
+        assert "contains 2 systems (good.aseme, other.aseme)" in done.err
 
 
 def test_ctrl_c_ends_a_run_with_its_trace_whole(folder: Path) -> None:
@@ -456,7 +459,7 @@ def test_ctrl_c_ends_a_run_with_its_trace_whole(folder: Path) -> None:
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert ": stopped" in out
+    assert ": interrupted" in out
     assert "Traceback" not in err
     assert trace(folder / "out/trace.jsonl")[-1]["reason"] == "interrupted"
 
@@ -477,7 +480,7 @@ def test_what_is_built_within_the_second_of_the_build_before_is_what_runs(here: 
 def test_real_time(here: Here, folder: Path) -> None:
     done = here("run", "good.aseme", "--real", "--for", "50ms")
     assert done.code == 0, done.err
-    assert "the time is over" in done.out
+    assert "time limit reached" in done.out
     assert trace(Path("out/trace.jsonl"))[0]["clock"] == "real"
 
 
@@ -504,7 +507,7 @@ def test_processes_need_zenoh_and_it_is_said_how_to_get_it(tmp_path: Path) -> No
     (tmp_path / "zenoh.py").write_text("raise ImportError\n")
     (tmp_path / "walk.aseme").write_text(GOOD)
     paths = {"PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])}
-    for words in (("run", "walk.aseme", "--process-per-robot"), ("node", "one", "walk.aseme")):
+    for words in (("run", "walk.aseme", "--process-per-agent"), ("node", "one", "walk.aseme")):
         done = asemec(*words, cwd=tmp_path, **paths)
         assert done.code == 1
         assert 'pip install "aseme-dsl[zenoh]"' in done.err and "Traceback" not in done.err

@@ -28,7 +28,7 @@ def sketch(folder: Path) -> Path:
 def test_what_is_missing_is_added_behind_what_is_there(here: Here, sketch: Path) -> None:
     done = here("scaffold", "match.aseme")
     assert done.code == 0
-    assert done.out == "match.aseme: 3 skeletons written\n"
+    assert done.out == "match.aseme: 3 skeletons added\n"
     assert "match.aseme:6:15: the protocol `win`" in done.err
     text = sketch.read_text()
     assert text.startswith(SKETCH)
@@ -46,7 +46,7 @@ def test_what_is_missing_is_added_behind_what_is_there(here: Here, sketch: Path)
         assert refused.code == 1 and "error[E109]" in refused.err, command
     assert not (sketch.parent / "out").exists()
     before = sketch.stat().st_mtime_ns, sketch.stat().st_ino
-    assert here("scaffold", "match.aseme").out == "match.aseme: 0 skeletons written\n"
+    assert here("scaffold", "match.aseme").out == "match.aseme: 0 skeletons added\n"
     assert (sketch.stat().st_mtime_ns, sketch.stat().st_ino) == before
 
 
@@ -62,8 +62,8 @@ srm office { liveness { office = Rest } activities { Rest takes 1s Fetch takes 1
 def test_a_comment_is_not_counted_as_a_skeleton(here: Here, folder: Path) -> None:
     (folder / "depot.aseme").write_text(PLAYED)
     done = here("scaffold", "depot.aseme")
-    assert done.out == "depot.aseme: 0 skeletons and 1 comment written\n"
-    assert "but plays none of bring: only a comment is written, which says what to do" in done.err
+    assert done.out == "depot.aseme: 0 skeletons and 1 comment added\n"
+    assert "but plays none of bring: comment added" in done.err
     assert "  // The use case bring; let a formula" in (folder / "depot.aseme").read_text()
 
 
@@ -76,7 +76,7 @@ def test_what_seems_to_be_renamed_is_told(here: Here, folder: Path) -> None:
 
 
 def test_nothing_is_missing(here: Here, folder: Path) -> None:
-    assert here("scaffold", "good.aseme").out == "good.aseme: 0 skeletons written\n"
+    assert here("scaffold", "good.aseme").out == "good.aseme: 0 skeletons added\n"
     assert (folder / "good.aseme").read_text() == GOOD
 
 

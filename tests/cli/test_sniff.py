@@ -46,7 +46,7 @@ DECIDE = """
 class EvaluateJob:
     def execute(self, context):
         context.wait(0.1)
-        context.set("able", context.agent == "bob")
+        context.set_variable("able", context.agent == "bob")
 """
 BREAK = """
 class CarryOut:
@@ -107,7 +107,7 @@ def test_filters_say_what_they_leave_out(run: Path, here: Here) -> None:
     done = here("sniff", "out", "--agent", "cid")
     assert [line.split(" -- ")[1].split()[0] for line in lines(done.out)] == ["cfp", "refuse"]
     assert done.err == "left out: 2 messages and 2 events of 1 conversation\n"
-    assert here("sniff", "out", "--protocol", "auction").out == "nobody says anything\n"
+    assert here("sniff", "out", "--protocol", "auction").out == "no agent messages in this trace\n"
     assert len(lines(here("sniff", "out", "--conversation", "contract_net-*", "--to", "2s").out)) == 3
 
 
@@ -171,14 +171,14 @@ class Cook:
 @pytest.mark.parametrize(
     ("late", "sniffed", "told", "counts"),
     [
-        (20, ["leaves without having taken 2 messages"], "2 agent messages not taken", (2, 0)),
+        (20, ["leaves without having taken 2 messages"], "2 agent messages not consumed", (2, 0)),
         (
             25,
             [
                 "leaves without having taken inform Meal of cat",
                 "did not expect inform Meal: its part in the conversation is over",
             ],
-            "1 agent message not taken, 1 agent message not expected",
+            "1 agent message not consumed, 1 agent message unexpected",
             (1, 1),
         ),
     ],
@@ -190,7 +190,7 @@ def test_what_is_never_taken_is_told(
     Path("activities").mkdir()
     Path("activities/cook.py").write_text(COOK.replace("LATE", str(late)), "utf-8")
     done = here("run", "orders.aseme", "--activities", "activities", "-q")
-    assert f"... {told}: `asemec sniff` shows which\n" in done.err
+    assert f"... {told}; for details: asemec sniff\n" in done.err
     shown = [line for line in lines(here("sniff", "out").out) if " ann ! " in line]
     assert [line.split(" ann ! ")[1].partition(" [")[0] for line in shown] == sniffed
     result = json.loads(here("run", "orders.aseme", "--activities", "activities", "--json").out)["result"]
@@ -252,7 +252,7 @@ def test_a_message_to_an_agent_that_has_crashed_is_told(folder: Path, here: Here
             "agents": [{"name": "ann", "role": "a"}, {"name": "bob", "role": "b"}],
         },
         {
-            "kind": "mail",
+            "kind": "agent_message",
             "time": 1,
             "agent": "ann",
             "sequence": 4,
@@ -290,7 +290,7 @@ def header(*agents: str, **members: object) -> dict[str, object]:
     return {
         "kind": "header",
         "time": 0,
-        "format": 1,
+        "format": 2,
         "system": "Talk",
         "seed": 1,
         "clock": "virtual",
@@ -301,7 +301,7 @@ def header(*agents: str, **members: object) -> dict[str, object]:
 
 def mail(seconds: float, sender: str, to: Sequence[str], number: int, **members: object) -> dict[str, object]:
     return {
-        "kind": "mail",
+        "kind": "agent_message",
         "time": int(seconds * 1e9),
         "agent": sender,
         "sequence": number,
@@ -496,10 +496,10 @@ def test_what_cannot_be_shown_is_said(folder: Path, here: Here) -> None:
     assert torn.code == 1 and "did not come to its end" in torn.err
     assert lines(torn.out) == ["1 s one -- inform Note (n 1) --> nobody [talk-one-2]"]
     write(Path("t.jsonl"), header("one"), FINISH)
-    assert "is called .svg, .mmd or .txt" in here("sniff", "t.jsonl", "-o", "t.gif").err
-    assert "name one with -o" in here("sniff", "t.jsonl", "--each").err
-    assert "leave --format and -o out" in here("sniff", "t.jsonl", "-f", "-o", "t.svg").err
-    assert here("sniff", "t.jsonl").out == "nobody says anything\n"
+    assert "use .svg, .mmd or .txt" in here("sniff", "t.jsonl", "-o", "t.gif").err
+    assert "--each requires -o" in here("sniff", "t.jsonl", "--each").err
+    assert "--follow prints text" in here("sniff", "t.jsonl", "-f", "-o", "t.svg").err
+    assert here("sniff", "t.jsonl").out == "no agent messages in this trace\n"
 
 
 def test_what_agents_of_others_say_is_shown(folder: Path, here: Here) -> None:

@@ -62,7 +62,7 @@ def test_a_project_without_a_run_has_no_trace(here: Here, project: Path) -> None
 def test_of_two_systems_one_is_named(here: Here, folder: Path) -> None:
     for command in ("run", "diagram", "view"):
         done = here(command, ".")
-        assert done.code == 2 and "means 2 systems" in done.err, (command, done.err)
+        assert done.code == 2 and "contains 2 systems" in done.err, (command, done.err)
 
 
 # ---- every command -------------------------------------------------------------------------------
@@ -79,8 +79,8 @@ class Use:
 
 
 USES = {
-    "check": Use(says="1 file is fine\n"),
-    "fmt": Use(after=("--check",), code=1, says="1 file would be laid out\n"),
+    "check": Use(says="no problems found in 1 file\n"),
+    "fmt": Use(after=("--check",), code=1, says="1 file would be formatted\n"),
     "build": Use(says="Walker -> made: "),
     "diagram": Use(after=("--format", "dot", "-o", "drawn"), says="files: "),
     "view": Use(says="src/walker.aseme: http://"),
@@ -88,14 +88,14 @@ USES = {
     "node": Use(("one",), ("--for", "1ms", "--trace", "one.jsonl"), says="  trace: one.jsonl\n"),
     "swap": Use(code=1, says="error[E034]: nothing has changed:\nnothing runs from made: "),
     "trace": Use(says="made/trace.jsonl: Walker, seed 1, virtual time\n"),
-    "sniff": Use(says="nobody says anything\n"),
+    "sniff": Use(says="no agent messages in this trace\n"),
     "optimise": Use(after=("--measure", "Walk", "--runs", "1", "--quicker", "1", "--for", "1s"), says="# "),
     "bench": Use(after=("--steps", "5", "--rounds", "1"), says="# "),
-    "scaffold": Use(says="src/walker.aseme: 0 skeletons written\n"),
-    "doctor": Use(says="what a run opens, by platform\n"),
+    "scaffold": Use(says="src/walker.aseme: 0 skeletons added\n"),
+    "doctor": Use(says="sockets of a run, by transport\n"),
 }
 """The commands that take a target."""
-OTHERS = {"new", "explain", "lsp", "status", "select", "key", "import", "completion"}
+OTHERS = {"new", "explain", "lsp", "status", "switch", "key", "import", "completion"}
 """Those that take none: `status` and `select` are about what runs from an output folder (-o)."""
 FORMS = (
     "   hint: name a .aseme file, a project's folder or an output folder (or, for trace and sniff, a trace)\n"
@@ -209,7 +209,7 @@ def test_an_output_folder_may_be_moved_with_its_sources(here: Here, project: Pat
     (project / "there").mkdir()
     for name in ("src", "made", "pyproject.toml"):
         shutil.move(project / name, project / "there" / name)
-    assert here("check", "there/made").out == "1 file is fine\n"
+    assert here("check", "there/made").out == "no problems found in 1 file\n"
 
 
 def test_an_output_folder_behind_a_link(here: Here, project: Path, tmp_path: Path) -> None:
@@ -217,16 +217,16 @@ def test_an_output_folder_behind_a_link(here: Here, project: Path, tmp_path: Pat
     (project / "made").symlink_to(project / "disk/builds")
     assert here("build").code == 0
     assert json.loads((project / "made/.asemec.json").read_text())["source"] == "../../src/walker.aseme"
-    assert here("check", "made").out == "1 file is fine\n"
+    assert here("check", "made").out == "no problems found in 1 file\n"
 
 
 def test_several_systems_of_one_output_folder(here: Here, folder: Path) -> None:
     (folder / "one.aseme").write_text(GOOD.replace("Walker\n", "One\n"))
     (folder / "two.aseme").write_text(GOOD.replace("Walker\n", "Two\n"))
     assert here("build", "one.aseme", "two.aseme").code == 0
-    assert here("check", "out").out == "2 files are fine\n"
+    assert here("check", "out").out == "no problems found in 2 files\n"
     done = here("diagram", "out")
-    assert done.code == 2 and "out means 2 systems (one.aseme, two.aseme)" in done.err, done
+    assert done.code == 2 and "out contains 2 systems (one.aseme, two.aseme)" in done.err, done
     assert here("diagram", "out/Two", "-o", "drawn").code == 0
 
 

@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[2]
 HEADER = {
     "kind": "header",
     "time": 0,
-    "format": 1,
+    "format": 2,
     "system": "Walker",
     "seed": 7,
     "clock": "virtual",
@@ -84,10 +84,10 @@ def test_a_trace_is_summed_up(here: Here, trace: Path) -> None:
         done.out
         == """\
 run.jsonl: Walker, seed 7, virtual time
-0.000 s to 8.000 s, 13 lines, ended: time
-12 lines missing: the disk was slower than the run
+0.000 s to 8.000 s, 13 records, ended: time
+12 records missing: the disk was slower than the run
 
-agent  role   steps  activities  crashes  faults  stopped by
+agent  role   steps  activities  crashes  faults  failure
 one    robot      3           3        1       0
 two    robot      0           0        0       1
 
@@ -155,7 +155,7 @@ def test_lines_for_people(here: Here, trace: Path) -> None:
 
 def test_converted_and_back(here: Here, trace: Path) -> None:
     done = here("trace", "run.jsonl", "-o", "run.mcap")
-    assert (done.code, done.out) == (0, "run.mcap: 13 lines\n")
+    assert (done.code, done.out) == (0, "run.mcap: 13 records\n")
     assert here("trace", "run.mcap", "-o", "back.jsonl").code == 0
     assert Path("back.jsonl").read_bytes() == trace.read_bytes()
     for _ in range(2):  # what is a trace may become another one
@@ -183,10 +183,10 @@ def test_a_torn_trace_is_read_and_the_exit_code_says_so(here: Here, trace: Path)
     Path("run.jsonl.part").write_bytes(whole[:-30])
     done = here("trace", "run.jsonl")
     assert done.code == 1
-    assert done.out.startswith("run.jsonl.part: Walker") and "12 lines" in done.out
+    assert done.out.startswith("run.jsonl.part: Walker") and "12 records" in done.out
     assert done.err.startswith("run.jsonl.part: error[E035]: run.jsonl.part:13: the trace breaks off here")
     done = here("trace", "run.jsonl", "-o", "whole.jsonl")
-    assert (done.code, done.out) == (1, "whole.jsonl: 12 lines\n")
+    assert (done.code, done.out) == (1, "whole.jsonl: 12 records\n")
 
 
 def test_what_cannot_be_read_is_named(here: Here, trace: Path) -> None:

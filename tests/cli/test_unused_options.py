@@ -25,8 +25,8 @@ def built(here: Here, folder: Path) -> Here:
 def test_a_name_for_the_agent_of_no_plan_is_refused(built: Here) -> None:
     done = built("run", "team.aseme", "--agent", "nobody")
     assert done.code == 2
-    assert "error[E028]: `--agent` has no effect without `--plan`" in done.err
-    assert built("run", "team.aseme", "--plan", "player", "--agent", "nobody", "-q").code == 0
+    assert "error[E028]: `--agent` has no effect without `--role`" in done.err
+    assert built("run", "team.aseme", "--role", "player", "--agent", "nobody", "-q").code == 0
 
 
 @pytest.mark.parametrize(
@@ -94,7 +94,7 @@ def test_what_cannot_be_played_or_reached_has_a_code(built: Here, folder: Path) 
         ),
         (("node", "bob", "out", "--system", "Tam"), 2, "error[E032]: there is no system `Tam`"),
         (
-            ("run", "out", "--plan", "playr"),
+            ("run", "out", "--role", "playr"),
             2,
             "error[E032]: no plan is called `playr`\n   hint: did you mean",
         ),
@@ -102,7 +102,7 @@ def test_what_cannot_be_played_or_reached_has_a_code(built: Here, folder: Path) 
         (("run", "out", "--world", "nowhere:world"), 1, "out: error[E033]: no function world"),
         (("status", "-o", "out"), 1, "out: error[E034]: nothing runs from out"),
         (("status", "-o", "out", "--key", "no.jsonl"), 1, "out: error[E034]: no.jsonl"),
-        (("select", "bob", "player", "-o", "out"), 1, "out: error[E034]: nothing runs from out"),
+        (("switch", "bob", "player", "-o", "out"), 1, "out: error[E034]: nothing runs from out"),
         (("swap", "team.aseme", "-o", "out"), 1, "out: error[E034]: nothing has changed:"),
         (("trace", "no.jsonl"), 1, "no.jsonl: error[E035]: no.jsonl:1: the header of a trace is wanted"),
         (("sniff", "no.jsonl"), 1, "no.jsonl: error[E035]: no.jsonl:1: the header of a trace is wanted"),
@@ -115,7 +115,7 @@ def test_what_cannot_be_played_or_reached_has_a_code(built: Here, folder: Path) 
 
 
 VALUES = {
-    "--output": ("other",), "--plan": ("player",), "--agent": ("bob",), "--for": ("1s",), "--seed": ("1",),
+    "--output": ("other",), "--role": ("player",), "--agent": ("bob",), "--for": ("1s",), "--seed": ("1",),
     "--platform": ("zenoh",), "--input": ("i.jsonl",), "--trace": ("t.jsonl",), "--state": ("m",),
     "--activities": ("a",), "--templates": ("a",), "--world": ("a:b",), "--backend": ("monas",),
     "--body": ("a:b",), "--allow": ("waiting",), "--color": ("never",),
@@ -139,13 +139,13 @@ def test_an_option_changes_the_list_of_plans_or_is_refused(built: Here, folder: 
         (("run", "team.aseme", "-q", "-v"), "`--verbose` has no effect with `--quiet`"),
         (("node", "bob", "team.aseme", "-q", "-v"), "`--verbose` has no effect with `--quiet`"),
         (("node", "bob", "team.aseme", "--from", "out"), "`TARGET team.aseme` has no effect with `--from`"),
-        (("node", "bob", "out", "-o", "other"), "`-o` has no effect on an output folder"),
-        (("node", "bob", "--from", "out", "-o", "other"), "`-o` has no effect on an output folder"),
+        (("node", "bob", "out", "-o", "other"), "`-o` has no effect on an output directory"),
+        (("node", "bob", "--from", "out", "-o", "other"), "`-o` has no effect on an output directory"),
         (
             ("node", "bob", "team.aseme", "--system", "Team"),
-            "`--system` has no effect on what has one system",
+            "`--system` has no effect on a target with one system",
         ),
-        (("run", "out", "--process-per-robot", "--allow", "waiting"), "`--allow` has no effect where each"),
+        (("run", "out", "--process-per-agent", "--allow", "waiting"), "`--allow` has no effect where each"),
         (("sniff", "out", "--json", "--format", "svg"), "`--format` has no effect with `--json`"),
     ],
 )

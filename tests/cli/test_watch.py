@@ -116,7 +116,7 @@ def test_what_is_edited_is_built_again(project: Path, watching: Watching) -> Non
     assert contents(project / "fresh") == after
     with (project / "robot.aseme").open("a", encoding="utf-8") as file:  # in place
         file.write("// the end\n")
-    assert "nothing has changed" in watching.until(r"Walker -> out")
+    assert "no change" in watching.until(r"Walker -> out")
     assert watching.stop() == 0
     assert not [name for name in contents(project) if ".asemec-" in name]
 
@@ -147,27 +147,27 @@ def test_behaviours_are_what_a_build_from_nothing_writes(project: Path) -> None:
 def test_what_is_broken_is_told_and_the_last_good_output_stays(project: Path, watching: Watching) -> None:
     before = contents(project / "out")
     save(project / "robot.aseme", LIBRARY.replace("eyes.state.Seen.ball", "eyes.state.Sen.ball"))
-    said = watching.until("what was built stays")
+    said = watching.until("the previous build is unchanged")
     assert "robot.aseme:7:31: error[" in said and "did you mean" in said
-    assert "1 error; what was built stays as it was (" in said
+    assert "1 error; the previous build is unchanged (" in said
     assert contents(project / "out") == before
     save(project / "robot.aseme", LIBRARY.replace("srm robot {", "srm robot {{"))
-    assert "error[E1" in watching.until("what was built stays")
+    assert "error[E1" in watching.until("the previous build is unchanged")
     save(project / "robot.aseme", LIBRARY)
-    assert "nothing has changed" in watching.until("Walker -> out")
+    assert "no change" in watching.until("Walker -> out")
     assert contents(project / "out") == before
 
 
 def test_files_that_are_renamed_deleted_and_come_back(project: Path, watching: Watching) -> None:
     (project / "robot.aseme").rename(project / "android.aseme")
-    said = watching.until("what was built stays")
+    said = watching.until("the previous build is unchanged")
     assert "robot.aseme is gone" in said and "error[E004]: there is no file robot.aseme" in said
     save(project / "walker.aseme", SYSTEM.replace("robot.aseme", "android.aseme"))
     assert "walker.aseme changed" in watching.until("Walker -> out")
     save(project / "android.aseme", LIBRARY.replace("Walk takes 1s", "Walk takes 3s"))
     assert "android.aseme changed" in watching.until("Walker -> out")
     (project / "walker.aseme").unlink()
-    assert "walker.aseme is gone" in watching.until("what was built stays")
+    assert "walker.aseme is gone" in watching.until("the previous build is unchanged")
     save(project / "walker.aseme", SYSTEM.replace("robot.aseme", "android.aseme"))
     assert "walker.aseme is new" in watching.until("Walker -> out")
 
@@ -175,7 +175,7 @@ def test_files_that_are_renamed_deleted_and_come_back(project: Path, watching: W
 def test_what_is_no_longer_generated_is_removed_and_told(project: Path, watching: Watching) -> None:
     renamed = LIBRARY.replace("srm robot", "srm android").replace("robot =", "android =")
     save(project / "robot.aseme", renamed.replace("control robot", "control android"))
-    assert "error[" in watching.until("what was built stays")
+    assert "error[" in watching.until("the previous build is unchanged")
     save(project / "walker.aseme", SYSTEM.replace(": robot", ": android"))
     said = watching.until("Walker -> out")
     assert "removed models/iac.robot.json" in said
@@ -185,7 +185,7 @@ def test_what_is_no_longer_generated_is_removed_and_told(project: Path, watching
 
 def test_configuration_activities_and_output_count_too(project: Path, watching: Watching) -> None:
     save(project / "pyproject.toml", '[tool.asemec]\nlabels = "wrong"\n')
-    said = watching.until("what was built stays")
+    said = watching.until("the previous build is unchanged")
     assert "pyproject.toml is new" in said and "pyproject.toml:2" in said
     (project / "pyproject.toml").unlink()
     assert "pyproject.toml is gone" in watching.until("Walker -> out")
@@ -201,7 +201,7 @@ def test_configuration_activities_and_output_count_too(project: Path, watching: 
     mine = step.read_text("utf-8") + "# mine\n"
     save(step, mine)
     save(project / "robot.aseme", LIBRARY.replace("Walk takes 1s", "Walk takes 5s"))
-    assert "was edited since it was generated" in watching.until("what was built stays")
+    assert "was edited since it was generated" in watching.until("the previous build is unchanged")
     assert step.read_text("utf-8") == mine
 
 
@@ -222,7 +222,7 @@ def test_imported_proto_files_count_with_those_behind_them(project: Path) -> Non
         assert "inner.proto changed" in said and "changed monas/Walker/__init__.py" in said
         assert "y: float" in (project / "out" / "monas" / "Walker" / "messages.py").read_text("utf-8")
         (project / "inner.proto").unlink()
-        assert "error[E007]" in watching.until("what was built stays")
+        assert "error[E007]" in watching.until("the previous build is unchanged")
         save(project / "inner.proto", 'syntax = "proto3";\nmessage Point { double z = 1; }\n')
         assert "inner.proto is new" in watching.until("Walker -> out")
 
@@ -230,15 +230,15 @@ def test_imported_proto_files_count_with_those_behind_them(project: Path) -> Non
 def test_check_tells_what_is_new_in_a_folder(tmp_path: Path) -> None:
     (tmp_path / "walker.aseme").write_text(GOOD, "utf-8")
     with Watching(tmp_path, "check", ".") as watching:
-        assert "1 file is fine (" in watching.until("fine")
+        assert "no problems found in 1 file (" in watching.until("no problems")
         watching.until("watching")
         (tmp_path / "inner").mkdir()
-        watching.until("fine")
+        watching.until("no problems")
         save(tmp_path / "inner" / "bad.aseme", BAD)
         said = watching.until("errors? in 2 files|errors, .* in 2 files")
         assert "bad.aseme" in said and "error[" in said
         save(tmp_path / "inner" / "bad.aseme", GOOD)
-        watching.until("2 files are fine")
+        watching.until("no problems found in 2 files")
         assert watching.stop() == 0
 
 
@@ -272,7 +272,7 @@ def test_what_does_not_go_together(here: Here, arguments: tuple[str, ...], folde
 
 def test_a_first_build_that_fails_is_waited_for(tmp_path: Path) -> None:
     with Watching(tmp_path, "build", "walker.aseme", "--only", "models") as watching:
-        assert "there is no file walker.aseme" in watching.until("what was built stays")
+        assert "there is no file walker.aseme" in watching.until("the previous build is unchanged")
         watching.until("watching")
         save(tmp_path / "walker.aseme", GOOD)
         watching.until("Walker -> out: new")

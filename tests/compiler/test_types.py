@@ -173,15 +173,30 @@ def test_statements_of_several_roles_about_one_activity_join() -> None:
     assert (second.takes, second.kind, second.writes_variables) == (1_000_000_000, "thread", ("count",))
 
 
-def test_without_a_team_any_host_is_accepted() -> None:
+def test_a_host_is_an_agent_with_and_without_a_team() -> None:
     text = """
-    system S
+    message M { bool x }
+    topic t { state M }
+    srm r { liveness { r = A | B } control r { enter A : [HOST.t.state.M.x]  enter B : else } }
+    """
+    someone = "system S" + text.replace("HOST", "someone")
+    assert codes(someone) == ["E513"]
+    assert codes(someone + "team T { somebody : r }") == ["E513"]
+    assert codes(someone + "team T { someone : r }") == []
+    # Who plays a role of a system without a team is called as the role.
+    assert codes("system S" + text.replace("HOST", "r")) == []
+
+
+def test_where_the_team_may_be_elsewhere_any_host_is_accepted() -> None:
+    """A file without a `system` is part of others; a team that could not be read may have had the agent."""
+    text = """
     message M { bool x }
     topic t { state M }
     srm r { liveness { r = A | B } control r { enter A : [someone.t.state.M.x]  enter B : else } }
     """
-    assert codes(text) == []
-    assert codes(text + "team T { somebody : r }") == ["E513"]
+    assert "E513" not in codes(text)
+    assert "E513" not in codes("system S" + text + "team T { someone r }")
+    assert "E513" not in codes("system S" + text + "taem T { someone : r }")
 
 
 # ---- properties --------------------------------------------------------------------------------

@@ -25,6 +25,13 @@ def test_every_code_has_a_page_and_every_page_a_code() -> None:
     assert set(CODES) >= WITHOUT_PAGE
 
 
+def test_a_title_is_a_noun_phrase_of_its_own() -> None:
+    titles = [item.title for item in CODES.values()]
+    assert [title for title in titles if len(title.split()) > 8] == []
+    assert [title for title in titles if title.split()[0] in ("a", "an", "the")] == []
+    assert len(set(titles)) == len(titles)
+
+
 @pytest.mark.parametrize("code", PAGES)
 def test_a_page_explains_in_a_few_sentences(code: str) -> None:
     text = page(code).text

@@ -6,12 +6,13 @@ from pathlib import Path
 
 from aseme_dsl.diagnostics import Diagnostic, Policy, Setting, Severity
 from aseme_dsl.source import Source, Span
+from tests.support.worded import worded
 
 OFF, NOTE, WARNING, ERROR = None, Severity.NOTE, Severity.WARNING, Severity.ERROR
 
 
 def at(code: str, path: str = "team.aseme") -> Diagnostic:
-    return Diagnostic(code, "…", Span(Source(path, "text"), 0, 4))
+    return worded(code, "…", Span(Source(path, "text"), 0, 4))
 
 
 def severities(policy: Policy, *items: Diagnostic) -> list[str]:
@@ -33,7 +34,7 @@ def test_of_one_code_the_setting_for_particular_files_counts(tmp_path: Path) -> 
     policy = Policy((Setting("W3", NOTE, "drafts/*"), Setting("W3", ERROR), Setting("W3", OFF)), tmp_path)
     draft = at("W300", str(tmp_path / "drafts" / "old" / "team.aseme"))
     assert severities(policy, draft, at("W300", str(tmp_path / "team.aseme"))) == ["W300 note"]
-    unread = Diagnostic("W001", "…", None, path=str(tmp_path / "drafts" / "x.aseme"))
+    unread = worded("W001", "…", None, path=str(tmp_path / "drafts" / "x.aseme"))
     assert severities(Policy((Setting("W", OFF, "drafts/x*"),), tmp_path), unread, at("W300", "/else")) == [
         "W300 warning"
     ]

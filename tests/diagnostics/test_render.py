@@ -9,7 +9,6 @@ import pytest
 
 from aseme_dsl.diagnostics import (
     CODES,
-    Diagnostic,
     Related,
     closest,
     has_errors,
@@ -18,6 +17,7 @@ from aseme_dsl.diagnostics import (
     render_text,
 )
 from aseme_dsl.source import Source, Span
+from tests.support.worded import worded
 
 SOURCE = Source("team.aseme", "srm player {\n\tleiveness { 球 = A }\n}\n")
 
@@ -28,14 +28,14 @@ def span(text: str, source: Source = SOURCE) -> Span:
 
 
 def test_the_place_is_underlined_below_tabs_and_wide_characters() -> None:
-    problem = Diagnostic(
+    problem = worded(
         "E100",
         "expected `liveness`",
         span("leiveness"),
         (Related(span("player"), "in this role"),),
         "`liveness`",
     )
-    wide = Diagnostic("E105", "a name is made of ASCII letters", span("球"))
+    wide = worded("E105", "a name is made of ASCII letters", span("球"))
     assert render_text([problem, wide]) == (
         "team.aseme:2:2: error[E100]: expected `liveness`\n"
         " 2 |     leiveness { 球 = A }\n"
@@ -52,7 +52,7 @@ def test_the_place_is_underlined_below_tabs_and_wide_characters() -> None:
 
 
 def test_every_line_of_a_hint_is_indented() -> None:
-    problem = Diagnostic("N701", "not written yet", span("player"), hint="start from\naip attack {\n}")
+    problem = worded("N701", "not written yet", span("player"), hint="start from\naip attack {\n}")
     assert render_text([problem]).splitlines()[-3:] == [
         "   hint: start from",
         "         aip attack {",
@@ -62,7 +62,7 @@ def test_every_line_of_a_hint_is_indented() -> None:
 
 def test_a_very_long_line_is_cut_around_the_place() -> None:
     source = Source("long.aseme", "x" * 5000 + "HERE" + "y" * 5000)
-    lines = render_text([Diagnostic("E100", "no", span("HERE", source))]).splitlines()
+    lines = render_text([worded("E100", "no", span("HERE", source))]).splitlines()
     assert max(map(len, lines)) < 220
     column = lines[2].index("^")
     assert lines[1][column : column + 4] == "HERE"
@@ -70,7 +70,7 @@ def test_a_very_long_line_is_cut_around_the_place() -> None:
 
 def test_of_several_lines_the_first_and_the_last_are_shown() -> None:
     source = Source("team.aseme", "".join(f"line {n}\n" for n in range(1, 12)))
-    long = Diagnostic("W300", "long", Span(source, 62 - 6, 62 + 14))
+    long = worded("W300", "long", Span(source, 62 - 6, 62 + 14))
     assert render_text([long]) == (
         "team.aseme:9:1: warning[W300]: long\n"
         "  9 | line 9\n"
@@ -79,12 +79,12 @@ def test_of_several_lines_the_first_and_the_last_are_shown() -> None:
         " 11 | line 11\n"
         "    | ^^^^^\n"
     )
-    assert "line 2" not in render_text([Diagnostic("W300", "to the end of its line", Span(source, 0, 7))])
+    assert "line 2" not in render_text([worded("W300", "to the end of its line", Span(source, 0, 7))])
 
 
 def test_nothing_in_a_file_moves_the_cursor() -> None:
     source = Source("odd.aseme", "a \x1b[31m\r \u202e \x00 e\u0301 HERE\n")
-    text = render_text([Diagnostic("E100", "no", span("HERE", source))])
+    text = render_text([worded("E100", "no", span("HERE", source))])
     assert text.replace("\n", "").isprintable()
     line, mark = (item.split(" | ")[1] for item in text.splitlines()[1:])
     assert line.replace("\u0301", "")[mark.index("^") :] == "HERE"
@@ -92,7 +92,7 @@ def test_nothing_in_a_file_moves_the_cursor() -> None:
 
 def test_a_code_is_a_link_to_its_page_on_a_terminal() -> None:
     pages = {"W300": "file:///pages/W300.md"}
-    text = render_text([Diagnostic("W300", "mixed", None), Diagnostic("W301", "never", None)], link=pages.get)
+    text = render_text([worded("W300", "mixed", None), worded("W301", "never", None)], link=pages.get)
     assert text == (
         "<input>: warning[\x1b]8;;file:///pages/W300.md\x1b\\W300\x1b]8;;\x1b\\]: mixed\n"
         "\n"
@@ -101,18 +101,18 @@ def test_a_code_is_a_link_to_its_page_on_a_terminal() -> None:
 
 
 def test_a_file_that_cannot_be_read_has_no_line() -> None:
-    problem = Diagnostic("E001", "no such file", None, path="nowhere.aseme")
+    problem = worded("E001", "no such file", None, path="nowhere.aseme")
     assert render_text([problem]) == "nowhere.aseme: error[E001]: no such file\n"
 
 
 def test_colour_is_only_added() -> None:
-    problem = Diagnostic("W300", "mixed", span("A"))
+    problem = worded("W300", "mixed", span("A"))
     coloured = render_text([problem], colour=True)
     assert "\x1b[33;1mwarning[W300]\x1b[0m" in coloured
 
 
 def test_json_has_the_range() -> None:
-    (item,) = render_json([Diagnostic("E100", "no", span("A"), fix="B")])
+    (item,) = render_json([worded("E100", "no", span("A"), fix="B")])
     assert item["severity"] == "error"
     assert item["fix"] == "B"
     assert item["edits"] == [{"place": item["place"], "text": "B"}]
@@ -120,8 +120,8 @@ def test_json_has_the_range() -> None:
 
 
 def test_problems_are_in_the_order_of_the_text_and_once() -> None:
-    first = Diagnostic("E100", "one", span("player"))
-    second = Diagnostic("W300", "two", span("A"))
+    first = worded("E100", "one", span("player"))
+    second = worded("W300", "two", span("A"))
     assert in_order([second, first, second]) == (first, second)
     assert has_errors([second, first])
     assert not has_errors([second])
@@ -129,7 +129,7 @@ def test_problems_are_in_the_order_of_the_text_and_once() -> None:
 
 def test_an_unknown_code_is_our_mistake() -> None:
     with pytest.raises(ValueError, match="unknown diagnostic code"):
-        Diagnostic("E999", "no", None)
+        worded("E999", "no", None)
 
 
 def test_every_code_has_a_severity_that_its_letter_says() -> None:
@@ -160,7 +160,7 @@ WIDE = "日本" * 40 + "\tHERE" + "é" * 90
 def test_lines_are_cut_to_the_width_of_the_terminal(text: str, columns: int) -> None:
     source = Source("wide.aseme", text + "\n")
     place = Span(source, text.index("HERE"), text.rindex("HERE") + 4)
-    shown = render_text([Diagnostic("E100", "no", place)], columns=columns)
+    shown = render_text([worded("E100", "no", place)], columns=columns)
     _, line, marks = shown.splitlines()
     assert columns_of(line) <= columns and columns_of(marks) <= columns
     assert "…" in line and "\t" not in line
@@ -182,5 +182,5 @@ def placed(text: str) -> Iterator[tuple[int, str]]:
 
 
 def test_a_short_line_stays_as_it_is() -> None:
-    problem = Diagnostic("W300", "mixed", span("A"))
+    problem = worded("W300", "mixed", span("A"))
     assert render_text([problem], columns=80) == render_text([problem])

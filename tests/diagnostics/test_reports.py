@@ -13,7 +13,6 @@ from xml.etree import ElementTree
 import jsonschema
 import pytest
 
-from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.codequality import codequality
 from aseme_dsl.diagnostics.github import github
 from aseme_dsl.diagnostics.junit import junit
@@ -22,6 +21,7 @@ from aseme_dsl.diagnostics.sarif import sarif
 from aseme_dsl.source import Source, Span
 from tests.conftest import Snapshot
 from tests.diagnostics.problems import ALL, ALLOWED, HARSH, INSERTED, LONG, MISSPELT, SOURCE, UNREAD, WIDE
+from tests.support.worded import reworded, worded
 
 
 def schema() -> Any:
@@ -69,7 +69,7 @@ class TestSarif:
         def prints(text: str) -> list[str]:
             source = Source("team.aseme", text)
             starts = [place for place in range(len(text)) if text.startswith("Bal", place)]
-            found = [Diagnostic("E200", "no", Span(source, start, start + 3)) for start in starts]
+            found = [worded("E200", "no", Span(source, start, start + 3)) for start in starts]
             log = sarif(found, version="0")
             return [item["partialFingerprints"]["asemec/v1"] for item in log["runs"][0]["results"]]
 
@@ -104,7 +104,7 @@ class TestGitHub:
             "::warning file=teams/our team.aseme,line=4,endLine=4,col=17,endColumn=22,title=W300"
             "::two%0Alines: 100%25, and a comma\n"
         )
-        (line,) = github([replace(WIDE, message="a\r\n::error::b")]).splitlines()
+        (line,) = github([reworded(WIDE, message="a\r\n::error::b")]).splitlines()
         assert line.endswith("::a%0D%0A::error::b")
 
     def test_of_several_lines_there_are_no_columns(self) -> None:
@@ -131,7 +131,7 @@ class TestJUnit:
 
     @pytest.mark.parametrize("text", ["\x1b[31m\x00\ufffe", "<![CDATA[ ]]> & \"'", "\udcff"])
     def test_any_text_is_xml(self, text: str) -> None:
-        document = junit([replace(HARSH, message=text, path=text)], [])
+        document = junit([replace(reworded(HARSH, message=text), path=text)], [])
         assert ElementTree.fromstring(document.encode()).tag == "testsuites"
 
 

@@ -6,6 +6,7 @@ import pytest
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagrams import Drawing, Layout, NoSuchState, Options, drawings, render
+from aseme_dsl.diagrams.look.words import words
 from tests.conftest import Snapshot
 from tests.diagrams.pictures import Picture
 from tests.diagrams.texts import TEAM, compiled
@@ -43,6 +44,11 @@ def test_models_that_a_file_lacks_are_not_drawn() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_dot_text_is_as_it_was(name: str, drawn: dict[str, Drawing], snapshot: Snapshot) -> None:
     snapshot(drawn[name].dot, f"{name}.dot")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_each_drawing_is_described_in_words(name: str, team: System, drawn: dict[str, Drawing]) -> None:
+    assert words(team, drawn[name]) != f"{name} of {team.name}"
 
 
 def test_dot_texts_are_made_the_same_again(drawn: dict[str, Drawing]) -> None:

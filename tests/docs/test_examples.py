@@ -33,5 +33,5 @@ def test_the_examples_of_a_page_do_what_it_says(
 
 
 def test_every_command_has_its_help_in_the_reference() -> None:
-    text = (ROOT / "docs" / "commands.md").read_text("utf-8")
+    text = (ROOT / "docs" / "reference" / "commands.md").read_text("utf-8")
     assert [name for name in COMMANDS if f"$ asemec {name} --help\n" not in text] == []

@@ -1,7 +1,7 @@
 """The reference of the language has a page for each construct, and one table that names them all.
 
-A word or a kind of node that is added to the grammar is missed here until docs/language/constructs.md has it,
-and until a program on the page that the table names uses it.
+A word or a kind of node that is added to the grammar is missed here until
+docs/reference/language/constructs.md has it, and until a program on the page that the table names uses it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source
 from tests.docs.pages import ROOT, completed, examples
 
-LANGUAGE = ROOT / "docs" / "language"
+LANGUAGE = ROOT / "docs" / "reference" / "language"
 TABLE = "constructs.md"
 OVERVIEWS = {"index.md", "formulas.md", "messages.md", "agent-messages.md", "conditions.md", "layout.md"}
 """Pages that are about several constructs, or about how a file looks: the table need not name them."""
@@ -75,7 +75,7 @@ def test_the_table_has_every_word_of_the_grammar() -> None:
     assert {"system", "enter", "queued", "async", "signal"} <= words, "the grammar is not read as it was"
     written = set(re.findall(r"[A-Za-z]\w*", " ".join(_written())))
     words |= {*EXPRESSION_WORDS, *ACTIONS, *FORMS, *(function.name for function in FUNCTIONS), *BUILT_IN}
-    assert sorted(words - written) == [], f"docs/language/{TABLE}: a line with a page for each of these"
+    assert sorted(words - written) == [], f"{LANGUAGE / TABLE}: a line with a page for each of these"
 
 
 def test_the_table_has_every_operator_of_formulas() -> None:
@@ -121,7 +121,7 @@ def test_each_page_of_a_construct_has_all_its_parts() -> None:
 
 
 def test_what_a_page_quotes_is_what_the_semantics_says() -> None:
-    semantics = _plain((ROOT / "docs" / "semantics.md").read_text("utf-8"))
+    semantics = _plain((ROOT / "docs" / "reference" / "semantics.md").read_text("utf-8"))
     wrong = []
     for path in sorted(LANGUAGE.glob("*.md")):
         for quote in re.findall(r"(?:^> .*\n)+", path.read_text("utf-8"), re.MULTILINE):

@@ -15,10 +15,10 @@ COMPARED = ROOT / "benchmarks" / "ten_mistakes"
 
 
 def test_what_the_page_says_of_asemec() -> None:
-    """The peers' part needs the peers: `python benchmarks/ten_mistakes --write docs/ten-mistakes.md`."""
+    """The peers' part needs the peers: `python benchmarks/ten_mistakes --write PAGE`."""
     behaviour = (COMPARED / "kicker.aseme").read_text("utf-8")
     mistakes = tomllib.loads((COMPARED / "mistakes.toml").read_text("utf-8"))["mistake"]
-    page = (ROOT / "docs" / "ten-mistakes.md").read_text("utf-8")
+    page = (ROOT / "docs" / "explanation" / "ten-mistakes.md").read_text("utf-8")
     shown = re.findall(r"```text\n(.*?)```", page, re.DOTALL)
     assert len(shown) == len(mistakes) == 10
     for mistake, text in zip(mistakes, shown, strict=True):

@@ -90,7 +90,7 @@ def test_an_error_cannot_be_allowed_but_explained() -> None:
     marked = SOCCER.replace("vision.state.Ball.visible]", "vision.state.Ball.visibel‸]", 1)
     assert not [title for title in titles(marked) if title.startswith("Allow")]
     (explained,) = [item for item in offered(marked)[1] if item.explains]
-    assert (explained.title, explained.explains) == ("Explain E501: an unknown member", "E501")
+    assert (explained.title, explained.explains) == ("Explain E501: unknown field", "E501")
 
 
 def test_what_a_note_says_is_missing_is_written() -> None:

@@ -151,7 +151,7 @@ def test_what_the_code_of_activities_makes_of_a_file_is_said_as_by_a_check(tmp_p
     (tmp_path / "code").mkdir()
     (tmp_path / "code" / "walk.py").write_text(
         "class Walk:\n    def execute(self, context):\n"
-        '        context.log(context.variable("n"), context.topic("field.state.Bal"))\n',
+        '        context.log(context.get_variable("n"), context.topic("field.state.Bal"))\n',
         "utf-8",
     )
     workspace = Workspace(project())

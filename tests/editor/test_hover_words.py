@@ -55,7 +55,7 @@ def shown(marked: str, text: str = TEXT) -> str:
 
 @pytest.mark.parametrize("word", sorted(words()))
 def test_every_word_means_something(word: str) -> None:
-    assert meanings(word, ()), f"a row for `{word}` in docs/language/constructs.md"
+    assert meanings(word, ()), f"a row for `{word}` in docs/reference/language/constructs.md"
 
 
 @pytest.mark.parametrize("sign", FORMULA_SIGNS)
@@ -71,7 +71,7 @@ def test_every_operator_of_expressions_means_something(sign: str) -> None:
 
 
 def test_no_row_is_lost() -> None:
-    text = (Path(__file__).parents[2] / "docs/language/constructs.md").read_text("utf-8")
+    text = (Path(__file__).parents[2] / "docs/reference/language/constructs.md").read_text("utf-8")
     assert len(constructs()) == sum(line.startswith("| `") for line in text.splitlines())
 
 

@@ -41,7 +41,7 @@ srm player {
 team All { robot : player }
 """
 
-PAGE = (ROOT / "docs/editors/neovim.md").read_text("utf-8")
+PAGE = (ROOT / "docs/howto/editors/neovim.md").read_text("utf-8")
 
 
 def settings(command: list[str]) -> str:

@@ -313,7 +313,7 @@ async def test_hover_explains_a_code_in_a_comment(project: Project) -> None:
     found = await project.client.text_document_hover_async(
         lsp.HoverParams(project.document(), at("(^W300", text))
     )
-    assert found is not None and "operators mixed without parentheses" in found.contents.value
+    assert found is not None and "mixed operators without parentheses" in found.contents.value
 
 
 async def places(project: Project, found: object) -> list[tuple[str, str]]:

@@ -117,7 +117,7 @@ async def test_a_mistake_is_mended(project: Project) -> None:
 async def test_a_code_is_explained(project: Project) -> None:
     project.change("team.aseme", TEAM.replace("[near]", "[naer]"))
     found = await actions(project, between("[^near]", "[^near]"), "quickfix")
-    assert found[-1].title == "Explain E200: an unknown name"
+    assert found[-1].title == "Explain E200: unknown name"
     said = await project.client.workspace_execute_command_async(
         lsp.ExecuteCommandParams(EXPLAIN, arguments=["E200"])
     )

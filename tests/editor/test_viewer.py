@@ -242,5 +242,5 @@ def test_nothing_to_draw(tmp_path: Path) -> None:
     file.write_text("system Nothing }\n")
     with viewing(file, "iac.nobody") as browser:
         state = browser.next()
-        assert state["title"].startswith("There is nothing to draw")
+        assert state["title"].startswith("Nothing to draw")
         assert "error[E1" in state["text"]

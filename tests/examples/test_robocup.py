@@ -18,8 +18,8 @@ import pytest
 from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.monas import BACKEND
 from aseme_dsl.compiler import analyse
-from aseme_dsl.field.match import Match
 from aseme_dsl.runtime import Loaded, Team, activities_in, load_system, make_team
+from aseme_dsl.worlds.field.match import Match
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "robocup"
 SECOND = 1_000_000_000
@@ -97,7 +97,7 @@ def test_it_tells_how_the_match_goes(twenty_seconds: Played) -> None:
 
 def test_nothing_is_done_that_is_not_declared(twenty_seconds: Played) -> None:
     kinds = {json.loads(line)["kind"] for line in twenty_seconds.trace.splitlines()}
-    assert not kinds & {"fault", "error", "refused", "unsaid"}
+    assert not kinds & {"fault", "error", "refused", "radio_failed"}
     assert twenty_seconds.result["faults"] == 0
 
 
@@ -189,7 +189,7 @@ def watch(system: Loaded, seed: int) -> Watched:
                     record["agent"], participant, record["label"]
                 ):
                     seen.attack.append(f"{activity}@{participant}")
-        elif record["kind"] == "unsaid":
+        elif record["kind"] == "radio_failed":
             seen.unsaid += 1
 
     team = make_team(
@@ -197,7 +197,7 @@ def watch(system: Loaded, seed: int) -> Watched:
         activities_in(EXAMPLE / "activities"),
         seed=seed,
         world=match,
-        until=140 * SECOND,
+        until_ns=140 * SECOND,
         stop=look,
         listeners=(listen,),
     )

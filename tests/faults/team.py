@@ -87,7 +87,7 @@ sys.exit(main(sys.argv[1:]))
 
 
 class Started:
-    """`asemec run --team … --process-per-robot`, while it runs."""
+    """`asemec run --team … --process-per-agent`, while it runs."""
 
     def __init__(self, folder: Path, *arguments: str) -> None:
         self.folder = folder
@@ -99,7 +99,7 @@ class Started:
                 "run",
                 "--team",
                 str(folder),
-                "--process-per-robot",
+                "--process-per-agent",
                 *arguments,
             ],
             stdout=subprocess.PIPE,

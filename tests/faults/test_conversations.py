@@ -109,6 +109,6 @@ def test_of_a_crowd_some_die_and_the_others_talk_on(seed: int) -> None:
     for name in workers[::2]:
         assert not [
             r
-            for r in run.of("mail", agent=name)
+            for r in run.of("agent_message", agent=name)
             if r["time"] > max(crash.at for crash in crashes if crash.agent == name)
         ]

@@ -5,8 +5,8 @@ from __future__ import annotations
 import threading
 from typing import Any
 
-from aseme_dsl.runtime.chart.inputs import Arrived
-from aseme_dsl.runtime.chart.intake import CROWD, Intake, Posted
+from aseme_dsl.runtime.chart.input_queue import CROWD, Intake, Posted
+from aseme_dsl.runtime.chart.inputs import Sample
 from aseme_dsl.runtime.team.team import Team
 from tests.runtime.playing import MS, SECOND, make
 from tests.support.waiting import LONG
@@ -56,7 +56,7 @@ def test_a_flood_is_bounded_and_queued_signals_are_all_taken() -> None:
         nonlocal sent
         sent += 1
         identity = ("input", sent)
-        agent.post(identity, Arrived(channel, message, "ann", team.driver.clock.now(), identity))
+        agent.post(identity, Sample(channel, message, "ann", team.driver.clock.now(), identity))
 
     sent = 0
     thread = threading.Thread(target=send)
@@ -65,7 +65,7 @@ def test_a_flood_is_bounded_and_queued_signals_are_all_taken() -> None:
     thread.join()
     assert result.reason == "all taken"
     assert waited[0] <= CROWD + SIGNALS + 3
-    crowds = [record for record in records if record["kind"] == "crowd"]
+    crowds = [record for record in records if record["kind"] == "overload"]
     assert sum(record["left_out"] for record in crowds) == 3 * SENT + SIGNALS - waited[0]
     assert max(record["most"] for record in crowds) == waited[0]
     faults = [record["reason"] for record in records if record["kind"] == "fault"]
@@ -74,7 +74,7 @@ def test_a_flood_is_bounded_and_queued_signals_are_all_taken() -> None:
 
 def arrived(channel: str, sender: str, number: int, region: str | None = None) -> Posted:
     identity = (sender, number)
-    return Posted(identity, Arrived(channel, number, sender, 0, identity, region))
+    return Posted(identity, Sample(channel, number, sender, 0, identity, region))
 
 
 def test_what_nobody_could_have_seen_is_left_out_and_nothing_else() -> None:

@@ -41,7 +41,7 @@ def test_a_signal_ends_a_robot_under_a_flood_of_duplicates(tmp_path: Path, numbe
         for thread in threads:
             thread.start()
         try:
-            run.wait_for(lambda: any(entry.endswith(" doubled") for entry in run.news("robot1")))
+            run.wait_for(lambda: any(entry.endswith(" duplicated") for entry in run.news("robot1")))
             before = len(signals_from(run.trace("robot1"), "robot2"))
             run.wait_for(lambda: len(signals_from(run.trace("robot1"), "robot2")) > before + 10)
             robot = run.robots()["robot1"]

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.chart.inputs import Arrived, Happened, Written
-from aseme_dsl.runtime.chart.intake import CROWD, Intake, Posted
+from aseme_dsl.runtime.chart.input_queue import CROWD, Intake, Posted
+from aseme_dsl.runtime.chart.inputs import Happened, Sample, Written
 from aseme_dsl.runtime.driver.real_time import RealTime
 from tests.runtime.playing import MS, SECOND, Played, make, play
 from tests.support.generated import generate
@@ -49,7 +49,7 @@ def test_signals_that_a_region_does_not_take_are_bounded_and_another_region_gets
     text = "50 t.signal.M wait in `(Idle . Use~)` of me and are not taken: what comes now is left out there"
     assert (fault["reason"], fault["at"]) == (text, "test.aseme:8:27")
     assert run.of("header")[0]["queue"] == 50  # so that the run can be repeated from its trace
-    crowds = run.of("crowd", channel="t.signal.M")
+    crowds = run.of("overload", channel="t.signal.M")
     assert sum(record["left_out"] for record in crowds) == 150
     assert {record["agent"] for record in crowds} == {"me"}
 
@@ -60,14 +60,14 @@ def test_the_bound_is_generous_if_nothing_else_is_said() -> None:
     message = generated.messages.M
     chart.step(0, [])
     for n in range(1, 10_003):
-        chart.step(n, [Arrived("t.signal.M", message(n=n), "ann", n, ("ann", n))])
+        chart.step(n, [Sample("t.signal.M", message(n=n), "ann", n, ("ann", n))])
     boards = [board for board in chart.boards() if board is not None and board.CHANNELS]
     assert max(len(board._signals["t.signal.M"]) for board in boards) == 10_000
     assert chart.variable("taken") == 10_002
 
 
 def arrived(number: int) -> Posted:
-    return Posted(("ann", number), Arrived("t.signal.M", number, "ann", 0, ("ann", number)))
+    return Posted(("ann", number), Sample("t.signal.M", number, "ann", 0, ("ann", number)))
 
 
 def test_signals_that_wait_for_a_step_that_lasts_are_bounded() -> None:
@@ -108,7 +108,7 @@ def test_a_step_that_lasts_under_a_flood_of_queued_signals_is_told() -> None:
         with team.driver.guard(agent):
             for number in range(1, CROWD + 201):
                 identity = ("input", number)
-                agent.post(identity, Arrived("t.signal.M", message(n=1), "ann", 0, identity))
+                agent.post(identity, Sample("t.signal.M", message(n=1), "ann", 0, identity))
 
     team.driver.at(20 * MS, flood)
     assert team.run().reason == "taken"
@@ -116,7 +116,7 @@ def test_a_step_that_lasts_under_a_flood_of_queued_signals_is_told() -> None:
     assert told == [
         "50 queued signals wait for the next step of me: of t.signal.M, what comes now is left out"
     ]
-    at_the_door = [r for r in records if r["kind"] == "crowd" and "channel" in r and "region" not in r]
+    at_the_door = [r for r in records if r["kind"] == "overload" and "channel" in r and "region" not in r]
     assert sum(r["left_out"] for r in at_the_door) == 150
 
 
@@ -146,11 +146,11 @@ def test_mail_that_a_participant_does_not_take_is_bounded_and_answered() -> None
                 context.wait(0.001)
 
     run = play(task, {"Ask": Ask}, until=3 * SECOND, real_time=FEW)
-    asked = len(run.of("mail", agent="boss1"))
+    asked = len(run.of("agent_message", agent="boss1"))
     refused = run.of("unexpected", agent="worker1")
     assert asked >= 200 and len(refused) == asked - 50
     assert {r["reason"] for r in refused} == {"50 messages wait already for teller"}
-    assert len(run.of("mail", performative="not_understood")) == len(refused)
+    assert len(run.of("agent_message", performative="not_understood")) == len(refused)
     assert [text for text in faults(run) if "teller" in text] == [
         "50 messages wait for teller of worker1 and are not taken: what comes now is refused"
     ]

@@ -81,7 +81,7 @@ def project(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize("ways", [(), ("--real",), ("--process-per-robot",)], ids=" ".join)
+@pytest.mark.parametrize("ways", [(), ("--real",), ("--process-per-agent",)], ids=" ".join)
 def test_what_an_activity_started_ends_with_the_run(project: Path, ways: tuple[str, ...]) -> None:
     bystander = subprocess.Popen(["sleep", "604"])
     try:
@@ -127,7 +127,7 @@ class NAME:
 """
 
 
-@pytest.mark.parametrize("ways", [("--real",), ("--process-per-robot",)], ids=" ".join)
+@pytest.mark.parametrize("ways", [("--real",), ("--process-per-agent",)], ids=" ".join)
 def test_what_a_daemon_does_does_not_help_against_a_kill(project: Path, ways: tuple[str, ...]) -> None:
     """Where the run is killed, too, it is what is left of it that ends them: robots and workers."""
     code = {"fork": "", "work": "context.wait(600)"}
@@ -151,7 +151,7 @@ def test_what_a_daemon_does_does_not_help_against_a_kill(project: Path, ways: tu
         started = [int(line) for line in pids.read_text().split()]
         run.kill()
         # Nothing is left of a single process that was killed itself, but for its workers.
-        ended = started if "--process-per-robot" in ways else started[1:]
+        ended = started if "--process-per-agent" in ways else started[1:]
         wait_until(lambda: not any(_lives(number) for number in ended))
     finally:
         run.kill()

@@ -38,7 +38,7 @@ def sent(kind: str, faults: Faults, count: int = 200) -> tuple[list[int], list[R
 @pytest.mark.parametrize("kind", ["signal", "state", "mail"])
 def test_the_stream_brings_all_once_and_in_order(kind: str) -> None:
     bad = Faults(
-        3, loss=0.4, doubling=0.3, delay=80 * MS, partitions=(Partition(frozenset("a"), SECOND, SECOND),)
+        3, loss=0.4, duplication=0.3, delay=80 * MS, partitions=(Partition(frozenset("a"), SECOND, SECOND),)
     )
     got, told, used = sent(kind, bad)
     assert got == list(range(200))
@@ -53,7 +53,7 @@ def test_on_a_good_link_nothing_is_sent_twice() -> None:
 
 
 def test_of_samples_some_are_lost_and_none_is_doubled() -> None:
-    got, told, used = sent("data", Faults(3, loss=0.3, doubling=0.3, delay=80 * MS))
+    got, told, used = sent("data", Faults(3, loss=0.3, duplication=0.3, delay=80 * MS))
     assert used == 200
     assert len(set(got)) == len(got) < 200
     assert got != sorted(got)

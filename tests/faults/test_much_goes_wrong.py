@@ -238,7 +238,7 @@ def check_told(said: str, trace: list[dict[str, Any]]) -> None:
     assert "chief  deadline: Listen is not done within 0.05 s (rescue.aseme:56:" in said
     assert (
         said.count("deadline: Listen") == 3
-        and "passed deadlines of Listen of chief (rescue.aseme:56:" in said
+        and "missed deadlines of Listen of chief (rescue.aseme:56:" in said
     )
     for line in trace:
         check_line(line)
@@ -354,7 +354,7 @@ def test_in_real_time_with_a_swap(project: Path, here: Here) -> None:
         done = here("swap", "next/rescue.aseme", "-o", "out", "--within", "6s")
         assert done.code == 0 or "nothing has changed:" in done.err  # on a slow machine
         assert (
-            "did you mean bob?" in here("select", "bbo", "scout", "-o", "out").err
+            "did you mean bob?" in here("switch", "bbo", "scout", "-o", "out").err
             or process.poll() is not None
         )
         assert process.wait(LONG) == 1

@@ -165,17 +165,17 @@ def test_nonsense_is_counted_told_and_harmless(wire: Generated, mouth: Mouth) ->
     stranger.message(bob, 10, 1)
     ann.message(bob, 11, 8)
     wait_until(lambda: 11 in heard(bob))
-    wait_until(lambda: "mallory stranger" in bob.news())
+    wait_until(lambda: "mallory untrusted" in bob.news())
     peer = bob.team.peers()["ann"]
     ann.close()
     stranger.close()
     bob.stop()
     assert heard(bob) == [1, 6, 7, 11]
-    assert (peer.refused, peer.doubled, peer.late, peer.disordered) == (3, 2, 1, 2)
+    assert (peer.refused, peer.duplicated, peer.late, peer.reordered) == (3, 2, 1, 2)
     assert peer.unreadable == 5
     told = [r["what"] for r in bob.of("peer", peer="ann")]
     assert told.count("refused") == 2  # once for each kind of message
-    assert {"unreadable", "doubled", "late", "disordered", "count"} <= set(told)
+    assert {"unreadable", "duplicated", "late", "reordered", "count"} <= set(told)
     assert bob.result is not None and not bob.result.failed
 
 
@@ -192,7 +192,7 @@ def test_keys_without_sense_are_harmless(
             assert reply.ok is None or b"error" in reply.ok.payload.to_bytes()
     ann.message(bob, 1, 1)
     wait_until(lambda: heard(bob) == [1])
-    wait_until(lambda: "? stranger" in bob.news())
+    wait_until(lambda: "? untrusted" in bob.news())
     token.undeclare()
     ann.close()
     bob.stop()
@@ -311,7 +311,7 @@ def test_a_partition_loses_no_signal(wire: Generated, mouth: Mouth, port: int, h
     bob.stop()
     proxy.close()
     assert heard(bob) == list(range(200))
-    assert ann.news("gone", "back")[:2] == ["bob gone", "bob back"]
+    assert ann.news("gone", "reconnected")[:2] == ["bob gone", "bob reconnected"]
     assert ann.of("lost") == []
 
 

@@ -115,13 +115,13 @@ def test_a_team_is_asked_and_changed(here: Here) -> None:
     assert {a["model"] for a in after.values()} != {before["a"]["model"]}
     wait_until(lambda: "Cheer" in here.agents()["a"]["activities"])
 
-    code, said = here.asemec("select", "b", "goalie", "-o", "out")
+    code, said = here.asemec("switch", "b", "goalie", "-o", "out")
     assert code == 0, said
     assert here.agents()["b"]["role"] == "goalie"
-    code, said = here.asemec("select", "b", "sweeper", "-o", "out")
+    code, said = here.asemec("switch", "b", "sweeper", "-o", "out")
     assert code == 1
     assert "there is no plan sweeper; there are S.player, S.goalie" in said
-    code, said = here.asemec("select", "nobody", "goalie", "-o", "out")
+    code, said = here.asemec("switch", "nobody", "goalie", "-o", "out")
     assert "there is no agent nobody; there are a, b" in said
     process = here.running[0]
     process.send_signal(signal.SIGINT)
@@ -137,7 +137,7 @@ def test_a_team_in_several_processes_changes_as_one_or_not_at_all(here: Here) ->
     here.write("two.aseme", LONGER)
     assert here.asemec("build", "one.aseme", "-o", "out")[0] == 0
     for name in ("a", "b"):
-        here.start("out", "--plan", "player", "--agent", name, "--trace", f"{name}.jsonl")
+        here.start("out", "--role", "player", "--agent", name, "--trace", f"{name}.jsonl")
     before = here.agents()
 
     here.running[1].send_signal(signal.SIGSTOP)

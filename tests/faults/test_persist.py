@@ -38,7 +38,7 @@ from monas.Memory.messages import Count
 
 class Add:
     def execute(self, context):
-        count = context.state("count.state.Count")
+        count = context.latest_message("count.state.Count")
         context.publish("count.state.Count", Count((count.n if count else 0) + 1))
 """
 
@@ -120,7 +120,7 @@ def test_the_writer_coalesces_and_ends(tmp_path: Path, monkeypatch: pytest.Monke
 def test_where_nothing_can_be_kept_the_run_goes_on(tmp_path: Path) -> None:
     class Add:
         def execute(self, context: Context) -> None:
-            count = context.state("count.state.Count")
+            count = context.latest_message("count.state.Count")
             kind = type(count) if count is not None else None
             if kind is not None:
                 context.publish("count.state.Count", kind(count.n + 1))

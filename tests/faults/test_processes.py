@@ -46,7 +46,7 @@ def test_a_team_plays_to_its_end(tmp_path: Path) -> None:
 
     run, code, seconds = long_enough(played, have_talked)
     assert code == 0, run.lines
-    assert run.said("played with 3 processes: the time is over")
+    assert run.said(r"stopped \(3 processes\): time limit reached")
     assert run.said(r"^robot1 \| .*robot1  Say")
     for name in ("robot1", "robot2", "robot3"):
         trace = run.trace(name)
@@ -65,7 +65,7 @@ def test_a_signal_ends_all(tmp_path: Path, number: int) -> None:
         robots = list(run.robots().values())
         assert run.end(number) == 130
         assert gone(robots)
-    assert run.said("played with 3 processes: stopped")
+    assert run.said(r"stopped \(3 processes\): interrupted")
     assert [run.trace(name)[-1]["reason"] for name in ("robot1", "robot2", "robot3")] == ["interrupted"] * 3
 
 
@@ -88,9 +88,9 @@ def test_a_killed_robot_is_started_again_and_the_others_know(tmp_path: Path) -> 
         assert run.end() == 130
     assert run.said("robot2 was ended by SIGKILL; it is started again in 0.2 s")
     assert run.said("robot2, started 2 times")
-    known = ("robot2 there", "robot2 gone", "robot2 back", "robot2 restarted")
+    known = ("robot2 connected", "robot2 gone", "robot2 reconnected", "robot2 restarted")
     news = [item for item in run.news("robot1") if item in known]
-    assert news[:3] == ["robot2 there", "robot2 gone", "robot2 restarted"]
+    assert news[:3] == ["robot2 connected", "robot2 gone", "robot2 restarted"]
     numbers = signals_from(run.trace("robot1"), "robot2")
     second = numbers.index(1, 1)
     assert in_order(numbers[:second]) and in_order(numbers[second:])
@@ -108,7 +108,7 @@ def test_a_robot_that_stands_still_is_gone_and_comes_back(tmp_path: Path) -> Non
         before = len(signals_from(run.trace("robot3"), "robot1"))
         run.wait_for(lambda: len(signals_from(run.trace("robot3"), "robot1")) > before + 20)
         robot.resume()
-        run.wait_for(lambda: "robot2 back" in run.news("robot1"))
+        run.wait_for(lambda: "robot2 reconnected" in run.news("robot1"))
         count = len(signals_from(run.trace("robot2"), "robot1"))
         run.wait_for(lambda: len(signals_from(run.trace("robot2"), "robot1")) > count + 50)
         assert run.end() == 130
@@ -161,7 +161,7 @@ def test_each_robot_says_what_its_run_has_left_open(tmp_path: Path) -> None:
         "team T { bob : b  sue : s }\n"
     )
     (tmp_path / "trade.aseme").write_text(text)
-    options = ("--process-per-robot", "--quiet", "--json")
+    options = ("--process-per-agent", "--quiet", "--json")
     done = long_enough(
         lambda seconds: asemec("run", "trade.aseme", "--for", f"{seconds}s", *options, cwd=tmp_path),
         lambda done: "Offer from seller" in done.out and "[ready]" in done.out,

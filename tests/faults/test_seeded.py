@@ -1,4 +1,4 @@
-"""Runs with seeded faults: loss, doubling, delay, reordering, partitions, crashes; and swaps in their midst.
+"""Runs with seeded faults: loss, duplication, delay, reordering, partitions, crashes; and swaps among them.
 
 `FAULT_RUNS=1000 pytest tests/faults/test_seeded.py` plays a thousand of them; `python3 dev.py long` does.
 """
@@ -81,7 +81,7 @@ def test_signals_are_neither_lost_nor_doubled_nor_overtaken(group: int) -> None:
 
         class Speak:
             def execute(self, context: Context, said: dict[str, int] = said) -> None:
-                if context.now > 2 * SECOND:
+                if context.now_ns > 2 * SECOND:
                     return
                 said[context.agent] += 1
                 for kind in ("signal", "state", "data"):
@@ -96,13 +96,13 @@ def test_signals_are_neither_lost_nor_doubled_nor_overtaken(group: int) -> None:
                 sampled: dict[str, set[int]] = sampled,
             ) -> None:
                 for sender, numbers in heard.items():
-                    while (note := context.read("line.signal.Note", host=sender)) is not None:
+                    while (note := context.read("line.signal.Note", sender=sender)) is not None:
                         numbers.append(note.n)
-                newest = context.state("line.state.Note", host="one")
+                newest = context.latest_message("line.state.Note", sender="one")
                 if newest is not None:
                     states.append(newest.n)
                 for sender, found in sampled.items():
-                    samples = [item.message.n for item in context.history("line.data.Note", host=sender)]
+                    samples = [item.message.n for item in context.history("line.data.Note", sender=sender)]
                     assert len(samples) == len(set(samples))
                     found.update(samples)
 

@@ -69,7 +69,7 @@ def test_variables_and_what_is_known_stay_and_nothing_else() -> None:
 
     class Chase:
         def execute(self, context: Context) -> None:
-            ball = context.state("vision.state.Ball")
+            ball = context.latest_message("vision.state.Ball")
             seen.append((context.agent, None if ball is None else ball.x))
 
     script = [{"at": "50ms", "channel": "vision.state.Ball", "message": {"x": 4.5}}]

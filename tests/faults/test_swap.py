@@ -228,7 +228,9 @@ class TestConversations:
         assert swap.state == "done"
         assert {line["time"] for line in swaps(records)} == {130 * MS}
         assert not [r for r in records if r["kind"] in ("unexpected", "fault")]
-        heard = [r["time"] // MS for r in records if r["kind"] == "mail" and r["performative"] == "inform"]
+        heard = [
+            r["time"] // MS for r in records if r["kind"] == "agent_message" and r["performative"] == "inform"
+        ]
         assert heard == [160, 330, 500, 670, 840, 1010, 1180, 1350, 1520, 1690, 1860]
 
     def test_another_one_waits_for_the_end_of_the_conversation(self) -> None:
@@ -268,7 +270,7 @@ class TestMessages:
 
         class Search:
             def execute(self, context: Context) -> None:
-                seen.append(context.state("vision.state.Ball"))
+                seen.append(context.latest_message("vision.state.Ball"))
 
         old = ONE.replace("Search takes 100ms", "Search takes 100ms reads vision.state.Ball")
         new = old.replace("double x  bool near", "double x  int far")

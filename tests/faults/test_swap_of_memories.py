@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.runtime.agent.carry import Carried, carry, same_states
+from aseme_dsl.runtime.agent.state_transfer import Carried, carry, same_states
 from aseme_dsl.runtime.chart.inputs import Start
 from tests.behaviour.conftest import PRELUDE
 from tests.behaviour.running import Run

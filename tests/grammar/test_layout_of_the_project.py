@@ -16,7 +16,7 @@ FILES = sorted([*ROOT.glob("examples/**/*.aseme"), *ROOT.glob("stdlib/*.aseme")]
 PAGES = sorted(
     path
     for path in [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md"), *ROOT.glob("examples/**/*.md")]
-    if path.parent != ROOT / "docs" / "diagnostics"  # made with the documentation
+    if path.parent != ROOT / "docs" / "reference" / "diagnostics"  # made with the documentation
 )
 _EXAMPLE = re.compile(r"(?<!untidy\.aseme -->\n)^(```aseme\n)(.*?)(?=^```$)", re.MULTILINE | re.DOTALL)
 """A whole file in a page; not that which shows what the layout makes of one."""

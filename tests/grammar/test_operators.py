@@ -14,7 +14,7 @@ from aseme_dsl.source import Source
 from tests.grammar.reading import formula, mistakes
 from tests.support.compiling import codes, role_chart
 
-LANGUAGE = Path(__file__).parents[2] / "docs" / "language"
+LANGUAGE = Path(__file__).parents[2] / "docs" / "reference" / "language"
 CONTROL = {Operator.DISABLING: "control R { enter B : after(1s) }"}
 """What an operator needs beside its operands."""
 WRITTEN = [item for item in Operator if item not in (Operator.NAME, Operator.HOLE)]

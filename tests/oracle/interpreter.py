@@ -16,7 +16,7 @@ from random import Random
 from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import (
-    Arrived,
+    AgentMessage,
     Cancel,
     Completed,
     Crashed,
@@ -27,10 +27,10 @@ from aseme_dsl.runtime.chart.inputs import (
     Input,
     Joined,
     Left,
-    Mail,
     MailTaken,
     Outcome,
     Publication,
+    Sample,
     Sending,
     Start,
     Written,
@@ -56,20 +56,20 @@ class Region:
     """What one active region has: its blackboard, its drafts, its timers and its copy of the variables."""
 
     label: str
-    states: dict[str, list[Arrived]] = field(default_factory=dict)
-    data: dict[str, list[Arrived]] = field(default_factory=dict)
-    signals: dict[str, list[Arrived]] = field(default_factory=dict)
+    states: dict[str, list[Sample]] = field(default_factory=dict)
+    data: dict[str, list[Sample]] = field(default_factory=dict)
+    signals: dict[str, list[Sample]] = field(default_factory=dict)
     timers: dict[str, int] = field(default_factory=dict)
     drafts: dict[tuple[str, str | None], dict[tuple[str, ...], Any]] = field(default_factory=dict)
     variables: dict[str, Any] = field(default_factory=dict)
-    asked: list[Arrived] = field(default_factory=list)
+    asked: list[Sample] = field(default_factory=list)
     """The signals that were looked at in this step."""
-    seen: dict[tuple[str, str | None], Arrived | None] = field(default_factory=dict)
+    seen: dict[tuple[str, str | None], Sample | None] = field(default_factory=dict)
     """What was seen when a signal channel was last looked at in this step."""
     read_ahead: set[Identity] = field(default_factory=set)
     """What `read_messages` has put on the board before it comes as an input."""
 
-    def put(self, message: Arrived, queued: bool) -> None:
+    def put(self, message: Sample, queued: bool) -> None:
         """Write a message onto the blackboard.
 
         "`state`: the latest value of each sender (and of any). `data`: values with their time of measurement.
@@ -89,7 +89,7 @@ class Region:
             else:
                 waiting.append(message)
 
-    def sees(self, channel: str, host: str | None) -> Arrived | None:
+    def sees(self, channel: str, host: str | None) -> Sample | None:
         """What an expression sees: the latest state, the oldest waiting signal, the newest data."""
         kind = channel.split(".")[1]
         if kind == "state":
@@ -107,7 +107,7 @@ class Region:
         if message is not None:
             self.asked.append(message)
 
-    def drop(self, message: Arrived) -> bool:
+    def drop(self, message: Sample) -> bool:
         """Take a signal away if it is still the same one; whether it was."""
         waiting = self.signals.get(message.channel, [])
         for n, other in enumerate(waiting):
@@ -117,11 +117,11 @@ class Region:
         return False
 
 
-def of_sender(messages: list[Arrived], host: str | None) -> list[Arrived]:
+def of_sender(messages: list[Sample], host: str | None) -> list[Sample]:
     return [message for message in messages if host is None or message.sender == host]
 
 
-def newest(messages: list[Arrived]) -> Arrived | None:
+def newest(messages: list[Sample]) -> Sample | None:
     """The one measured last; of several measured at one moment the one that came last."""
     found = None
     for message in messages:
@@ -141,7 +141,7 @@ class Reference:
         self.plan = plan
         self.agent = agent
         self.messages = messages
-        self.pending: Callable[[], Iterable[Arrived]] = tuple
+        self.pending: Callable[[], Iterable[Sample]] = tuple
 
         self.now = 0
         self.started = False
@@ -174,10 +174,10 @@ class Reference:
         self.chance: Random | None = None
         self.writes: list[tuple[str, str, Any]] = []
         """The writes of the step to variables: (region, variable, value)."""
-        self.mailbox: dict[str, list[Mail]] = {branch.label: [] for branch in plan.branches}
-        self.found: dict[int, Mail | None] = {}
+        self.mailbox: dict[str, list[AgentMessage]] = {branch.label: [] for branch in plan.branches}
+        self.found: dict[int, AgentMessage | None] = {}
         """What each transition that speaks of it would take, when it was looked at last."""
-        self.in_hand: Mail | None = None
+        self.in_hand: AgentMessage | None = None
         """The agent message that a condition or an action speaks of."""
         self.events: set[str] = set()
         self.spent: set[tuple[str, str]] = set()
@@ -329,7 +329,7 @@ class Reference:
 
     def take_in(self, item: Input) -> None:
         match item:
-            case Arrived():
+            case Sample():
                 # "an arrived message is put on the board of every active region that reads its channel (but
                 # not the region that wrote it, which saw it at once)"
                 for region in self.regions.values():
@@ -358,7 +358,7 @@ class Reference:
                 # "a variable written by an activity is set"
                 for region in self.regions.values():
                     region.variables[name] = value
-            case Mail():
+            case AgentMessage():
                 # "mail is put into the mailbox of the participation (protocol branch) it names"
                 self.mailbox[item.branch].append(item)
 
@@ -594,7 +594,7 @@ class Reference:
         # "And the condition, if any, holds."
         return transition.condition is None or self.condition_holds(number, transition)
 
-    def letter(self, number: int, transition: Transition, source: str) -> Mail | None:
+    def letter(self, number: int, transition: Transition, source: str) -> AgentMessage | None:
         """What a transition takes that speaks of it: of the events in their order, the oldest first."""
         for event in transition.events:
             for mail in self.waiting(event, source):
@@ -683,7 +683,7 @@ class Reference:
                 return any(source in (label, *self.around(label)) for label in self.failed)
         raise ValueError(event)
 
-    def waiting(self, event: Term, source: str) -> list[Mail]:
+    def waiting(self, event: Term, source: str) -> list[AgentMessage]:
         """The agent messages that an event means, the oldest first; that somebody is lost is one, too."""
         match event:
             case ("received", *kind):
@@ -790,7 +790,7 @@ class Reference:
         """The region in which a state is, and those around it."""
         return [state for state in [label, *self.around(label)] if self.is_region(state)]
 
-    def consume(self, message: Arrived, board: Region) -> None:
+    def consume(self, message: Sample, board: Region) -> None:
         """ "A signal … is consumed at once, for its region and for every region around it." """
         for label in self.regions_around(board.label):
             around = self.regions.get(label)
@@ -801,7 +801,7 @@ class Reference:
                 # … also where it would come only as an input of the next step
                 around.read_ahead.add(message.identity)
 
-    def take_mail(self, mail: Mail) -> None:
+    def take_mail(self, mail: AgentMessage) -> None:
         """ "An agent message waits … until exactly one transition or activity takes it" """
         box = self.mailbox[mail.branch]
         if any(other is mail for other in box):
@@ -1018,7 +1018,7 @@ class Reference:
             self.outcome.effects.append(Publication(channel, message, host, place.label))
             # "with a `host.` it goes to that host alone"
             if self.reads(place.label, channel) and host in (None, self.agent):
-                own = Arrived(channel, message, self.agent, self.now, (self.agent, 0), place.label)
+                own = Sample(channel, message, self.agent, self.now, (self.agent, 0), place.label)
                 place.put(own, self.queued(channel))
 
     def fault(self, number: int, reason: str) -> None:

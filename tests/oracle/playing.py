@@ -10,7 +10,7 @@ from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import (
     LOST,
-    Arrived,
+    AgentMessage,
     Cancel,
     Completed,
     Crashed,
@@ -19,9 +19,9 @@ from aseme_dsl.runtime.chart.inputs import (
     Happened,
     Identity,
     Input,
-    Mail,
     Outcome,
     Publication,
+    Sample,
     Start,
     Written,
 )
@@ -136,7 +136,7 @@ class Game:
     old: list[tuple[str, int]] = field(default_factory=list)
     """Activities that have ended or were cancelled, with their tokens."""
     published: list[Publication] = field(default_factory=list)
-    late: list[Arrived] = field(default_factory=list)
+    late: list[Sample] = field(default_factory=list)
     numbers: dict[str, int] = field(default_factory=dict)
     story: list[str] = field(default_factory=list)
     taken: int = 0
@@ -239,7 +239,7 @@ class Game:
                 performative, message, participant = kinds[kind % len(kinds)]
                 content = filled(getattr(self.made.messages, message), cycle(members)) if message else None
                 identity = self.identity(sender)
-                return [Mail(branch, performative, message, content, participant, sender, identity)]
+                return [AgentMessage(branch, performative, message, content, participant, sender, identity)]
             case ("back",):
                 # a message of its own for both engines: each has published another object
                 back = [
@@ -255,8 +255,8 @@ class Game:
                 return [self.arrived(info.name, message, sender, age, None)]
         raise ValueError(operation)
 
-    def arrived(self, channel: str, message: Any, sender: str, age: int, region: str | None) -> Arrived:
-        return Arrived(channel, message, sender, self.now - age, self.identity(sender), region)
+    def arrived(self, channel: str, message: Any, sender: str, age: int, region: str | None) -> Sample:
+        return Sample(channel, message, sender, self.now - age, self.identity(sender), region)
 
     def identity(self, sender: str) -> Identity:
         self.numbers[sender] = self.numbers.get(sender, 0) + 1

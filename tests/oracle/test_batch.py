@@ -27,7 +27,7 @@ from aseme_dsl.amola.messages import DURATION, STRING, Kind
 from aseme_dsl.amola.statechart import Statechart, Transition
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.batch.generate import problems_of
-from aseme_dsl.codegen import plain as codegen
+from aseme_dsl.codegen.program import sizes
 from aseme_dsl.runtime.plain.plain import Unsettled
 from tests.oracle.charts import MS, text
 from tests.oracle.choices import Choices
@@ -141,11 +141,11 @@ def play(folder: Path, choices: Choices) -> Iterator[Together]:
     yield together
 
 
-@pytest.mark.parametrize("shared", [codegen.SHARED, 0], ids=["", "shared"])
+@pytest.mark.parametrize("shared", [sizes.SHARED, 0], ids=["", "shared"])
 @pytest.mark.parametrize("group", range(GROUPS))
 def test_batches_do_what_the_plain_class_does(
     group: int, shared: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(codegen, "SHARED", shared)
+    monkeypatch.setattr(sizes, "SHARED", shared)
     with without_compiling():
         assert agree(partial(play, tmp_path), EXAMPLES, group, GROUPS) > 0

@@ -10,7 +10,7 @@ import re
 
 import pytest
 
-from aseme_dsl.codegen import plain as codegen
+from aseme_dsl.codegen.program import sizes
 from aseme_dsl.runtime.plain import plain
 from tests.oracle import interpreter
 from tests.oracle.choices import Choices
@@ -266,7 +266,7 @@ def made_for(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(plain, "ROUNDS", ROUNDS)
     monkeypatch.setattr(interpreter, "ROUNDS", ROUNDS)
     for name, value in LARGE.items() if request.param == "as large ones" else ():
-        monkeypatch.setattr(codegen, name, value)
+        monkeypatch.setattr(sizes, name, value)
 
 
 @pytest.mark.usefixtures("made_for")

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime.chart.inputs import (
-    Arrived,
+    AgentMessage,
     Cancel,
     Completed,
     Crashed,
@@ -17,10 +17,10 @@ from aseme_dsl.runtime.chart.inputs import (
     Happened,
     Joined,
     Left,
-    Mail,
     MailTaken,
     Outcome,
     Publication,
+    Sample,
     Sending,
     Start,
     Written,
@@ -93,10 +93,10 @@ def on(source: str, target: str, *events: Term, priority: int = 0) -> Transition
     return Transition(source, target, priority, events=events)
 
 
-def arrived(channel: str, sender: str = "other", time: int = 0, **fields: Any) -> Arrived:
+def arrived(channel: str, sender: str = "other", time: int = 0, **fields: Any) -> Sample:
     global ARRIVALS
     ARRIVALS += 1
-    return Arrived(channel, M(**fields), sender, time, (sender, ARRIVALS))
+    return Sample(channel, M(**fields), sender, time, (sender, ARRIVALS))
 
 
 def x(channel: str, host: str | None = None) -> Term:
@@ -552,7 +552,9 @@ def test_mail_waits_in_its_branch_until_a_transition_takes_it() -> None:
         )
     )
     assert Sending("0.2", "cfp", "Note", Note(), "b") in run.step().effects
-    letters = [Mail("0.2", kind, "Note", Note(), "b", "bob", ("bob", n)) for n, kind in enumerate(LETTERS)]
+    letters = [
+        AgentMessage("0.2", kind, "Note", Note(), "b", "bob", ("bob", n)) for n, kind in enumerate(LETTERS)
+    ]
     outcome = run.step(*letters)
     assert [e.identity for e in outcome.of(MailTaken)] == [("bob", 0), ("bob", 2)]
     assert len(outcome.taken) == 2

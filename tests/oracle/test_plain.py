@@ -14,10 +14,9 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.codegen import plain as codegen
-from aseme_dsl.codegen.plain import PlainOptions
+from aseme_dsl.codegen.plain.options import PlainOptions
+from aseme_dsl.codegen.program import sizes
 from aseme_dsl.runtime.chart.inputs import (
-    Arrived,
     Cancel,
     Completed,
     Crashed,
@@ -25,6 +24,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Happened,
     Input,
     Outcome,
+    Sample,
     Start,
     Written,
 )
@@ -66,7 +66,7 @@ def bound(monkeypatch: pytest.MonkeyPatch) -> None:
 def large(monkeypatch: pytest.MonkeyPatch) -> None:
     """Take the small charts of here for large ones."""
     for name, value in LARGE.items():
-        monkeypatch.setattr(codegen, name, value)
+        monkeypatch.setattr(sizes, name, value)
 
 
 @dataclass
@@ -121,7 +121,7 @@ class Game:
         message = filled(getattr(self.made.messages, info.message), cycle(members))
         sender = choices.one_of(HOSTS)
         self.numbers += 1
-        return Arrived(info.name, message, sender, self.now, (sender, self.numbers))
+        return Sample(info.name, message, sender, self.now, (sender, self.numbers))
 
     def call(self, choices: Choices) -> Input | None:
         kind = choices.weighted(event=6, done=6, nothing=2)
@@ -191,7 +191,7 @@ class Game:
         for item in board:
             if isinstance(item, Written):
                 put(item.variable, item.value)
-            elif isinstance(item, Arrived):
+            elif isinstance(item, Sample):
                 for (channel, host), slot in self.actual.slots.items():
                     if channel == item.channel and host in (None, item.sender):
                         put(slot, item.message)

@@ -22,7 +22,7 @@ from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.platform.over_platform import PlatformLink
 from aseme_dsl.runtime.platform.over_spade import SpadePlatform
 from aseme_dsl.runtime.team.team import Setup, Team
-from aseme_dsl.runtime.transport.post import Post
+from aseme_dsl.runtime.transport.reliable_delivery import Post
 from aseme_dsl.runtime.transport.settings import Xmpp
 from tests.support.generated import generate
 
@@ -92,7 +92,7 @@ def main() -> None:
             while k >= each:
                 await asyncio.sleep(60)
             n = int(context.agent[1:]) * each + k
-            context.set("n", n)
+            context.set_variable("n", n)
             to = names[asked_by(n // each, n % each, processes, agents)]
             context.send("request", crowd.message("Question", n=n), to)
 

@@ -26,7 +26,7 @@ from monas.Warehouse.messages import Bid
 
 class Evaluate:
     def execute(self, context: Context) -> None:
-        context.set("reachable", context.agent != "carrier2")
+        context.set_variable("reachable", context.agent != "carrier2")
         context.prepare(Bid(task="t", cost=float(context.agent[-1])))
 """,
     "collect_bids.py": """
@@ -41,7 +41,7 @@ class CollectBids:
             bids.append(mail)
         while context.receive("refuse", "Task"):
             pass
-        context.set("bids", len(bids))
+        context.set_variable("bids", len(bids))
         for mail in bids:
             best = min(bids, key=lambda item: item.content.cost)
             what = "accept_proposal" if mail is best else "reject_proposal"
@@ -79,7 +79,7 @@ verify = false
     )
 
 
-@pytest.mark.parametrize("how", ["--real", "--process-per-robot"])
+@pytest.mark.parametrize("how", ["--real", "--process-per-agent"])
 def test_the_contract_net_finds_its_contractor(tmp_path: Path, server: Server, how: str) -> None:
     project(tmp_path, server)
     done = subprocess.run(
@@ -95,7 +95,7 @@ def test_the_contract_net_finds_its_contractor(tmp_path: Path, server: Server, h
         for path in sorted((tmp_path / "out").glob("trace*.jsonl"))
         for line in path.read_text("utf-8").splitlines()
     ]
-    mails = [r for r in records if r["kind"] == "mail"]
+    mails = [r for r in records if r["kind"] == "agent_message"]
     first = min((r for r in mails if r["performative"] == "inform"), key=lambda r: r["time"])
     assert first["agent"] == "carrier1"
     name = first["conversation"]

@@ -65,7 +65,7 @@ def started(hosts: dict[str, tuple[str, int]]) -> Iterator[Callable[..., Part]]:
 def test_a_conversation(net: Generated, started: Callable[..., Part]) -> None:
     boss, bob, cat = started(net, "ann"), started(net, "bob"), started(net, "cat")
     boss.join()
-    wait_until(lambda: bob.of("mail") and cat.of("mail"))
+    wait_until(lambda: bob.of("agent_message") and cat.of("agent_message"))
     assert boss.result is not None and boss.result.reason == "finished"
     assert boss.of("received", performative="propose")
     for item in (boss, bob, cat):
@@ -108,7 +108,7 @@ def test_who_ends_is_gone_at_once_and_who_comes_again_gets_what_waits(started: C
 def test_agents_in_one_process_have_one_address(
     net: Generated, started: Callable[..., Part], hosts: dict[str, tuple[str, int]]
 ) -> None:
-    with pytest.raises(TeamError, match=r"ann, bob are in one process.*--process-per-robot"):
+    with pytest.raises(TeamError, match=r"ann, bob are in one process.*--process-per-agent"):
         started(net, "ann", "bob").join()
     hosts["bob"] = hosts["ann"]
     both = started(net, "ann", "bob")
@@ -232,5 +232,7 @@ def test_a_team_in_one_process(tmp_path: Path) -> None:
     )
     assert done.returncode == 0, done.stdout + done.stderr
     trace = (tmp_path / "trace.jsonl").read_text("utf-8").splitlines()
-    said = {record["performative"] for line in trace if (record := json.loads(line))["kind"] == "mail"}
+    said = {
+        record["performative"] for line in trace if (record := json.loads(line))["kind"] == "agent_message"
+    }
     assert {"cfp", "refuse"} <= said

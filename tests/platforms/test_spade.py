@@ -80,7 +80,7 @@ def test_a_conversation(net: Generated, server: Server) -> None:
     workers = started(net, server, "bob", "cat")
     boss = started(net, server, "ann")
     finish(boss)
-    wait_until(lambda: len(workers.of("mail")) == 2)
+    wait_until(lambda: len(workers.of("agent_message")) == 2)
     workers.stop()
     assert boss.result is not None and boss.result.reason == "finished"
     opened = boss.of("conversation", what="open")
@@ -127,7 +127,7 @@ def test_a_conversation_goes_on_after_the_server_was_restarted(net: Generated, s
             context.wait(60)
 
     boss = started(net, server, "ann")
-    wait_until(lambda: boss.of("mail"))
+    wait_until(lambda: boss.of("agent_message"))
     server.stop(signal.SIGKILL)
     workers = started(net, server, "bob", "cat", Await=Await)  # while there is no server
     time.sleep(0.5)
@@ -300,7 +300,7 @@ def test_a_hand_written_agent_talks_with_ours(net: Generated, server: Server, al
     bob.stop()
     assert any(r["reason"] == "it was received before" for r in bob.of("unexpected"))
     assert len(bob.of("received")) == 1
-    assert "alice@localhost stranger" in bob.news()
+    assert "alice@localhost untrusted" in bob.news()
 
 
 def test_what_cannot_be_brought_to_an_outsider_is_told(
@@ -311,7 +311,7 @@ def test_what_cannot_be_brought_to_an_outsider_is_told(
     wait_until(lambda: bob.team.transport._link._platform.here())  # type: ignore[attr-defined]
     cfp = {"performative": "cfp", "protocol": "net", "reply-to": "nobody@localhost", "reply-with": "q1"}
     alice.say("bob@localhost", cfp, '{"n": 3}')
-    wait_until(lambda: bob.of("mail"))
+    wait_until(lambda: bob.of("agent_message"))
     if server.kind == "prosody":
         wait_until(lambda: any("could not be brought to nobody@localhost" in str(r) for r in bob.of("fault")))
     bob.stop()

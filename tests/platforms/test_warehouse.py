@@ -20,7 +20,7 @@ def test_jobs_are_announced_awarded_and_done(tmp_path: Path) -> None:
     project = tmp_path / "warehouse"
     shutil.copytree(EXAMPLE, project, ignore=shutil.ignore_patterns("build", "__pycache__"))
     asemec = [sys.executable, "-m", "aseme_dsl"]
-    options = ["--platform", "spade", "--process-per-robot", "--for", "50s"]
+    options = ["--platform", "spade", "--process-per-agent", "--for", "50s"]
     done = subprocess.run(
         [*asemec, "run", str(project), *options], capture_output=True, encoding="utf-8", timeout=240
     )

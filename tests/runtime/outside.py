@@ -17,7 +17,7 @@ class Outside:
         self.team = team
         self.me = AgentIdentifier(name)
         self.heard: list[FipaMessage] = []
-        team.conversations.meet(name, self.heard.append)
+        team.conversations.add_external_agent(name, self.heard.append)
 
     def say(self, at: int, performative: str, content: Any = None, to: str = "bob", **more: Any) -> None:
         """Say something at a moment, in ms."""
@@ -26,7 +26,7 @@ class Outside:
         self.send(at, message, to)
 
     def send(self, at: int, message: FipaMessage, to: str = "bob") -> None:
-        self.team.driver.at(at * MS, lambda: self.team.conversations.arrived_from_outside(to, message))
+        self.team.driver.at(at * MS, lambda: self.team.conversations.receive_external(to, message))
 
     def answers(self) -> list[tuple[str, Any]]:
         """What it has heard: performatives and contents."""

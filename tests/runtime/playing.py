@@ -12,8 +12,8 @@ from typing import Any
 from jsonschema import Draft202012Validator
 
 from aseme_dsl.runtime.activity.activities import ActivityFinder
-from aseme_dsl.runtime.team.scripted import read_script
 from aseme_dsl.runtime.team.team import RunResult, Setup, Team
+from aseme_dsl.runtime.team.timed_inputs import read_inputs
 from aseme_dsl.runtime.trace.trace import Record
 from aseme_dsl.runtime.trace.trace_schema import schema
 from tests.support.generated import Generated, generate
@@ -50,7 +50,9 @@ class Played:
 
     def received(self, agent: str, channel: str) -> list[str]:
         """The messages of a channel that were inputs of an agent's steps: `100 from ann {…}`."""
-        sent = {(r["agent"], r["sequence"]): r for r in self.records if r["kind"] in ("message", "heard")}
+        sent = {
+            (r["agent"], r["sequence"]): r for r in self.records if r["kind"] in ("message", "radio_received")
+        }
         lines = []
         for step in self.of("step", agent=agent):
             for identity in step["inputs"]:
@@ -75,6 +77,7 @@ def make(
     *,
     agents: Iterable[tuple[str, str]] | None = None,
     script: Iterable[Mapping[str, Any]] = (),
+    until: int | None = None,
     **options: Any,
 ) -> tuple[Team, list[Record]]:
     """A team that is ready to run, and the list that its records go to.
@@ -94,7 +97,8 @@ def make(
         Setup(
             messages=messages,
             schema=getattr(generated.messages, "SCHEMA", None),
-            script=read_script([json.dumps(line) for line in script], messages),
+            timed_inputs=read_inputs([json.dumps(line) for line in script], messages),
+            until_ns=until,
             listeners=[records.append, *options.pop("listeners", ())],
             path=[generated.folder, *options.pop("path", ())],
             **options,

@@ -1,4 +1,4 @@
-"""Lines of the tables in `docs/security.md`: each has a test, and each test of a line has its line.
+"""Lines of the tables in `docs/project/security.md`: each has a test, and each test of a line has its line.
 
 A test says which line it tests: `@line("another user of this machine", "connect to the bus")`, with the first
 two cells of the row as they stand in the page; for what listens, `@line("team", "in one process")`.
@@ -13,7 +13,7 @@ from typing import TypeVar
 
 F = TypeVar("F", bound=Callable[..., object])
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "security.md"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "project" / "security.md"
 
 
 def line(who: str, what: str) -> Callable[[F], F]:

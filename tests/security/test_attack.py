@@ -134,7 +134,9 @@ def kinds(run: Started) -> set[str]:
 
 def nobody_was_ended_or_late(run: Started) -> bool:
     news = {entry.split()[1] for robot in ROBOTS for entry in run.news(robot)}
-    return not news & {"gone", "restarted", "replaced", "late", "back"} and not run.said("is started again")
+    return not news & {"gone", "restarted", "replaced", "late", "reconnected"} and not run.said(
+        "is started again"
+    )
 
 
 def refusals(run: Started, robot: str) -> Counter[str]:

@@ -84,7 +84,7 @@ def test_forged_tokens_and_envelopes_change_nothing(wire: Generated, mouth: Mout
     assert told and "does not prove" in told[0]["reason"]
     (count,) = bob.of("peer", peer="ann", what="count")
     assert count["counts"]["unreadable"] > 300
-    assert bob.news("stranger")  # a token that says to be bob himself
+    assert bob.news("untrusted")  # a token that says to be bob himself
 
 
 @line("a process without the secret", "answer a question for a robot")
@@ -225,7 +225,7 @@ def test_a_copied_token_is_nobody(wire: Generated, mouth: Mouth) -> None:
     talks_on(mouth, ann, bob, 1)
     session.close()
     talks_on(mouth, ann, bob, 2)
-    assert bob.news() == ["ann there"]
+    assert bob.news() == ["ann connected"]
     ann.stop()
     bob.stop()
 
@@ -273,7 +273,7 @@ def test_a_recording_counts_for_nothing_and_a_copied_token_hides_no_end(
     tape = [one for one in list(recorded) if one[0].split("/")[5] in wanted]
     for key, payload, data in tape:
         session.put(key, payload, attachment=data)
-    wait_until(lambda: bob.team.peers()["ann"].doubled >= len(tape))
+    wait_until(lambda: bob.team.peers()["ann"].duplicated >= len(tape))
     talks_on(mouth, ann, bob, 2)
     copy = session.liveliness().declare_token(tokens[0])
     talks_on(mouth, ann, bob, 3)
@@ -282,15 +282,15 @@ def test_a_recording_counts_for_nothing_and_a_copied_token_hides_no_end(
     for _ in range(3):
         copy.undeclare()
         copy = session.liveliness().declare_token(tokens[0])
-    doubled = bob.team.peers()["ann"].doubled
+    doubled = bob.team.peers()["ann"].duplicated
     for key, payload, data in tape:
         session.put(key, payload, attachment=data)
-    wait_until(lambda: bob.team.peers()["ann"].doubled >= doubled + len(tape))
+    wait_until(lambda: bob.team.peers()["ann"].duplicated >= doubled + len(tape))
     there = bob.team.transport.is_there("ann")
     session.close()
     bob.stop()
     assert heard(bob) == [1, 2, 3] and not there
-    assert bob.news("back", "restarted") == []
+    assert bob.news("reconnected", "restarted") == []
 
 
 def test_what_is_replayed_reordered_or_truncated_counts_once(wire: Generated, mouth: Mouth) -> None:
@@ -305,7 +305,7 @@ def test_what_is_replayed_reordered_or_truncated_counts_once(wire: Generated, mo
     peer = bob.team.peers()["ann"]
     ann.close()
     bob.stop()
-    assert (peer.doubled, peer.late) == (3, 1)
+    assert (peer.duplicated, peer.late) == (3, 1)
 
 
 @pytest.mark.parametrize("how", ["forged", "truncated", "other way", "wrong key", "other payload", "none"])
@@ -375,7 +375,7 @@ def test_a_certificate_is_good_for_its_own_name_only(
     # What mallory says for herself comes after all that, by the same connection.
     session.liveliness().declare_token(f"asemec/{WIRE}/here/mallory/1")
     session.put(f"asemec/{WIRE}/to/bob/mallory/ping", b"", attachment=b"")
-    wait_until(lambda: "mallory stranger" in bob.news())
+    wait_until(lambda: "mallory untrusted" in bob.news())
     talks_on(mouth, ann, bob, 1)
     peer = bob.team.peers()["ann"]
     session.close()

@@ -1,4 +1,4 @@
-"""What listens: each line of "What listens" in `docs/security.md`, by looking at what is open."""
+"""What listens: each row of "Open sockets" in `docs/project/security.md`, by looking at what is open."""
 
 from __future__ import annotations
 

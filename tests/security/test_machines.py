@@ -250,7 +250,7 @@ def test_a_third_machine_neither_joins_nor_impersonates_nor_delays(
         numbers = team.heard(robot)
         assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))  # none lost, doubled or forged
         news = {str(r["what"]) for r in team.trace(robot) if r["kind"] == "peer"}
-        assert not news & {"gone", "back", "restarted", "replaced", "late", "unreadable", "disordered"}
+        assert not news & {"gone", "reconnected", "restarted", "replaced", "late", "unreadable", "reordered"}
         assert [r for r in team.trace(robot) if r["kind"] == "control"] == []
 
 
@@ -287,7 +287,7 @@ def test_a_robot_with_the_wrong_certificate_is_nobody_to_the_others(team: Machin
         numbers = team.heard(robot)
         assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
         news = {str(r["what"]) for r in team.trace(robot) if r["kind"] == "peer"}
-        assert not news & {"gone", "back", "restarted", "replaced", "late"}
+        assert not news & {"gone", "reconnected", "restarted", "replaced", "late"}
 
 
 def test_without_certificates_no_robot_starts_beyond_its_machine(

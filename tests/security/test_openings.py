@@ -48,5 +48,5 @@ def test_what_a_project_opens(tmp_path: Path, project: str, platform: str, opens
 def test_it_is_printed_and_what_is_refused_opens_nothing(tmp_path: Path) -> None:
     (tmp_path / "pyproject.toml").write_text('[tool.asemec.deploy]\nhosts = { one = "10.0.0.1" }\n')
     said = asemec("doctor", cwd=tmp_path).out
-    assert "what a run opens" in said and "10.0.0.1" not in said
+    assert "sockets of a run" in said and "10.0.0.1" not in said
     assert "no run starts: `hosts` leads beyond this machine" in said

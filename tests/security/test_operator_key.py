@@ -183,7 +183,7 @@ def test_control_over_the_bus_is_off_unless_there_are_keys(
     loaded = cast("Loaded", SimpleNamespace(name=SYSTEM, folder=tmp_path / "out" / "monas" / SYSTEM))
     with Running() as (team, _):
         answers: list[Any] = []
-        transport = SimpleNamespace(answer=answers.append, life="")
+        transport = SimpleNamespace(answer=answers.append, life="", go=lambda: None, close=lambda: None)
         monkeypatch.setattr(team, "transport", transport)
         with operable(team, loaded, tmp_path, keys=keys if on else None):
 
@@ -461,7 +461,7 @@ def test_the_right_key_controls_robots_over_their_bus(wire: Generated, mouth: Mo
     assert [r["plan"] for r in bob.of("select")] == ["Wire.Speaker"]
     assert {r.get("key") for r in bob.of("control")} == {None, newest_key(keys).name}
     assert wrong.name not in {r.get("key") for r in bob.of("control")}
-    assert bob.news("stranger") == []  # the operator is not of the team
+    assert bob.news("untrusted") == []  # the operator is not of the team
 
 
 @line("an operator", "speak for a robot, or hear what robots say")
@@ -548,7 +548,7 @@ def test_commands_reach_a_team_with_the_key_of_its_project(
         (folder / "new.aseme").write_text(text.replace("Hear every 20ms", "Hear every 30ms"))
         swapped = asemec("swap", "new.aseme", "--key", key)
         assert swapped.code == 0, swapped.err
-        assert f"{NAME} goes on as model" in swapped.out
+        assert f"{NAME} swapped to model" in swapped.out
         (folder / "newer.aseme").write_text(text.replace("Hear every 20ms", "Hear every 40ms"))
         monkeypatch.setattr(operate, "write_version", lambda *given: ("0" * 64, "none"))
         refused = asemec("swap", "newer.aseme", "--key", key)

@@ -62,14 +62,14 @@ def kind_of(generated: Generated, name: str, what: Act) -> type[Any]:
             if of(what.breaks):
                 raise RuntimeError("the arm is broken")
             for variable, value in what.sets.items():
-                context.set(variable, of(value))
+                context.set_variable(variable, of(value))
             if what.says is not None:
                 message, members = what.says
                 context.prepare(
                     generated.message(message, **{key: of(value) for key, value in members.items()})
                 )
             if name in LAST:
-                context.log(f"ended {context.variable('ending').name}")
+                context.log(f"ended {context.get_variable('ending').name}")
 
     return Activity
 
@@ -489,7 +489,7 @@ def said(run: Played) -> list[str]:
     for record in run.records:
         moment = f"{record['time'] / SECOND:g} s"
         match record["kind"]:
-            case "mail":
+            case "agent_message":
                 members = ", ".join(f"{key} {value}" for key, value in record["content"].items() if value)
                 what = f"{record['performative']} {record['message']}"
                 to = ", ".join(record["to"]) or "nobody"

@@ -11,10 +11,10 @@ from typing import Any
 
 from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.plain.generate import module_text
-from aseme_dsl.codegen.plain import PlainOptions
+from aseme_dsl.codegen.plain.options import PlainOptions
 from aseme_dsl.codegen.plain_limits import limits
 from aseme_dsl.runtime.chart.inputs import (
-    Arrived,
+    AgentMessage,
     Cancel,
     Completed,
     Crashed,
@@ -22,8 +22,8 @@ from aseme_dsl.runtime.chart.inputs import (
     FunctionResult,
     Happened,
     Input,
-    Mail,
     Outcome,
+    Sample,
     Start,
     Written,
 )
@@ -45,7 +45,7 @@ def plain_class(made: Generated, role: str, options: PlainOptions) -> Any:
     assert chart is not None
     refused = limits(chart, made.system.activities)
     if refused:
-        raise CannotDo("; ".join(dict.fromkeys(limit.what for limit in refused)))
+        raise CannotDo("; ".join(dict.fromkeys(limit.what.value for limit in refused)))
     name = f"plain_{role}{'_watched' * options.watched}{'_mapping' * options.mapping}"
     full = f"{made.package.__name__}.{name}"
     if full not in sys.modules:
@@ -91,7 +91,7 @@ class PlainEngine:
         calls: list[Input] = []
         for item in inputs:
             match item:
-                case Arrived():
+                case Sample():
                     self.hear(item)
                 case Written(variable, value):
                     setattr(self.chart.bb, variable, value)
@@ -101,7 +101,7 @@ class PlainEngine:
                     if token == self.token.get(label):
                         del self.token[label]  # what has returned does not return again
                         calls.append(item)
-                case Mail():
+                case AgentMessage():
                     raise CannotDo(f"{type(item).__name__} as an input")
         if len(calls) > 1 or (calls and not self.started):
             raise CannotDo("several inputs in one step")
@@ -141,7 +141,7 @@ class PlainEngine:
         assert len(self.outcome.taken) == taken, f"it rests although it may take {self.outcome.taken[taken:]}"
         del self.outcome.effects[effects:]
 
-    def hear(self, item: Arrived) -> None:
+    def hear(self, item: Sample) -> None:
         """Put a state on the blackboard."""
         for (channel, host), slot in self.slots.items():
             if channel == item.channel and host in (None, item.sender):

@@ -1,4 +1,4 @@
-"""The batch backend: fills its templates with what `codegen/batch.py` says, or says what it cannot do."""
+"""The batch backend: fills its templates with what `codegen/batch` says, or says what it cannot do."""
 
 from __future__ import annotations
 
@@ -26,24 +26,15 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions, Refused
 from aseme_dsl.backends.plain.generate import module_names, refusals
 from aseme_dsl.backends.shared.generate import environment, rendered, source_of, tidy
-from aseme_dsl.codegen.batch import Array, BatchCode, generate_batch
-from aseme_dsl.codegen.plain import PlainOptions, generate_plain
+from aseme_dsl.codegen.batch.generate import Array, BatchCode, generate_batch
 from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.running import NotBatch, NotBatchButPlain, SingleFeature
 from aseme_dsl.runtime.message.naming import class_name
 from aseme_dsl.runtime.plain.batch import COMPILED
 
 _TYPES = {Kind.BOOL: "?", Kind.INT: "i8", Kind.DOUBLE: "f8", Kind.DURATION: "i8", Kind.ENUM: "i8"}
 """The NumPy types of variables."""
-
-MESSAGES = "messages (what it sees are variables)"
-FUNCTIONS = "functions that are written in Python"
-DIVISION = "division by what may be zero (by a number that is written there it can)"
-SCALING = "a duration times what may be no number (times one that is written there it can)"
-TIMERS = "timers and `every` (there is `after`)"
-OUTCOMES = "the outcome or the failure of an activity"
-CHANCE = "chance (draw the values of variables for all at once)"
-TYPES = "values that are no truths and no numbers"
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +59,7 @@ class BatchBackend:
         for chart in system.iacs:
             name = f"{system.name}/{modules[chart.name]}"
             code = _code(system, chart)
-            used = ["Batch", "Selection", *(name for name in _CALLED if _uses(code, name))]
+            used = ["Batch", "Selection", *(name for name in _CALLED if name in code.used)]
             written = {**known, "chart": chart, "code": code, "role": class_name(chart.name), "used": used}
             for template, path in (("batch", name), ("compiled", f"{name}{COMPILED}")):
                 file = rendered(templates, f"{template}.py.j2", f"{path}.py", written)
@@ -80,14 +71,9 @@ _CALLED = ("larger", "pick", "smaller", "whole")
 """What a module imports where it calls it."""
 
 
-def _uses(code: BatchCode, name: str) -> bool:
-    return any(f"{name}(" in line for line in code.for_numpy)
-
-
 def _code(system: System, chart: Statechart) -> BatchCode:
-    options = PlainOptions(tables=False, gates=False, translated=True)
-    code = generate_plain(system, chart, class_name(chart.name), options)
-    return generate_batch(code, [_array(system, item) for item in chart.variables])
+    variables = [_array(system, item) for item in chart.variables]
+    return generate_batch(system, chart, class_name(chart.name), variables)
 
 
 def _array(system: System, variable: Variable) -> Array:
@@ -101,16 +87,15 @@ def _array(system: System, variable: Variable) -> Array:
 
 def problems_of(chart: Statechart, system: System) -> Iterator[Diagnostic]:
     """One problem for each thing that a batch of a statechart cannot do, with all its places."""
-    what = f"a batch of `{chart.name}` cannot do this"
     known = limits(chart, system.activities)
-    yield from refusals(known, "E321", what, "`--backend monas` makes agents of the roles, which can")
+    yield from refusals(known, chart, NotBatch)
     told = {_place(limit) for limit in known}
     own: list[Limit] = []
     for limit in _limits(chart):
         if _place(limit) not in told:
             told.add(_place(limit))
             own.append(limit)
-    yield from refusals(own, "E321", what, "`--backend plain` can, one instance at a time")
+    yield from refusals(own, chart, NotBatchButPlain)
 
 
 def _place(limit: Limit) -> tuple[str, int, int]:
@@ -121,48 +106,48 @@ def _place(limit: Limit) -> tuple[str, int, int]:
 def _limits(chart: Statechart) -> Iterator[Limit]:
     for variable in chart.variables:
         if not _is_number(variable.type):
-            yield Limit(TYPES, variable.span)
+            yield Limit(SingleFeature.TYPES, variable.span)
     for transition in chart.transitions:
         yield from _of_expression(transition)
     for _, value in chart.values():
-        what = _of_value(value) or ("" if _is_number(value.type) else TYPES)
-        if what:
+        what = _of_value(value) or (None if _is_number(value.type) else SingleFeature.TYPES)
+        if what is not None:
             yield Limit(what, value.span)
 
 
 def _of_expression(transition: Transition) -> Iterator[Limit]:
     expression = transition.expression
     if expression.every is not None:
-        yield Limit(TIMERS, transition.span)
+        yield Limit(SingleFeature.TIMERS, transition.span)
     for event in expression.events:
         if isinstance(event, Failed):
-            yield Limit(OUTCOMES, event.span)
+            yield Limit(SingleFeature.OUTCOMES, event.span)
     for action in expression.actions:
         if isinstance(action, StartTimer):
-            yield Limit(TIMERS, action.span)
+            yield Limit(SingleFeature.TIMERS, action.span)
 
 
 def _is_number(kind: Type) -> bool:
     return kind.kind in _TYPES
 
 
-def _of_value(value: Value) -> str | None:
+def _of_value(value: Value) -> SingleFeature | None:
     match value:
         case Member():
-            return MESSAGES
+            return SingleFeature.MESSAGES
         case Expired():
-            return TIMERS
+            return SingleFeature.TIMERS
         case Outcome():
-            return OUTCOMES
+            return SingleFeature.OUTCOMES
         case Random():
-            return CHANCE
+            return SingleFeature.CHANCE
         case Call(function=function) if not function.target.startswith("builtin:"):
-            return FUNCTIONS
+            return SingleFeature.FUNCTIONS
         case Arithmetic(operator="/" | "%", right=by) if not (_is_written(by) and by.value):
-            return DIVISION
+            return SingleFeature.DIVISION
         case Arithmetic(operator="*", left=one, right=other, type=kind) if kind == DURATION:
             doubles = [side for side in (one, other) if side.type == DOUBLE]
-            return None if all(map(_is_written, doubles)) else SCALING
+            return None if all(map(_is_written, doubles)) else SingleFeature.SCALING
     return None
 
 

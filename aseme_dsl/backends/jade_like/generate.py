@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -44,6 +43,8 @@ class Class:
     document: str
     attributes: tuple[str, ...]
     calls: tuple[str, ...] = ()
+    points: tuple[str, ...] = ()
+    """The points of its own that the calls name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,6 +180,7 @@ def _classes(chart: Statechart, tree: Tree) -> Iterator[Class]:
             _document(chart, item),
             tuple(_attributes(item)),
             tuple(_calls(chart, tree, item)),
+            tuple(_points(chart, tree, item)),
         )
         for waker in item.wakers:
             yield Class(
@@ -269,9 +271,24 @@ def _named(chart: Statechart, tree: Tree, around: Behaviour, label: str) -> str:
     behaviour = tree.by_state.get(label)
     if behaviour is not None:
         return behaviour.name if behaviour.label == label else repr(label)
+    return _point(chart, around, label) or repr(label)
+
+
+def _point(chart: Statechart, around: Behaviour, label: str) -> str | None:
+    """The point that a state is of a behaviour, if there is one such only."""
     node = chart.node(label)
     alone = sum(other.type is node.type for other in chart.children(node.parent or "")) == 1
-    return POINTS[node.type] if alone and node.parent == around.states[-1] else repr(label)
+    return POINTS[node.type] if alone and node.parent == around.states[-1] else None
+
+
+def _points(chart: Statechart, tree: Tree, item: Behaviour) -> Iterator[str]:
+    """The points that the calls of a behaviour name."""
+    for transition in item.shown:
+        ends = (transition.source, transition.target) if transition.is_way else (transition.source,)
+        for label in ends:
+            point = _point(chart, item, label) if label not in tree.by_state else None
+            if point is not None:
+                yield point
 
 
 def _way(chart: Statechart, transition: Transition) -> str:
@@ -288,18 +305,9 @@ def _nanoseconds(duration: int) -> str:
     return f"{duration:_}  # {duration_text(duration)}"
 
 
-_TEXT = re.compile(r"""'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*\"""")
-"""A text in a call, as `repr` writes it."""
-
-
 def _imported(classes: Iterable[Class]) -> tuple[str, ...]:
     """What a module of behaviours uses of the runtime."""
-    used = {item.kind for item in classes}
-    for item in classes:
-        for call in item.calls:
-            names = re.findall(r"\w+", _TEXT.sub("", call))
-            used.update(point for point in POINTS.values() if point in names)
-    return tuple(sorted(used))
+    return tuple(sorted({name for item in classes for name in (item.kind, *item.points)}))
 
 
 BACKEND = JadeLikeBackend()

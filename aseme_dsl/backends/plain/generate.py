@@ -1,4 +1,4 @@
-"""The plain backend: fills its templates with what `codegen/plain.py` says, or says what it cannot do."""
+"""The plain backend: fills its templates with what `codegen/plain` says, or says what it cannot do."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions, Refused
 from aseme_dsl.backends.shared.generate import environment, messages_file, rendered, source_of, tidy
-from aseme_dsl.codegen.plain import TAKEN, PlainOptions, generate_plain
+from aseme_dsl.codegen.plain.generate import generate_plain
+from aseme_dsl.codegen.plain.options import TAKEN, PlainOptions
 from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.running import AgentFeature, NotPlain, SingleFeature, Unsupported
 from aseme_dsl.runtime.message.naming import class_name, usable
 
 WATCHED = "_watched"
@@ -119,15 +121,12 @@ def module_text(
     name, its_board, watched = classes_of(name or class_names(system)[chart.name])
     is_watched = plain is not None and plain.watched
     code = generate_plain(system, chart, watched if is_watched else name, plain, its_board)
-    used_messages = (
-        code.messages if not board else tuple(item for item in code.messages if code.needs(item.split()[-1]))
-    )
     standard = [
         f"from {module} import {', '.join(found)}"
         for module, names in _STANDARD
-        if (found := [name for name in names if code.uses(name)])
+        if (found := [name for name in names if name in code.used])
     ]
-    used = [name for name in _RUNTIME if code.uses(name)]
+    used = [name for name in _RUNTIME if name in code.used]
     known = {
         "system": system,
         "chart": chart,
@@ -135,7 +134,7 @@ def module_text(
         "code": code,
         "standard": standard,
         "used": used,
-        "messages": used_messages,
+        "messages": code.messages_of_methods if board else code.messages,
         "board": f".{board}" if board else "",
     }
     return tidy(rendered(templates, "plain.py.j2", "", known).text)
@@ -143,23 +142,17 @@ def module_text(
 
 def problems_of(system: System, chart: Statechart) -> Iterator[Diagnostic]:
     """One problem for each thing that a statechart cannot do here, with all its places."""
-    what = f"a plain statechart such as `{chart.name}` cannot do this"
-    yield from refusals(
-        limits(chart, system.activities),
-        "E320",
-        what,
-        "another backend makes agents of the roles, which can; `--backend ROLE=plain` leaves other roles out",
-    )
+    yield from refusals(limits(chart, system.activities), chart, NotPlain)
 
 
-def refusals(found: Iterable[Limit], code: str, what: str, hint: str) -> Iterator[Diagnostic]:
+def refusals(found: Iterable[Limit], chart: Statechart, kind: type[Unsupported]) -> Iterator[Diagnostic]:
     """One problem for each thing that cannot be done, at its first place, with the others."""
-    places: dict[str, list[Limit]] = {}
+    places: dict[AgentFeature | SingleFeature, list[Limit]] = {}
     for limit in found:
         places.setdefault(limit.what, []).append(limit)
-    for name, (first, *others) in places.items():
+    for feature, (first, *others) in places.items():
         related = tuple(Related(limit.span, "and here") for limit in others)
-        yield Diagnostic(code, f"{what}: {name}", first.span, related, hint)
+        yield Diagnostic(kind(chart.name, feature), first.span, related)
 
 
 BACKEND = PlainBackend()

@@ -20,7 +20,7 @@ from aseme_dsl.codegen.messages import generate_messages, meaning_of_messages
 from aseme_dsl.codegen.place import in_docstring
 from aseme_dsl.codegen.plan import Sections, branch_texts, plan_sections, protocol_versions
 from aseme_dsl.codegen.seen import seen_by_roles
-from aseme_dsl.codegen.step import StepCode, generate_step
+from aseme_dsl.codegen.step.generate import StepCode, generate_step
 from aseme_dsl.runtime.message.naming import class_name, module_name, usable
 
 if TYPE_CHECKING:
@@ -162,7 +162,7 @@ def _filled(
     declared = templates.get_template("plan.py.j2").render(
         given, sections=plan.sections, constructors=["Plan", *constructors]
     )
-    running = templates.get_template("step.py.j2").render(given, step=step, uses=step.uses)
+    running = templates.get_template("step.py.j2").render(given, step=step, uses=step.used.__contains__)
     files = (Artefact(f"{folder}/plan.py", declared), Artefact(f"{folder}/step.py", tidy(running)))
     return Filled(files, model, seen)
 

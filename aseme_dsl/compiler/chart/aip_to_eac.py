@@ -25,6 +25,10 @@ from aseme_dsl.compiler.read.missing import Missing
 from aseme_dsl.compiler.types.given import give
 from aseme_dsl.compiler.types.scopes import TypedParticipant
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
+from aseme_dsl.diagnostics.problems.absences import NoFormulaOfProtocol
+from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, ParticipantWithoutProcess
+from aseme_dsl.diagnostics.problems.missing import ProtocolEmpty
+from aseme_dsl.diagnostics.problems.names import FormulaAmbiguous
 from aseme_dsl.grammar.text import tree
 
 PROCESS = "process"
@@ -151,7 +155,7 @@ def _participant(
     found += problems
     is_sound, problems = formula_tables.check(formulas, stops=stops_of(lines.by_way))
     # A formula that could not be read may be the one that uses another.
-    found += [item for item in problems if not (damaged and item.code == "E302")]
+    found += [item for item in problems if not (damaged and isinstance(item.problem, FormulaNotUsed))]
     too_many = None
     if is_sound:
         too_many = too_large(formulas, {}, largest, participant.name.span, _regions(participant))
@@ -183,22 +187,18 @@ def aip_to_eac(protocol: Protocol, world: World) -> Statechart | None:
 
 
 def _no_participants(written: tree.Aip) -> Missing:
-    hint = "say who takes part: `participant center { process = … }`"
-    note = Diagnostic(
-        "N701", f"the protocol {written.name} has no participants yet", written.name.span, hint=hint
-    )
+    note = Diagnostic(ProtocolEmpty(written.name.text), written.name.span)
     return Missing(note, "// Who takes part? participant … { process = … }", written.span)
 
 
 def _no_process(written: tree.Aip, participant: tree.Participant) -> Diagnostic:
-    message = f"`{participant.name}` of {written.name} has no process"
+    problem = ParticipantWithoutProcess(participant.name.text, written.name.text, is_misspelt=False)
     near = closest(PROCESS, [item.name.text for item in participant.formulas])
     if near is not None:
         slip = next(item.name.span for item in participant.formulas if item.name.text == near)
         related = (Related(participant.name.span, "the participant"),)
-        return Diagnostic("E305", message, slip, related, hint=f"did you mean `{PROCESS}`?", fix=PROCESS)
-    hint = "say what it does: `process = WalkTowardsBall . [PassBall]`"
-    return Diagnostic("E305", message, participant.name.span, hint=hint)
+        return Diagnostic(problem.but(is_misspelt=True), slip, related, fix=PROCESS)
+    return Diagnostic(problem, participant.name.span)
 
 
 def _controls(
@@ -234,17 +234,11 @@ def _controls(
 
 def _unknown_control(written: tree.Aip, control: tree.Control, known: Iterable[str]) -> Diagnostic:
     name = control.name.text
-    near = closest(name, known)
-    if name == PROCESS:
-        hint = "the process of a participant is controlled by the participant's name"
-    elif near is not None:
-        hint = f"did you mean `{near}`?"
-    else:
-        hint = "its participants are " + ", ".join(str(p.name) for p in written.participants)
-    message = f"{written.name} has no participant and no formula called `{name}`"
-    return Diagnostic(
-        "E403", message, control.name.span, hint=hint, fix=surely(name, known) if name != PROCESS else None
-    )
+    participants = tuple(item.name.text for item in written.participants)
+    is_process = name == PROCESS
+    close = None if is_process else closest(name, known)
+    problem = NoFormulaOfProtocol(name, close, participants, written.name.text, is_process)
+    return Diagnostic(problem, control.name.span, fix=None if is_process else surely(name, known))
 
 
 def _ambiguous_control(
@@ -255,13 +249,8 @@ def _ambiguous_control(
         for item in participant.formulas:
             if (participant.name.text, item.name.text) in places:
                 related.append(Related(item.name.span, f"of `{participant.name}`"))
-    return Diagnostic(
-        "E213",
-        f"`{control.name}` means several formulas of {written.name}",
-        control.name.span,
-        tuple(related),
-        hint="give the helper formulas names of their own",
-    )
+    problem = FormulaAmbiguous(control.name.text, written.name.text)
+    return Diagnostic(problem, control.name.span, tuple(related))
 
 
 __all__ = ["PROCESS", "Protocol", "aip_to_eac", "read_protocol"]

@@ -25,6 +25,15 @@ from aseme_dsl.amola.messages import Comm
 from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition, TransitionKind
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
+from aseme_dsl.diagnostics.problems.control import (
+    ChoicesInCircle,
+    CycleNeverRests,
+    LeftByTimeOnly,
+    NeverCompletes,
+    NeverHappens,
+)
+from aseme_dsl.diagnostics.problems.statecharts import StateNotLeft, StateNotReached
+from aseme_dsl.diagnostics.problems.use import TimerNotStarted
 from aseme_dsl.source import Span
 
 _POINTS = (NodeType.START, NodeType.CONDITION)
@@ -78,12 +87,9 @@ def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
                     waiting.append(label)
         for child in chart.children(node.label):
             if child.label not in seen:
-                hint = "lead a transition to it, or remove it"
-                yield Diagnostic("W600", f"no transition leads to {_called(child)}", child.span, hint=hint)
+                yield Diagnostic(StateNotReached(child.label, _own_name(child)), child.span)
             elif child.type is not NodeType.END and not _is_left(chart, child, left):
-                message = f"no transition leads out of {_called(child)}"
-                hint = f"lead one out of it; to stay for good, write `{child.label} -> {child.label} :`"
-                yield Diagnostic("W601", message, child.span, hint=hint)
+                yield Diagnostic(StateNotLeft(child.label, _own_name(child)), child.span)
 
 
 def check_timers(chart: Statechart) -> Iterator[Diagnostic]:
@@ -105,18 +111,13 @@ def check_timers(chart: Statechart) -> Iterator[Diagnostic]:
                     edits = (*first.edits, *_renamed(value, first.edits[0].text)) if first.edits else ()
                     found[region, value.timer] = replace(first, related=also, edits=edits)
                     continue
-                hint = f"start it on the way there: / start_timer({value.timer}, 1s)"
+                elsewhere = value.timer in started
+                near = None if elsewhere else closest(value.timer, started)
                 edits = ()
-                if value.timer in started:
-                    hint = (
-                        "a timer belongs to the region that starts it; this is another one of the same role"
-                    )
-                elif near := closest(value.timer, started):
-                    hint = f"did you mean `{near}`?"
-                    if near == surely(value.timer, started):
-                        edits = _renamed(value, near)
-                message = f"the timer `{value.timer}` is never started here, so it never expires"
-                found[region, value.timer] = Diagnostic("W501", message, value.span, hint=hint, edits=edits)
+                if near is not None and near == surely(value.timer, started):
+                    edits = _renamed(value, near)
+                problem = TimerNotStarted(value.timer, elsewhere, near)
+                found[region, value.timer] = Diagnostic(problem, value.span, edits=edits)
     yield from found.values()
 
 
@@ -145,16 +146,8 @@ def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
         if not ways or not all(_is_limit(item.expression) for item in ways):
             continue
         name, line = cut(node.name), ways[0].span.text.partition(":")[0].strip()
-        hint = "if completion is meant to lead there, too, write a line without event beside this one"
-        if "\n" not in line and len(line) < 60:
-            hint = f"write `{line} :` beside it if it is also left when it is complete"
-        yield Diagnostic(
-            "N724",
-            f"`{name}` is left only by this, not when it is complete",
-            ways[0].span,
-            (Related(node.span, f"`{name}`"),),
-            hint=hint,
-        )
+        problem = LeftByTimeOnly(name, line if "\n" not in line and len(line) < 60 else None)
+        yield Diagnostic(problem, ways[0].span, (Related(node.span, f"`{name}`"),))
 
 
 def _is_limit(expression: TransitionExpression) -> bool:
@@ -173,8 +166,9 @@ def _is_left(chart: Statechart, node: Node, left: set[str]) -> bool:
     )
 
 
-def _called(node: Node) -> str:
-    return node.label if node.name == node.label else f"{node.label} `{cut(node.name)}`"
+def _own_name(node: Node) -> str | None:
+    """The name of a state as a message quotes it; None where it is only its label."""
+    return None if node.name == node.label else cut(node.name)
 
 
 def _edges(chart: Statechart) -> dict[str, list[_Edge]]:
@@ -281,21 +275,15 @@ def _completions(
 def _endless_wait(chart: Statechart, transition: Transition, target: Node) -> Diagnostic:
     source = chart.by_label[transition.source]
     name = cut(source.name)
+    what: NeverHappens = "entry"
     if not transition.is_way:
-        what = "this is never done"
+        what = "action"
     elif transition.source == transition.target:
-        what = "it is never repeated"
+        what = "repetition"
     elif target.type is NodeType.END:
-        what = "this is never taken"
-    else:
-        what = f"`{cut(target.name)}` is never entered"
-    return Diagnostic(
-        "W402",
-        f"`{name}` never completes, so that {what}",
-        transition.span,
-        (Related(source.span, f"`{name}`"),) if source.span != transition.span else (),
-        hint="let the transition have an event, `after(…)` or `when [ … ]`, or let every part of it end",
-    )
+        what = "end"
+    related = (Related(source.span, f"`{name}`"),) if source.span != transition.span else ()
+    return Diagnostic(NeverCompletes(name, what, cut(target.name)), transition.span, related)
 
 
 # ---- cycles --------------------------------------------------------------------------------------
@@ -505,25 +493,13 @@ def _restless(chart: Statechart, circle: Sequence[_Edge], at_once: AtOnce) -> Di
     last = circle[-1].transition
     related = tuple(Related(edge.transition.span, "by this") for edge in circle[:-1])
     if all(node.type is NodeType.CONDITION for node in nodes):
-        labels = " → ".join([*(node.label for node in nodes), nodes[0].label])
-        return Diagnostic(
-            "E412",
-            f"these choices lead to each other in a circle: {labels}",
-            last.span,
-            related,
-            hint="let one of them lead to a state",
-        )
+        labels = (*(node.label for node in nodes), nodes[0].label)
+        return Diagnostic(ChoicesInCircle(labels), last.span, related)
     round_trip = {edge.transition for edge in circle}
     inside = [item for item in _all_of(circle, at_once) if item not in round_trip and item.expression.when]
     related += tuple(Related(item.span, "this `when` does not wait for completion") for item in inside)
-    names = " → ".join(f"`{cut(name)}`" for name in _names([*nodes, nodes[0]]))
-    return Diagnostic(
-        "W403",
-        f"this cycle goes on without an activity, an event or time to wait for: {names}",
-        last.span,
-        related,
-        hint="wait for the completion of an activity, for an event, or for a timer that is started again",
-    )
+    names = tuple(cut(name) for name in _names([*nodes, nodes[0]]))
+    return Diagnostic(CycleNeverRests(names), last.span, related)
 
 
 def _names(nodes: Iterable[Node]) -> Iterator[str]:

@@ -23,6 +23,22 @@ from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.compiler.types.given import give
 from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
+from aseme_dsl.diagnostics.problems.absences import (
+    NoActivityToBind,
+    NoFormulaOfRole,
+    NoParticipant,
+    NoProtocol,
+)
+from aseme_dsl.diagnostics.problems.activities import BoundToOtherParameters
+from aseme_dsl.diagnostics.problems.control import ControlOfProtocol
+from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, ProcessRestated, RoleWithoutFormula
+from aseme_dsl.diagnostics.problems.missing import ParticipantNotUsed
+from aseme_dsl.diagnostics.problems.names import (
+    BoundToFormula,
+    BoundToParticipant,
+    BoundTwice,
+    ParticipantNameTaken,
+)
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -97,7 +113,7 @@ def read_role(
     lines, problems = read_lines(formulas, own, typed.scope, inside, played)
     found += problems
     expandable, problems = formula_tables.check(formulas, empty, frozenset(played), stops_of(lines.by_way))
-    found += [item for item in problems if not (damaged and item.code == "E302")]
+    found += [item for item in problems if not (damaged and isinstance(item.problem, FormulaNotUsed))]
     outline, labelled = None, tuple[LabelledLine, ...]()
     # A played participant whose process could not be read would stand as an activity: no chart then.
     if expandable and len(plays) == len(written.plays) and len(branches) == len(played):
@@ -163,13 +179,13 @@ def _plays(
         protocol = protocols.get(item.protocol.text)
         if protocol is None:
             if not symbols.is_excused(item.protocol.text):
-                found.append(unknown("E205", "there is no protocol", item.protocol, protocols))
+                found.append(unknown(NoProtocol, item.protocol, protocols))
             continue
         participants = {p.name.text: p for p in protocol.written.participants}
         if item.participant.text not in participants:
             if not is_damaged(protocol.written.span):
-                what = f"{item.protocol} has no participant"
-                found.append(unknown("E205", what, item.participant, participants))
+                named = item.protocol.text
+                found.append(unknown(NoParticipant, item.participant, participants, named))
             continue
         name = item.alias or item.participant
         earlier = plays.get(name.text)
@@ -193,13 +209,8 @@ def _plays(
 
 
 def _same_name(name: tree.Name, earlier: Plays) -> Diagnostic:
-    return Diagnostic(
-        "E213",
-        f"`{name}` already stands for {earlier.protocol}.{earlier.participant} in this role",
-        name.span,
-        (Related(earlier.span, "here"),),
-        hint=f"give one of them another name: `plays … as other_{name}`",
-    )
+    problem = ParticipantNameTaken(name.text, earlier.protocol, earlier.participant)
+    return Diagnostic(problem, name.span, (Related(earlier.span, "here"),))
 
 
 def _restated(formula: tree.NamedFormula, plays: tree.Plays, participant: tree.Participant) -> Diagnostic:
@@ -207,14 +218,8 @@ def _restated(formula: tree.NamedFormula, plays: tree.Plays, participant: tree.P
     related += [
         Related(item.span, "its process") for item in participant.formulas if item.name.text == "process"
     ]
-    return Diagnostic(
-        "E306",
-        f"the process of `{formula.name}` is the protocol's: a role cannot state it again",
-        formula.name.span,
-        tuple(related),
-        hint="remove this formula, or give the participant another name here: "
-        f"`plays {plays.protocol}.{plays.participant} as {plays.protocol}_{plays.participant}`",
-    )
+    problem = ProcessRestated(formula.name.text, plays.protocol.text, plays.participant.text)
+    return Diagnostic(problem, formula.name.span, tuple(related))
 
 
 def _bindings(
@@ -232,37 +237,22 @@ def _bindings(
     for item in written.bindings:
         abstract, own = item.abstract.text, item.own.text
         if abstract in bindings:
-            found.append(Diagnostic("E206", f"`{abstract}` is bound twice", item.abstract.span))
+            found.append(Diagnostic(BoundTwice(abstract), item.abstract.span))
         elif abstract not in activities:
-            near = closest(abstract, activities)
-            hint = (
-                f"did you mean `{near}`?" if near else "its activities are " + ", ".join(sorted(activities))
-            )
-            message = f"{part.protocol}.{part.participant} has no activity `{abstract}`"
+            none = unknown(NoActivityToBind, item.abstract, activities, part.protocol, part.participant)
             related = (Related(part.formulas.named[part.formulas.root].span, "its process"),)
-            found.append(
-                Diagnostic(
-                    "E206", message, item.abstract.span, related, hint=hint, fix=surely(abstract, activities)
-                )
-            )
+            found.append(replace(none, related=related))
         elif formulas is not None and own in formulas.named:
             found.append(
                 Diagnostic(
-                    "E206",
-                    f"`{own}` is a formula: a protocol's activity can only be bound to an activity",
+                    BoundToFormula(own, abstract),
                     item.own.span,
                     (Related(formulas.named[own].name.span, "the formula"),),
-                    hint=f"bind it to an activity, or say in the protocol what `{abstract}` consists of",
                 )
             )
         elif own in played:
             found.append(
-                Diagnostic(
-                    "E206",
-                    f"`{own}` is a participant: a protocol's activity can only be bound to an activity",
-                    item.own.span,
-                    (Related(played[own], "played here"),),
-                )
+                Diagnostic(BoundToParticipant(own), item.own.span, (Related(played[own], "played here"),))
             )
         else:
             bindings[abstract] = own
@@ -288,14 +278,8 @@ def _other_parameters(
             for known in (abstract, form)
             if known is not None
         )
-        given = ", ".join(str(kind.type) for kind in wanted) or "nothing"
-        yield Diagnostic(
-            "E525",
-            f"the protocol gives `{item.abstract}` {given}, which `{own}` does not take",
-            item.own.span,
-            related,
-            hint="bind it to an activity with parameters of the same types",
-        )
+        given = tuple(str(kind.type) for kind in wanted)
+        yield Diagnostic(BoundToOtherParameters(item.abstract.text, own, given), item.own.span, related)
 
 
 def _by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: Formulas) -> dict[str, Plays]:
@@ -320,9 +304,8 @@ def _unused(formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Plays]:
 
 
 def _not_used(written: tree.Srm, formulas: Formulas, item: Plays) -> Missing:
-    message = f"{written.name} plays {item.protocol}.{item.participant}, but no formula uses `{item.name}`"
-    hint = f"let a formula use it, such as `{formulas.root} = … | {item.name}`"
-    note = Diagnostic("N702", message, item.span, hint=hint)
+    problem = ParticipantNotUsed(written.name.text, item.protocol, item.participant, item.name, formulas.root)
+    note = Diagnostic(problem, item.span)
     return Missing(note, f"// Let a formula use the participant {item.name}.", written.span)
 
 
@@ -342,23 +325,11 @@ def _foreign_controls(
         item = played.get(name) or next((p for p in played.values() if _helps(p, name, protocols)), None)
         if item is not None:
             related = (Related(item.span, "the role plays it here"),)
-            yield Diagnostic(
-                "E408",
-                f"`{name}` is the protocol's: no role has control in {item.protocol}.{item.participant}",
-                control.name.span,
-                related,
-                hint=f"say it in `aip {item.protocol}`, for every role that plays it",
-            )
+            foreign = ControlOfProtocol(item.protocol, item.participant, name)
+            yield Diagnostic(foreign, control.name.span, related)
         elif not damaged:
-            near = closest(name, own)
-            if near is not None:
-                hint = f"did you mean `{near}`?"
-            elif own:
-                hint = "its formulas are " + ", ".join(own)
-            else:
-                hint = "it has no formulas"
-            message = f"{written.name} has no formula `{name}`"
-            yield Diagnostic("E403", message, control.name.span, hint=hint, fix=surely(name, own))
+            problem = NoFormulaOfRole(name, closest(name, own), tuple(own), written.name.text)
+            yield Diagnostic(problem, control.name.span, fix=surely(name, own))
 
 
 def _helps(plays: Plays, name: str, protocols: Mapping[str, Protocol]) -> bool:
@@ -367,12 +338,7 @@ def _helps(plays: Plays, name: str, protocols: Mapping[str, Protocol]) -> bool:
 
 
 def _no_formula(written: tree.Srm) -> Diagnostic:
-    return Diagnostic(
-        "E305",
-        f"the role {written.name} has no formula",
-        written.name.span,
-        hint=f"say what it does: `liveness {{ {written.name} = … }}`",
-    )
+    return Diagnostic(RoleWithoutFormula(written.name.text), written.name.span)
 
 
 __all__ = ["Role", "read_role", "srm_to_iac"]

@@ -35,6 +35,26 @@ from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.compiler.types.typecheck import type_expression
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.activities import ParametersInChart
+from aseme_dsl.diagnostics.problems.missing import ExpressionsMissing
+from aseme_dsl.diagnostics.problems.statecharts import (
+    ActivityOutsideBasic,
+    BasicWithoutActivity,
+    CannotHaveStates,
+    LabelTwice,
+    NoPlaceToStay,
+    NoRegion,
+    NoState,
+    NoStateAround,
+    NotOneRoot,
+    NotOneStart,
+    OneRegion,
+    RegionNotOr,
+    RootNotOr,
+    SeveralEnds,
+    TransitionOfRoot,
+    Unsound,
+)
 from aseme_dsl.grammar.text import tree
 
 _COMPOSITE = (NodeType.OR, NodeType.AND)
@@ -70,11 +90,9 @@ def read_statechart(
         if form is not None and form.parameters:
             found.append(
                 Diagnostic(
-                    "E523",
-                    f"`{called(form.name, map(str, form.parameters))}`: a state gives it nothing",
+                    ParametersInChart(called(form.name, map(str, form.parameters))),
                     (item.activity or item.name or item).span,
                     (Related(form.span, "what is said of it"),),
-                    hint="only formulas give arguments: describe the role by formulas, or use a variable",
                 )
             )
         first = nodes.setdefault(node.label, node)
@@ -114,13 +132,10 @@ def read_statechart(
         lines.append(LabelledLine(entry.source, entry.target, line))
     if not damaged:
         found += _decisions(written, nodes, lines)
-    is_sound = not damaged and not any(item.code in _UNSOUND for item in found)
+    is_sound = not damaged and not any(isinstance(item.problem, Unsound) for item in found)
     is_sound = is_sound and not any(item.line.is_hole for item in lines)
     ordered = sorted(nodes.values(), key=lambda node: label_key(node.label))
     return GivenChart(written, typed, tuple(ordered), tuple(lines), is_sound), tuple(found)
-
-
-_UNSOUND = {"E409", "E410", "E600", "E601", "E602", "E603", "E604", "E605", "E606", "E607", "E608", "E612"}
 
 
 def build_statechart(given: GivenChart, world: World) -> Statechart | None:
@@ -161,16 +176,11 @@ def _transition_name(item: LabelledLine, names: Mapping[str, str]) -> str:
 def _no_place_to_stay(node: Node, line: tree.StandingWay) -> Diagnostic | None:
     """E612 for a state in which an agent does not stay, E409 for the root."""
     if node.parent is None:
-        return Diagnostic("E409", "the root has no transitions: nothing is around it", line.state.span)
+        return Diagnostic(TransitionOfRoot(), line.state.span)
     if node.type in (*_COMPOSITE, NodeType.BASIC):
         return None
-    return Diagnostic(
-        "E612",
-        f"{node.label} is {node.type}: an agent does not stay in it",
-        line.state.span,
-        (Related(node.span, node.label),),
-        hint=f"write `{line.verb}` for a BASIC, OR or AND state",
-    )
+    problem = NoPlaceToStay(node.label, node.type, line.verb.text)
+    return Diagnostic(problem, line.state.span, (Related(node.span, node.label),))
 
 
 def _node(written: tree.ChartNode, origin: Origin) -> tuple[Node, Diagnostic | None]:
@@ -184,19 +194,9 @@ def _node(written: tree.ChartNode, origin: Origin) -> tuple[Node, Diagnostic | N
         elif isinstance(written.name, tree.Name):
             activity = written.name.text
         else:
-            problem = Diagnostic(
-                "E608",
-                f"{label} is BASIC, but has no activity",
-                written.span,
-                hint=f"write `state {label} BASIC Vision`",
-            )
+            problem = Diagnostic(BasicWithoutActivity(label), written.span)
     elif written.activity is not None:
-        problem = Diagnostic(
-            "E608",
-            f"{label} is {kind}: only a BASIC state has an activity",
-            written.activity.span,
-            hint="make it BASIC, or remove the activity",
-        )
+        problem = Diagnostic(ActivityOutsideBasic(label, kind), written.activity.span)
     return Node(label, name, kind, parent, activity, origin, written.span), problem
 
 
@@ -207,17 +207,13 @@ def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[
     """The rules of the papers' tools: one root, one START in an OR, at most one END, AND holds ORs."""
     roots = [node for node in nodes.values() if node.parent is None]
     if len(roots) != 1:
-        message = "has no root" if not roots else f"has {len(roots)} roots"
         yield Diagnostic(
-            "E600",
-            f"the statechart {written.name} {message}",
+            NotOneRoot(written.name.text, len(roots)),
             roots[1].span if roots else written.name.span,
             (Related(roots[0].span, "the first one"),) if roots else (),
-            hint="the root is `state 0 OR`; all others are inside it: 0.1, 0.2, …",
         )
     elif roots[0].type is not NodeType.OR:
-        message = f"the root is {roots[0].type}, and has to be OR"
-        yield Diagnostic("E600", message, roots[0].span, hint=f"write `state {roots[0].label} OR`")
+        yield Diagnostic(RootNotOr(roots[0].label, roots[0].type), roots[0].span)
     children: dict[str, list[Node]] = {}
     for node in sorted(nodes.values(), key=lambda node: label_key(node.label)):
         if node.parent is None:
@@ -225,12 +221,7 @@ def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[
         if node.parent in nodes:
             children.setdefault(node.parent, []).append(node)
         else:
-            yield Diagnostic(
-                "E410",
-                f"{node.label} is inside {node.parent}, which the statechart does not have",
-                node.span,
-                hint=f"add `state {node.parent} OR`",
-            )
+            yield Diagnostic(NoStateAround(node.label, node.parent), node.span)
     for node in nodes.values():
         if node.parent is None and node.type is not NodeType.OR:
             continue  # that is said (E600)
@@ -242,13 +233,8 @@ def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[
                 yield from _and_rules(node, inside)
             case NodeType.START | NodeType.END | NodeType.BASIC | NodeType.CONDITION:
                 if inside:
-                    yield Diagnostic(
-                        "E606",
-                        f"{node.label} is {node.type} and cannot have states inside",
-                        inside[0].span,
-                        (Related(node.span, f"{node.label}"),),
-                        hint=f"make {node.label} OR",
-                    )
+                    problem = CannotHaveStates(node.label, node.type)
+                    yield Diagnostic(problem, inside[0].span, (Related(node.span, node.label),))
             case _:
                 assert_never(node.type)
 
@@ -265,60 +251,35 @@ def _labelled_twice(node: Node, first: Node, written: tree.Statechart) -> Diagno
     around = node.label.rpartition(".")[0]
     labels = {item.label.text for item in written.nodes}
     free = next(label for number in count(1) if (label := f"{around}.{number}") not in labels)
-    return Diagnostic(
-        "E607",
-        f"two states are labelled {node.label}",
-        node.span,
-        (Related(first.span, "the first one"),),
-        hint=f"give one of them another label, such as {free}" if around else None,
-    )
+    problem = LabelTwice(node.label, free if around else None)
+    return Diagnostic(problem, node.span, (Related(first.span, "the first one"),))
 
 
 def _or_rules(node: Node, inside: Sequence[Node]) -> Iterator[Diagnostic]:
     starts = [child for child in inside if child.type is NodeType.START]
     ends = [child for child in inside if child.type is NodeType.END]
     if len(starts) != 1:
-        count = "no START" if not starts else f"{len(starts)} START states"
         yield Diagnostic(
-            "E601",
-            f"{node.label} is OR and has {count}",
+            NotOneStart(node.label, len(starts)),
             starts[1].span if starts else node.span,
             (Related(starts[0].span, "the first one"),) if starts else (),
-            hint=f"add `state {node.label}.1 START` and a transition from it" if not starts else None,
         )
     if len(ends) > 1:
-        yield Diagnostic(
-            "E602",
-            f"{node.label} has {len(ends)} END states",
-            ends[1].span,
-            (Related(ends[0].span, "the first one"),),
-            hint="lead all ways to one of them",
-        )
+        problem = SeveralEnds(node.label, len(ends))
+        yield Diagnostic(problem, ends[1].span, (Related(ends[0].span, "the first one"),))
 
 
 def _and_rules(node: Node, inside: Sequence[Node]) -> Iterator[Diagnostic]:
     for child in inside:
         if child.type is not NodeType.OR:
-            yield Diagnostic(
-                "E605",
-                f"{child.label} is {child.type}, but what is inside an AND has to be OR",
-                child.span,
-                (Related(node.span, f"{node.label} is AND"),),
-                hint=f"make {child.label} OR, with a START and this state inside",
-            )
+            problem = RegionNotOr(child.label, child.type)
+            yield Diagnostic(problem, child.span, (Related(node.span, f"{node.label} is AND"),))
     if len(inside) < 2:
-        count = "no region" if not inside else "one region"
-        yield Diagnostic(
-            "W602" if inside else "E605",
-            f"{node.label} is AND and has {count}",
-            node.span,
-            hint="two or more OR states run concurrently in it",
-        )
+        yield Diagnostic(OneRegion(node.label) if inside else NoRegion(node.label), node.span)
 
 
 def _unknown(name: tree.Name, nodes: Mapping[str, Node]) -> Diagnostic:
-    hint = f"add `state {name} BASIC …`" if name.text.rpartition(".")[0] in nodes else None
-    return Diagnostic("E410", f"the statechart has no state {name}", name.span, hint=hint)
+    return Diagnostic(NoState(name.text, name.text.rpartition(".")[0] in nodes), name.span)
 
 
 def _decisions(
@@ -336,16 +297,13 @@ def _decisions(
         name = f"{item.source} -> {item.target}"
         alternative = Alternative(name, (item.line,), item.source.span.to(item.target.span))
         by_source.setdefault(item.source.text, []).append(alternative)
-    sources = [label for label, alternatives in by_source.items() if len(alternatives) > 1]
+    sources = tuple(label for label, alternatives in by_source.items() if len(alternatives) > 1)
     if sources and not any(_says_something(item.line.written) for item in lines):
-        several = f"{len(sources)} states" if len(sources) > 1 else sources[0]
         transition = by_source[sources[0]][0]
         yield Diagnostic(
-            "N704",
-            f"no transition of `{written.name}` has an expression: out of {several} the first one is taken",
+            ExpressionsMissing(written.name.text, sources, transition.name),
             written.name.span,
             (Related(transition.place, f"`{transition.name}`"),),
-            hint=f"write `{transition.name} : [ … ]`, and `else` on the last transition of each state",
         )
         return
     for label, alternatives in by_source.items():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
+from typing import Literal
 
 from aseme_dsl.amola.srm import Activity, Plays
 from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart
@@ -12,6 +13,8 @@ from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics.problems.absences import NoActivityInFormulas
+from aseme_dsl.diagnostics.problems.activities import AlmostNamedLike, FormulaDescribed, NamedLikeParticipant
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -19,6 +22,7 @@ _LONG = 5
 """How many letters a name has to have for one of them to be a slip."""
 
 
+_Named = Literal["activity", "formula", "participant"]
 Used = Mapping[str, Node]
 """Activities, each with the state where it stands first, in document order."""
 
@@ -64,11 +68,9 @@ def check_described(
             continue
         if name.text in named:
             related = (Related(named[name.text], "the formula"),)
-            hint = "describe the activities that it consists of"
-            message = f"`{name}` is a formula, not an activity"
-            yield Diagnostic("E204", message, name.span, related, hint=hint)
+            yield Diagnostic(FormulaDescribed(name.text), name.span, related)
         else:
-            yield unknown("E204", "no formula has the activity", name, used)
+            yield unknown(NoActivityInFormulas, name, used)
 
 
 def close_names(
@@ -87,22 +89,22 @@ def close_names(
     or more. Names that differ in a digit or a capital (`ScanA`, `ScanB`) are meant to differ.
     """
     used = {name: node for name, node in used.items() if not is_of_library(node.span.source)}
-    declared: dict[str, tuple[Span, str]] = {}
+    declared: dict[str, tuple[Span, _Named]] = {}
     for formula in formulas:
         if formula.name.text != "process" and not is_of_library(formula.name.span.source):
-            declared.setdefault(formula.name.text, (formula.name.span, "the formula"))
+            declared.setdefault(formula.name.text, (formula.name.span, "formula"))
     for name, activity in described.items():
         if name not in used:
             continue
-        declared.setdefault(name, (activity.span, "the activity"))
+        declared.setdefault(name, (activity.span, "activity"))
     new = [name for name in used if name not in declared]
     for name in new:
-        declared.setdefault(name, (used[name].span, "the activity"))
+        declared.setdefault(name, (used[name].span, "activity"))
     near = _nearest(tuple(declared), tuple(new))
     for name in new:
         played = closest(name, unused)
         if played is not None:
-            yield _close(name, used[name], played, unused[played].span, "the participant")
+            yield _close(name, used[name], played, unused[played].span, "participant")
         elif name in near:
             yield _close(name, used[name], near[name], *declared[near[name]])
 
@@ -128,15 +130,9 @@ def _nearest(declared: tuple[str, ...], new: tuple[str, ...]) -> Mapping[str, st
     return found
 
 
-def _close(name: str, node: Node, other: str, place: Span, what: str) -> Diagnostic:
-    return Diagnostic(
-        "W200",
-        f"the activity `{name}` is named almost like {what} `{other}`",
-        node.span,
-        (Related(place, f"`{other}`"),),
-        hint=f"did you mean `{other}`?",
-        fix=other,
-    )
+def _close(name: str, node: Node, other: str, place: Span, kind: _Named) -> Diagnostic:
+    related = (Related(place, f"`{other}`"),)
+    return Diagnostic(AlmostNamedLike(name, other, kind), node.span, related, other)
 
 
 def unplayed(iacs: Mapping[str, Used], aips: Iterable[tree.Aip]) -> Iterator[Diagnostic]:
@@ -147,18 +143,8 @@ def unplayed(iacs: Mapping[str, Used], aips: Iterable[tree.Aip]) -> Iterator[Dia
             node = used[name]
             if node.origin.kind is OriginKind.FORMULA:
                 aip, part = participants[name]
-                yield Diagnostic(
-                    "W202",
-                    f"`{name}` is an activity here, for {role} does not play the participant",
-                    node.span,
-                    (Related(part.name.span, f"the participant of {aip.name}"),),
-                    hint=how_to_play(aip.name.text, name, role),
-                )
-
-
-def how_to_play(protocol: str, participant: str, role: str) -> str:
-    """The hint how a role plays a participant."""
-    return f"write `plays {protocol}.{participant}` in srm {role}"
+                related = (Related(part.name.span, f"the participant of {aip.name}"),)
+                yield Diagnostic(NamedLikeParticipant(name, aip.name.text, role), node.span, related)
 
 
 @lru_cache(maxsize=20_000)
@@ -188,4 +174,4 @@ def _is_close(one: str, other: str) -> bool:
     return swapped or (len(left) <= 1 and len(right) <= 1)
 
 
-__all__ = ["all_activities", "check_described", "close_names", "how_to_play", "unplayed", "used_activities"]
+__all__ = ["all_activities", "check_described", "close_names", "unplayed", "used_activities"]

@@ -15,6 +15,15 @@ from aseme_dsl.compiler.read.builtins import NOWHERE
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.expressions.conditions import (
+    BranchesOverlap,
+    BranchNeverTaken,
+    ChoiceWaitsForMessage,
+    ConditionAlwaysHolds,
+    ConditionNeverHolds,
+    ConditionsUndecided,
+    NoBranchHolds,
+)
 from aseme_dsl.proofs.choice import (
     Always,
     Covered,
@@ -87,75 +96,37 @@ def _diagnostic(chart: Statechart, finding: Finding) -> Diagnostic:
         case Covered():
             return _covered(chart, finding)
         case Always(transition=transition):
-            return Diagnostic(
-                "N712",
-                "this condition always holds when what it reads is there",
-                _condition(transition),
-                hint="leave it out, or ask `has(…)` if that is what it is for",
-            )
+            return Diagnostic(ConditionAlwaysHolds(), _condition(transition))
         case Unsure(transitions=transitions):
             first, *others = transitions
-            return Diagnostic(
-                "N711",
-                "whether these conditions overlap or leave a gap was too hard to find out",
-                _condition(first),
-                _related(others, "beside this"),
-            )
+            return Diagnostic(ConditionsUndecided(), _condition(first), _related(others, "beside this"))
 
 
 def _overlap(chart: Statechart, finding: Overlap) -> Diagnostic:
     second, *others = finding.seconds
     related = [Related(_condition(finding.first), f"{_target(chart, finding.first)} comes first")]
     related += _related(others, "so can this")
-    return Diagnostic(
-        "W410",
-        f"this and an earlier branch can both hold: {finding.witness}",
-        _condition(second),
-        tuple(related),
-        hint="let them exclude each other; if their order is meant, write `else` for the last branch",
-    )
+    return Diagnostic(BranchesOverlap(finding.witness.facts), _condition(second), tuple(related))
 
 
 def _gap(finding: Gap) -> Diagnostic:
     first, *others = finding.fork.branches
-    if finding.waits:
-        return Diagnostic(
-            "N713",
-            f"no branch is open while a message has not arrived: {finding.witness}",
-            _condition(first),
-            _related(others, "nor this"),
-            hint="it waits for the message; ask `!has(…)` of it, too, if it should not",
-        )
-    return Diagnostic(
-        "W411",
-        f"no branch is open{f' when {finding.witness}' if finding.witness.facts else ''}",
-        _condition(first),
-        _related(others, "nor this"),
-        hint="cover it, write `else` for one branch, or end the wait with `after(…)` or an event",
-    )
+    kind = ChoiceWaitsForMessage if finding.waits else NoBranchHolds
+    return Diagnostic(kind(finding.witness.facts), _condition(first), _related(others, "nor this"))
 
 
 def _never(finding: Never) -> Diagnostic:
     related = tuple(Related(item.span, "this must hold as well") for item in finding.before)
-    message = "this condition can never hold"
-    if related:
-        message += " together with the one on the way here" if len(related) == 1 else " after what leads here"
-    hint = "what one part of it wants, another excludes: look for `&&` where `||` is meant, or a wrong limit"
-    if related:
-        hint = "what it wants, the other excludes: ask for one of them in another place, or leave this out"
-    return Diagnostic("W412", message, _condition(finding.transition), related, hint)
+    return Diagnostic(ConditionNeverHolds(len(related)), _condition(finding.transition), related)
 
 
 def _covered(chart: Statechart, finding: Covered) -> Diagnostic:
-    transition = finding.transition
-    what = "`else`" if transition.expression.otherwise else "this branch"
-    earlier = "an earlier one is" if len(finding.by) == 1 else "one of the earlier ones is"
+    expression = finding.transition.expression
+    has_condition = expression.condition is not None
     return Diagnostic(
-        "W412",
-        f"{what} can never be taken: {earlier} open whenever this is",
-        _condition(transition),
+        BranchNeverTaken(expression.otherwise, has_condition, len(finding.by)),
+        _condition(finding.transition),
         tuple(Related(_condition(item), f"{_target(chart, item)} comes first") for item in finding.by),
-        hint="write the special case before the general one" if transition.expression.condition else None,
     )
 
 

@@ -8,22 +8,65 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import lru_cache
 
 from aseme_dsl.compiler.read.library import declared_by
-from aseme_dsl.diagnostics import Diagnostic, Edit, Related, Severity, in_order
+from aseme_dsl.diagnostics import Diagnostic, Edit, Problem, Related, Severity, in_order
+from aseme_dsl.diagnostics.problems.absences import (
+    Absent,
+    NoActivityInFormulas,
+    NoActivityOfRole,
+    NoActivityToBind,
+    NoFormulaOfProtocol,
+    NoFormulaOfRole,
+    NoFunctionality,
+    NoMessage,
+    NoOccurrence,
+    NoParticipant,
+    NoParticipantOfClause,
+    NoPartner,
+    NoPlaceOfClause,
+    NoProtocol,
+    NoPublisher,
+    NoTerm,
+    NotListed,
+    NoTopic,
+    NoType,
+)
+from aseme_dsl.diagnostics.problems.activities import AlmostNamedLike, NamedLikeParticipant, ParametersInChart
+from aseme_dsl.diagnostics.problems.control import (
+    ChoiceUndecided,
+    ControlOfProtocol,
+    CycleNeverRests,
+    LoopNeverLeft,
+    LoopNeverRepeats,
+)
+from aseme_dsl.diagnostics.problems.expressions.absences import NoBeginning, NoMessageOfTopic, NotCarried
+from aseme_dsl.diagnostics.problems.expressions.arguments import GivenWithoutParameters, WrongNumberGiven
+from aseme_dsl.diagnostics.problems.expressions.conditions import (
+    BranchBehindOpenOne,
+    BranchesOverlap,
+    ChoiceWaitsForMessage,
+    ConditionAlwaysHolds,
+    ConditionNeverHolds,
+    ConditionsUndecided,
+    NoBranchHolds,
+)
+from aseme_dsl.diagnostics.problems.formulas import FormulaMisspelt, FormulaNotUsed, LoopMayBeEmpty
+from aseme_dsl.diagnostics.problems.missing import ControlMissing, ParticipantNotUsed, RoleIncomplete
+from aseme_dsl.diagnostics.problems.names import NoConstants
+from aseme_dsl.diagnostics.problems.python.code import NoCodeOfParticipant
+from aseme_dsl.diagnostics.problems.syntax.characters import BlankBeforeUnit
+from aseme_dsl.diagnostics.problems.syntax.entries import Unexpected, UnexpectedInFile, Wanted
+from aseme_dsl.diagnostics.problems.use import DeclarationNotUsed, TimerNotStarted, VariablesNeverSet
 from aseme_dsl.source import Source, Span
 
-_ABSENCES = frozenset("E200 E204 E205 E206 E207 E212 E400 E403 E501 E502 E508 E511 E512 E513 E520".split())
-_ABSENT = re.compile(r"\b(?:there is no|has no|carries no|does not carry|does not list|no formula has)\b")
-_ELSEWHERE = ("it is a ", "it is in ", "say whose", "a constant is written")
-"""How a hint begins that knows the name: nothing is missing, it is only not what is wanted here."""
 _STRUCTURE = frozenset("E100 E101 E102 E104 E110 E111 E112".split())
-"""After these, words may not be what they seem."""
+"""The codes after which words may not be what they seem."""
 _SLIPPED = (frozenset(["E200", "E202"]), frozenset(["E201", "E202"]), frozenset(["E100", "E204"]))
-"""Errors that together on one line mean that its words are not in their places."""
+"""Codes of errors that together on one line mean that its words are not in their places."""
 _DECLARES = re.compile(r"\s*(?:var|sends|receives|topic|state|data|signal|message|enum)\b")
 """How a line begins that declares several names."""
 _SHOWN = 3
@@ -48,18 +91,22 @@ def without_told(found: Iterable[Diagnostic], of_code: Iterable[Diagnostic]) -> 
     An activity without code (E543) that is called like a participant is told to be one that is not played
     (W202).
     """
-    told = {item.hint for item in of_code if item.code == "E543"}
-    return tuple(item for item in found if item.code != "W202" or item.hint not in told)
+    told = {
+        NamedLikeParticipant(problem.participant, problem.protocol, problem.role)
+        for item in of_code
+        if isinstance(problem := item.problem, NoCodeOfParticipant)
+    }
+
+    def is_told(problem: Problem) -> bool:
+        return isinstance(problem, NamedLikeParticipant) and problem in told
+
+    return tuple(item for item in found if not is_told(item.problem))
 
 
-def _is_absence(item: Diagnostic) -> bool:
-    """Whether a name is said not to be there: it may be misspelt, or unreadable, where it is declared."""
-    return (
-        item.code in _ABSENCES
-        and item.span is not None
-        and _ABSENT.search(item.message) is not None
-        and not (item.hint or "").startswith(_ELSEWHERE)
-    )
+def _absence(item: Diagnostic) -> Absent | None:
+    """The absence that a diagnostic tells: of a name that is there, only not what is wanted, it is none."""
+    problem = item.problem
+    return problem if isinstance(problem, Absent) and not problem.is_elsewhere else None
 
 
 def _line(span: Span) -> _Line:
@@ -68,19 +115,20 @@ def _line(span: Span) -> _Line:
 
 def _broken(found: Iterable[Diagnostic]) -> dict[_Line, int]:
     """Of each line whose structure is wrong the place from which on nothing is certain."""
-    errors: dict[_Line, list[tuple[Span, str]]] = {}
+    errors: dict[_Line, list[tuple[Span, Problem]]] = {}
     activities: Counter[_Line] = Counter()
     for item in found:
         if item.span is not None and item.severity is Severity.ERROR:
-            activities[_line(item.span)] += item.code == "E204" and _is_absence(item)
-            errors.setdefault(_line(item.span), []).append((item.span, item.code))
+            activities[_line(item.span)] += isinstance(item.problem, NoActivityInFormulas | NoActivityOfRole)
+            errors.setdefault(_line(item.span), []).append((item.span, item.problem))
     broken = {}
     for line, there in errors.items():
-        codes = {code for _, code in there}
-        wrong = next((span for span, code in there if code in _STRUCTURE or _is_in_two(span, code)), None)
+        codes = {problem.code for _, problem in there}
+        wrong = next((span for span, problem in there if _is_of_structure(problem)), None)
         before = [span for span, _ in there if wrong is not None and span.end <= wrong.start]
         twice = activities[line] > 1  # a clause's word is taken for an activity
-        if twice or any(pair <= codes for pair in _SLIPPED) or "E216" in codes:
+        is_empty = any(isinstance(problem, NoConstants) for _, problem in there)  # they may be behind it
+        if twice or is_empty or any(pair <= codes for pair in _SLIPPED):
             broken[line] = there[0][0].start
         elif wrong is not None and before and not line[0].text[before[-1].end : wrong.start].strip():
             broken[line] = before[-1].start
@@ -89,9 +137,9 @@ def _broken(found: Iterable[Diagnostic]) -> dict[_Line, int]:
     return broken
 
 
-def _is_in_two(span: Span, code: str) -> bool:
-    """Whether a duration is in two by a blank, so that an entry ends in it."""
-    return code == "E108" and " " in span.text
+def _is_of_structure(problem: Problem) -> bool:
+    """Whether words may not be what they seem; a duration with a blank ends an entry inside of it."""
+    return problem.code in _STRUCTURE or isinstance(problem, BlankBeforeUnit)
 
 
 def _without_rest_of_line(found: Iterable[Diagnostic], broken: dict[_Line, int]) -> list[Diagnostic]:
@@ -112,16 +160,11 @@ def _without_rest_of_line(found: Iterable[Diagnostic], broken: dict[_Line, int])
 
 def _folded(found: list[Diagnostic]) -> list[Diagnostic]:
     """The absence of one name said once, with its other places."""
-    places: dict[tuple[str, str], list[Diagnostic]] = {}
+    places: dict[object, list[Diagnostic]] = {}
     for item in found:
-        if _is_absence(item):
-            places.setdefault((item.code, item.message), []).append(item)
-    kept = []
-    for item in found:
-        same = places.get((item.code, item.message), [item])
-        if item is same[0]:
-            kept.append(item if len(same) == 1 else _merged(same))
-    return kept
+        absence = _absence(item)
+        places.setdefault(id(item) if absence is None else absence.cause, []).append(item)
+    return [same[0] if len(same) == 1 else _merged(same) for same in places.values()]
 
 
 def _merged(same: list[Diagnostic]) -> Diagnostic:
@@ -144,44 +187,39 @@ def _without_what_was_not_read(found: list[Diagnostic], broken: dict[_Line, int]
     unread: set[str] = set()
     unused: set[str] = set()
     for item in found:
-        if item.code == "E302" and item.span is not None:
+        if isinstance(item.problem, FormulaNotUsed) and item.span is not None:
             unread.update(_WORD.findall(_around(item.span.source, item.span.start, False)))
             unused.add(item.span.text)
-    nameless = {match[1] for item in found if (match := _NAMELESS.match(item.message))}
+    without_name = tuple(kind for item in found for kind in _made_absent(item.problem))
     for line, place in broken.items():
         unread.update(_WORD.findall(_around(line[0], place, line in ended)))
     unread |= {name for word in tuple(unread) for name in declared_by(word)}
     unsure = _unsure(found)
-    formulas_read = not any(
-        item.code == "E101" or (item.code == "E100" and item.message.startswith("expected a formula"))
-        for item in found
-    )
+    formulas_read = not any(item.code == "E101" or _is_for_formula(item.problem) for item in found)
     misread = {line[0] for line in broken}
-    nothing = [item.span for item in found if item.message.startswith("there is no message") and item.span]
+    nothing = [item.span for item in found if isinstance(item.problem, NoMessage) and item.span is not None]
     said: set[str] = set()
     kept = []
     for item in found:
-        if _is_absence(item) and item.span is not None:
+        absence = _absence(item)
+        if absence is not None and item.span is not None:
             words = set(_WORD.findall(item.span.text))
             line = _line(item.span)
-            of_type = item.message.startswith("there is no type")
+            of_type = isinstance(absence, NoType)
             if (
                 (words & unread and line not in broken)
                 or any(words & names for other, names in unsure.items() if other != line and not of_type)
-                or (item.code == "E403" and item.fix in unused)
-                or (item.code == "E204" and not formulas_read)
-                or any(kind in item.message for word in nameless for kind in _WHAT[word])
-                or (words <= said and item.code in _OF_A_PROCESS)
-                or (item.message.startswith(_NO_PUBLISHER) and _stands_elsewhere(item, misread))
-                or (" does not carry " in item.message and _in_a_topic(nothing, item))
+                or (isinstance(absence, NoFormulaOfRole | NoFormulaOfProtocol) and item.fix in unused)
+                or (isinstance(absence, NoActivityInFormulas | NoActivityOfRole) and not formulas_read)
+                or isinstance(absence, without_name)
+                or (words <= said and isinstance(absence, _OF_A_PROCESS))
+                or (isinstance(absence, NoPublisher) and _stands_elsewhere(item, misread))
+                or (isinstance(absence, NotCarried) and _in_a_topic(nothing, item))
             ):
                 continue
             said |= words
         kept.append(item)
     return kept
-
-
-_NO_PUBLISHER = "there is no role, agent or activity"
 
 
 def _stands_elsewhere(item: Diagnostic, misread: set[Source]) -> bool:
@@ -209,22 +247,48 @@ def _goes_on(item: Diagnostic) -> bool:
     if span is None or item.code not in ("E100", "E101"):
         return False
     rest = span.source.line(span.line)[span.column - 1 + span.end - span.start :]
-    return item.message.endswith(" ends") or not rest.strip()
+    is_at_end = isinstance(item.problem, Unexpected) and item.problem.found is None
+    return is_at_end or not rest.strip()
 
 
-_NAMELESS = re.compile(r"expected a name after '(message|enum|topic|state|data|signal|aip|participant)'")
-_WHAT = {
-    "message": ("no message", "no type", "does not carry", "does not list"),
-    "enum": ("no type", "no topic, variable, let or enum"),
-    "topic": ("no topic",),
-    "state": ("does not carry", "carries no"),
-    "data": ("does not carry", "carries no"),
-    "signal": ("does not carry", "carries no"),
-    "aip": ("no protocol",),
-    "participant": ("no participant",),
+def _made_absent(problem: Problem) -> tuple[type[Absent], ...]:
+    """What is missing where a declaration has lost its name."""
+    if not isinstance(problem, UnexpectedInFile) or problem.wanted != (Wanted.NAME,):
+        return ()
+    return _DECLARED_BY.get(problem.after or "", ())
+
+
+def _is_for_formula(problem: Problem) -> bool:
+    """Whether there is no formula where one has to be."""
+    return isinstance(problem, UnexpectedInFile) and problem.wanted[:1] in (
+        (Wanted.FORMULA,),
+        (Wanted.FORMULA_ENTRY,),
+    )
+
+
+_DECLARED_BY: Mapping[str, tuple[type[Absent], ...]] = {
+    "message": (NoMessage, NoMessageOfTopic, NoType, NotCarried, NotListed),
+    "enum": (NoType, NoBeginning),
+    "topic": (NoTopic, NoBeginning),
+    "state": (NotCarried, NoMessageOfTopic),
+    "data": (NotCarried, NoMessageOfTopic),
+    "signal": (NotCarried, NoMessageOfTopic),
+    "aip": (NoProtocol,),
+    "participant": (NoParticipant, NoPartner, NoParticipantOfClause, NoFormulaOfProtocol),
 }
-"""What is missing where a declaration has lost its name."""
-_OF_A_PROCESS = frozenset("E205 E206 E212 E400 E403".split())
+"""What is missing if that is not declared which a word declares."""
+_OF_A_PROCESS = (
+    NoProtocol,
+    NoParticipant,
+    NoPartner,
+    NoActivityToBind,
+    NoParticipantOfClause,
+    NoPlaceOfClause,
+    NoTerm,
+    NoOccurrence,
+    NoFormulaOfRole,
+    NoFormulaOfProtocol,
+)
 """Absences in what a formula or a protocol has: a name misspelt there is missing in control and clauses."""
 
 
@@ -232,10 +296,11 @@ def _unsure(found: list[Diagnostic]) -> dict[_Line, set[str]]:
     """What lines may have been meant to declare that name something that is not there."""
     unsure: dict[_Line, set[str]] = {}
     for item in found:
-        if not _is_absence(item) or item.span is None:
+        absence = _absence(item)
+        if absence is None or item.span is None:
             continue
         line = item.span.source.line(item.span.line)
-        if _DECLARES.match(line) or item.message.startswith("there is no type"):
+        if _DECLARES.match(line) or isinstance(absence, NoType):
             names = set(_WORD.findall(line)) - {item.span.text}
             unsure.setdefault(_line(item.span), set()).update(names, {item.fix} if item.fix else set())
     return unsure
@@ -277,66 +342,65 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     something which it does not take (E523) it is said there what it may be misspelt for (W200). Where all
     branches of a choice ask for variables that nothing sets (N437), there is a gap between them (W411).
     """
-    unstarted = [place for item in found if item.code == "W501" for place in _places(item)]
-    almost = {place.span for item in found if item.code == "W230" for place in item.related}
-    unplayed = {item.fix for item in found if item.code == "E205"}
-    fixed = [place for item in found if item.code == "W420" for place in _places(item)]
-    unused = {item.span for item in found if item.code == "E302"}
-    controls = {item.fix for item in found if item.code == "E403"}
-    controls |= {item.span.text for item in found if item.code == "E408" and item.span is not None}
-    close = {item.related[0].span: item.span for item in found if item.code == "W200" and item.related}
-    given = [item.span for item in found if item.code == "E523" and item.span is not None]
-    loops = [item.span for item in found if item.code == "E303" and item.span is not None]
-    misspelt = {place.span for item in found if item.code == "W200" for place in item.related}
+    unstarted = [place for item in _of(found, TimerNotStarted) for place in _places(item)]
+    almost = {place.span for item in _of(found, NoFunctionality) for place in item.related}
+    unplayed = {item.fix for item in _of(found, NoProtocol, NoParticipant, NoPartner)}
+    fixed = [place for item in _of(found, LoopNeverRepeats, LoopNeverLeft) for place in _places(item)]
+    unused = {item.span for item in _of(found, FormulaNotUsed)}
+    controls = {item.fix for item in _of(found, NoFormulaOfRole, NoFormulaOfProtocol)}
+    controls |= {item.problem.name for item in found if isinstance(item.problem, ControlOfProtocol)}
+    close = {item.related[0].span: item.span for item in _of(found, AlmostNamedLike) if item.related}
+    given = [item.span for item in _of(found, *_GIVEN) if item.span is not None]
+    loops = [item.span for item in _of(found, LoopMayBeEmpty) if item.span is not None]
+    misspelt = {place.span for item in _of(found, AlmostNamedLike) for place in item.related}
     numbers = [item.span for item in found if item.code == "E108" and item.span is not None]
-    unset = [place for item in found if item.code == "N437" for place in _places(item)]
+    unset = [place for item in _of(found, VariablesNeverSet) for place in _places(item)]
     never_set = {place.text for place in unset}
 
     def follows(item: Diagnostic) -> bool:
-        span = item.span
+        span, problem = item.span, item.problem
         if span is None:
             return False
-        if item.code == "N702":
+        if isinstance(problem, ParticipantNotUsed | RoleIncomplete):
             return span in misspelt or any(place.span.text in unplayed for place in item.related)
-        if item.code == "N704":
-            return any(item.message.startswith(f"`{name}` ") for name in controls)
-        if item.code == "W200":
+        if isinstance(problem, ControlMissing):
+            return problem.formula in controls
+        if isinstance(problem, AlmostNamedLike):
             return any(span.start == place.start and span.source is place.source for place in given) or (
                 bool(item.related) and item.related[0].span in unused
             )
-        if item.code in _OF_CONDITIONS and any(
+        if isinstance(problem, _OF_CONDITIONS) and any(
             _is_in(timer, place) for timer in unstarted for place in _places(item)
         ):
             return True
-        if item.code == "W411" and any(_is_in(place, asked) for place in unset for asked in _places(item)):
+        if isinstance(problem, NoBranchHolds) and any(
+            _is_in(place, asked) for place in unset for asked in _places(item)
+        ):
             return all(never_set.intersection(_WORD.findall(asked.text)) for asked in _places(item))
-        if item.code == "N727":
+        if isinstance(problem, DeclarationNotUsed):
             return span in almost
-        if item.code in ("N712", "W412"):
+        if isinstance(problem, ConditionAlwaysHolds | ConditionNeverHolds | BranchBehindOpenOne):
             return any(_is_in(span, line) or _is_in(line, span) for line in fixed)
-        if item.code in ("E405", "W403"):
+        if isinstance(problem, ChoiceUndecided | CycleNeverRests):
             return any(_is_in(span, loop) for loop in loops)
         return item.code in _ABOUT_TYPES and any(_is_in(number, span) for number in numbers)
 
     def explained(item: Diagnostic) -> Diagnostic:
-        place = close.get(item.span) if item.code == "E302" and item.span is not None else None
-        if place is None:
+        span, problem = item.span, item.problem
+        place = None if span is None else close.get(span)
+        if place is None or span is None or not isinstance(problem, FormulaNotUsed):
             return item
-        span = item.span
-        assert span is not None
         if _occurrences(span) > 1 and _occurrences(place) == 1:
-            return Diagnostic(
-                "E302",
-                f"`{place.text}` has no formula, and nothing uses the formula `{span.text}`",
-                place,
-                (Related(span, "the formula"),),
-                hint=f"did you mean `{span.text}`?",
-                fix=span.text,
-            )
+            other = FormulaMisspelt(place.text, span.text)
+            return Diagnostic(other, place, (Related(span, "the formula"),), span.text)
         related = (Related(place, f"`{place.text}` has no formula"),)
-        return replace(item, related=related, hint=f"did you mean `{place.text}`?", fix=place.text)
+        return replace(item, problem=problem.but(close=place.text), related=related, fix=place.text)
 
     return [explained(item) for item in found if not follows(item)]
+
+
+def _of(found: Iterable[Diagnostic], *kinds: type[Problem]) -> list[Diagnostic]:
+    return [item for item in found if isinstance(item.problem, kinds)]
 
 
 def _occurrences(span: Span) -> int:
@@ -355,8 +419,8 @@ def _words(text: str) -> dict[str, tuple[int, int]]:
 
 def _blamed_on_its_declaration(item: Diagnostic) -> Diagnostic:
     """Where several uses agree and nothing uses the name that is close, its declaration is the slip."""
-    span = item.span
-    if span is None or not _is_absence(item) or not item.changes:
+    span, absence = item.span, _absence(item)
+    if span is None or absence is None or not item.changes:
         return item
     used, declared = span.text, {edit.text for edit in item.changes}
     if len(declared) != 1 or any(edit.span.text != used for edit in item.changes):
@@ -367,9 +431,9 @@ def _blamed_on_its_declaration(item: Diagnostic) -> Diagnostic:
     if number != 1 or not _is_declared_at(text, last, name) or _occurrences(span) < 2:
         return item
     place = Span(span.source, last, last + len(name))
-    hint = f"nothing uses `{name}`: is `{used}` meant there?"
     related = (*item.related, Related(place, f"`{name}` is declared here"))
-    return replace(item, hint=hint, related=related, fix=None, edits=(Edit(place, used),))
+    problem = absence.but(unused=name)
+    return replace(item, problem=problem, related=related, fix=None, edits=(Edit(place, used),))
 
 
 def _is_declared_at(text: str, place: int, name: str) -> bool:
@@ -390,7 +454,16 @@ def _places(item: Diagnostic) -> list[Span]:
     return places if item.span is None else [item.span, *places]
 
 
-_OF_CONDITIONS = ("W410", "W411", "W412", "N711", "N712", "N713")
+_GIVEN = (GivenWithoutParameters, ParametersInChart, WrongNumberGiven)
+_OF_CONDITIONS = (
+    BranchesOverlap,
+    NoBranchHolds,
+    ConditionNeverHolds,
+    BranchBehindOpenOne,
+    ConditionsUndecided,
+    ConditionAlwaysHolds,
+    ChoiceWaitsForMessage,
+)
 _ABOUT_TYPES = ("E500", "E504", "E505", "E506", "E509", "E514", "E515", "W500")
 
 

@@ -16,6 +16,7 @@ from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.talk import NoAgentPlays, TooFewAgents, WaitsForEver
 
 _SHOWN = 4
 """How many related places a problem shows at most."""
@@ -215,15 +216,8 @@ def _told(stuck: Sequence[tuple[str, Node, Received]]) -> Diagnostic:
         for who, _, item in stuck[1:]
         if who != name
     ]
-    said = f"{event.performative} {event.message}"
-    return Diagnostic(
-        "W553",
-        f"`{name}` waits here for ever: `{event.participant}` cannot have sent `{said}` by then",
-        event.span,
-        tuple(others[:_SHOWN]),
-        hint=f"let `{event.participant}` send it before it waits itself, or end the wait otherwise: "
-        f"`after(10s)`, `lost {event.participant}`",
-    )
+    problem = WaitsForEver(name, event.participant, f"{event.performative} {event.message}")
+    return Diagnostic(problem, event.span, tuple(others[:_SHOWN]))
 
 
 # ---- how many there are ----------------------------------------------------------------------------
@@ -267,26 +261,14 @@ def _players(team: Team, roles: set[str]) -> set[str]:
 
 def _too_few(team: Team, aip: Aip, part: Participant, most: int, idle: Sequence[Srm]) -> Diagnostic:
     """`idle` are the roles that play it, if no agent of the team has any of them."""
-    least = f"{part.least} agent{'' if part.least == 1 else 's'}"
-    if idle:
-        roles = sorted(idle, key=lambda srm: srm.name)
-        return Diagnostic(
-            "W554",
-            f"`{part.name}` of `{aip.name}` wants {least} at least, and no agent of {team.name} plays it",
-            part.span,
-            (Related(team.span, "the team"), *(Related(srm.span, "the role that does") for srm in roles)),
-            hint="what is sent to it is sent to nobody then, and who waits for it waits for ever: give the "
-            f"role to an agent of the team, `name : {roles[0].name}`",
-        )
-    there = "nobody else" if most == 0 else "one agent" if most == 1 else f"{most} agents"
-    return Diagnostic(
-        "W554",
-        f"`{part.name}` of `{aip.name}` wants {least} at least, and {team.name} has {there}",
-        part.span,
-        (Related(team.span, "the team"),),
-        hint="what is sent to them is sent to none of them then: let more agents play it, or be content with "
-        f"fewer: `participant {part.name} [{max(1, most)}..{'*' if part.most is None else part.most}]`",
-    )
+    related = [Related(team.span, "the team")]
+    if not idle:
+        few = TooFewAgents(part.name, aip.name, part.least, part.most, team.name, most)
+        return Diagnostic(few, part.span, tuple(related))
+    roles = sorted(idle, key=lambda srm: srm.name)
+    related += (Related(srm.span, "the role that does") for srm in roles)
+    problem = NoAgentPlays(part.name, aip.name, part.least, team.name, roles[0].name)
+    return Diagnostic(problem, part.span, tuple(related))
 
 
 __all__ = ["check_multiplicity", "check_waits"]

@@ -19,6 +19,7 @@ from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, Transition
 from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics.problems.use import DraftNotPublished, TimerNotRead, VariableNotRead
 from aseme_dsl.source import Span
 
 
@@ -49,10 +50,7 @@ def _drafts(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnos
         if (region, channel) in published:
             continue
         related = (Related(places[channel], "in another region"),) if channel in places else ()
-        hint = f"publish it: `/ …; write_messages.{channel}`"
-        if related:
-            hint = "publish it here, too: a draft belongs to the region that fills it"
-        yield Diagnostic("W421", f"`{channel}` is filled here, but never published", span, related, hint=hint)
+        yield Diagnostic(DraftNotPublished(str(channel), bool(related)), span, related)
 
 
 def _timers(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnostic]:
@@ -68,9 +66,7 @@ def _timers(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnos
     meant = {closest(timer, started) for timer in asked - started.keys()}
     for timer, span in started.items():
         if timer not in asked and timer not in meant:
-            hint = f"ask for it in a condition: `[expired({timer})]`"
-            message = f"the timer `{timer}` is started, but nothing asks whether it has expired"
-            yield Diagnostic("W423", message, span, hint=hint)
+            yield Diagnostic(TimerNotRead(timer), span)
 
 
 def _variables(
@@ -109,12 +105,7 @@ def _variables(
                 read.add(value.name.partition("@")[0])
     for name, span in written.items():
         if name not in read and not is_of_library(span.source):
-            yield Diagnostic(
-                "N725",
-                f"no condition, action or activity reads the variable `{name}`",
-                span,
-                hint=f"if an activity does, let it say so: `reads {name}`; otherwise leave it out",
-            )
+            yield Diagnostic(VariableNotRead(name), span)
 
 
 def _counts_only(value: VariableValue, action: Assign | None) -> bool:

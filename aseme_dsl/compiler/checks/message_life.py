@@ -14,9 +14,18 @@ from aseme_dsl.compiler.checks.presence import there_if_holds
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.memory import Memory
-from aseme_dsl.compiler.read.names import first_of, listed
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.use import (
+    ChangesUnseen,
+    ExitWaitsForUndeclared,
+    MessageNotPublished,
+    MessageNotRead,
+    PublishedBySeveral,
+    PublishersNotDeclared,
+    SignalNotRead,
+    WindowTooShort,
+)
 from aseme_dsl.source import Source, Span
 
 _SHOWN = 4
@@ -86,28 +95,16 @@ def _unread(
         topic = topics[channel.topic]
         if channel.comm is Comm.SIGNAL:
             if topic.radio is None:
-                yield Diagnostic(
-                    "W520",
-                    f"nobody reads the signal `{channel}`",
-                    uses[0].span,
-                    (
-                        Related(_declared(topic, channel), "declared here"),
-                        *_others(uses, "also published here"),
-                    ),
-                    hint=f"let a condition ask for it, or an activity that wants it say `reads {channel}`",
-                )
+                declared = Related(_declared(topic, channel), "declared here")
+                others = _others(uses, "also published here")
+                yield Diagnostic(SignalNotRead(str(channel)), uses[0].span, (declared, *others))
             continue
         if topic.radio is not None or not _is_in(topic.span, home):
             continue
         for item in uses:
             if item.activity is None:
-                yield Diagnostic(
-                    "W422",
-                    f"nobody reads `{channel}`, which this publishes",
-                    item.span,
-                    (Related(_declared(topic, channel), "declared here"),),
-                    hint=f"let a condition or an activity read it (`reads {channel}`), or leave it out",
-                )
+                declared = Related(_declared(topic, channel), "declared here")
+                yield Diagnostic(MessageNotRead(str(channel)), item.span, (declared,))
 
 
 def _declared(topic: Topic, channel: Channel) -> Span:
@@ -161,23 +158,15 @@ def _unwritten(
             doubtful.append(uses[0])
             continue
         yield Diagnostic(
-            "W522",
-            f"nothing in this system publishes `{channel}`",
+            MessageNotPublished(str(channel)),
             uses[0].span,
             (Related(_declared(topic, channel), "declared here"), *_others(uses, "also read here")),
-            hint=f"let the activity that does say `writes {channel}`; for what comes from outside, name its "
-            f"source: `{channel.comm} {channel.message} from …` with a `role … : external`",
         )
     if doubtful:
-        names = listed(str(use.channel) for use in doubtful)
-        are = "is" if len(doubtful) == 1 else "are"
         yield Diagnostic(
-            "N722",
-            f"nothing says who publishes {names}, which {are} read",
+            PublishersNotDeclared(tuple(str(use.channel) for use in doubtful), tuple(silent)),
             doubtful[0].span,
             tuple(Related(use.span, f"`{use.channel}` is read here") for use in doubtful[1 : _SHOWN + 1]),
-            hint="say it of the activity that does: `writes …`; nothing is said of the messages of "
-            + first_of(list(silent), _SHOWN),
         )
 
 
@@ -210,16 +199,12 @@ def _awaited_in_vain(
         return
     (channel, (span, source)), *others = found.items()
     yield Diagnostic(
-        "N722",
-        f"nothing says who publishes `{channel}`; the only way out of `{cut(source.name)}` waits for it",
+        ExitWaitsForUndeclared(str(channel), cut(source.name), tuple(silent)),
         span,
         (
             Related(_declared(topics[channel.topic], channel), "declared here"),
             *(Related(place, f"`{other}` is waited for here") for other, (place, _) in others[:_SHOWN]),
         ),
-        hint=f"let the activity that does say `writes {channel}` (nothing is said of the messages of "
-        f"{first_of(list(silent), _SHOWN)}); for what comes from outside, name its source: "
-        f"`{channel.comm} {channel.message} from …`",
     )
 
 
@@ -268,14 +253,10 @@ def _of_many(team: Team, use: MessageUse, topics: Mapping[str, Topic]) -> Iterat
         if (item.chart, item.channel) in done:
             continue
         done.add((item.chart, item.channel))
-        shown = first_of(names, _SHOWN)
         yield Diagnostic(
-            "N723",
-            f"`{item.chart}` publishes no `{item.channel}` itself: it reads that of {shown}, any of them",
+            PublishedBySeveral(item.chart, str(item.channel), tuple(names), next(iter(roles))),
             item.span,
             (Related(_declared(topic, item.channel), "declared here"),),
-            hint=f"read one agent's: `{names[0]}.{item.channel}`; if all are meant, say that it is the "
-            f"team's: `{item.channel.comm} {item.channel.message} from {next(iter(roles))}`",
         )
 
 
@@ -305,19 +286,12 @@ def _windows(
                 window = value.window.value if isinstance(value.window, Literal) else None
                 if isinstance(window, int) and window < period[0]:
                     often = duration_text(period[0])
-                    seldom = (
-                        f"a mean over {duration_text(window)} of what comes every {often} often has no value"
-                    )
-                    hint = f"look back longer than {often}, or read the newest value: `{channel}`"
-                    related = (Related(period[1], f"every {often}"),)
-                    found.append(Diagnostic("W523", seldom, value.span, related, hint=hint))
+                    problem = WindowTooShort(str(channel), duration_text(window), often)
+                    found.append(Diagnostic(problem, value.span, (Related(period[1], f"every {often}"),)))
             decided = any(other.expression.otherwise for other in chart.outgoing(transition.source))
             if period is None and not decided:
-                form = "at" if isinstance(value, At) else "mean"
-                unseen = f"`{form}` is looked at when something arrives, not when time passes"
-                hint = f"say how often `{channel}` comes (`every` on its topic, or of the activity that "
-                hint += "publishes it), or wait with `after(…)` beside it"
-                found.append(Diagnostic("N721", unseen, value.span, hint=hint))
+                unseen = ChangesUnseen("at" if isinstance(value, At) else "mean", str(channel))
+                found.append(Diagnostic(unseen, value.span))
                 break
     return tuple(found)
 

@@ -12,6 +12,12 @@ from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.activities import (
+    BoundWithoutOutcome,
+    DeadlineTooShort,
+    MissedDeadlineStops,
+    OutcomeOfNobody,
+)
 from aseme_dsl.source import Span
 
 
@@ -45,12 +51,7 @@ def _asked(chart: Statechart) -> tuple[tuple[str, Value], ...]:
 def _absent(chart: Statechart, source: str, value: Value) -> Diagnostic | None:
     if not isinstance(value, Outcome) or performers(chart, source, value.activity):
         return None
-    return Diagnostic(
-        "E520",
-        f"nothing in {chart.name} performs `{value.activity}`, so it never ends there",
-        value.span,
-        hint="ask for the outcome of an activity of the same role or participant",
-    )
+    return Diagnostic(OutcomeOfNobody(value.activity, chart.name), value.span)
 
 
 def _otherwise(chart: Statechart, value: Value, activities: Mapping[str, Activity]) -> Diagnostic | None:
@@ -65,26 +66,16 @@ def _otherwise(chart: Statechart, value: Value, activities: Mapping[str, Activit
     if own is not None and wanted.value in own.ends:
         return None
     related = (Related(own.span, "what is said of it"),) if own is not None else ()
-    return Diagnostic(
-        "E520",
-        f"`{asked.activity}`, which stands for `{asked.type}` in {chart.name}, does not end `{wanted.value}`",
-        wanted.span,
-        related,
-        hint=f"say so among the activities: `{asked.activity} ends {wanted.value}, …`",
-    )
+    problem = BoundWithoutOutcome(asked.activity, str(asked.type), chart.name, str(wanted.value))
+    return Diagnostic(problem, wanted.span, related)
 
 
 def check_deadlines(charts: Iterable[Statechart], activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
     """W603 for a deadline that is shorter than what it takes, W604 for one whose passing stops the agent."""
     for activity in activities.values():
         if activity.within is not None and activity.takes is not None and activity.takes > activity.within:
-            yield Diagnostic(
-                "W603",
-                f"`{activity.name}` takes {duration_text(activity.takes)}, "
-                f"and is given {duration_text(activity.within)}",
-                activity.span,
-                hint="in simulation it always fails: give it more time",
-            )
+            takes, within = duration_text(activity.takes), duration_text(activity.within)
+            yield Diagnostic(DeadlineTooShort(activity.name, takes, within), activity.span)
     told: set[str] = set()
     for chart in charts:
         if chart.kind != "IAC":
@@ -104,14 +95,13 @@ def check_deadlines(charts: Iterable[Statechart], activities: Mapping[str, Activ
             if None in taken:
                 continue
             told.add(said.name)
-            message = f"{chart.name} stops if `{said.name}` is not done within {duration_text(said.within)}"
+            condition = taken[0] if taken else None
             related = [Related(said.span, "the deadline")]
-            hint = f"let a transition take it: `enter … : error` after `{said.name}`, or further out"
-            if taken and taken[0] is not None:
-                message += ", and the condition of its `error` does not hold"
-                related.append(Related(taken[0], "the condition, without which nothing takes the failure"))
-                hint = f"say what happens then: `leave {said.name} : error`, or `error` further out"
-            yield Diagnostic("W604", message, node.span, tuple(related), hint=hint)
+            if condition is not None:
+                related.append(Related(condition, "the condition, without which nothing takes the failure"))
+            within = duration_text(said.within)
+            problem = MissedDeadlineStops(chart.name, said.name, within, condition is not None)
+            yield Diagnostic(problem, node.span, tuple(related))
 
 
 def _where_errors_are_taken(chart: Statechart) -> dict[str, Span | None]:

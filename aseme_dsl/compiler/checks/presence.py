@@ -25,6 +25,7 @@ from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
 from aseme_dsl.compiler.checks.message_use import members_in
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.use import ActionNeedsMessage, ElseWithoutMessage
 from aseme_dsl.source import Span
 
 Channels = frozenset[Channel]
@@ -139,12 +140,7 @@ def _in_actions(
     for member, span in needed:
         if member.channel in there:
             continue
-        yield Diagnostic(
-            "N720",
-            f"no `{member.channel}` may have come yet: then this action is not done",
-            span,
-            hint=f"let the transition wait for it, `[has({member.channel})]`, or do this where it is there",
-        )
+        yield Diagnostic(ActionNeedsMessage(str(member.channel)), span)
 
 
 def _after(source: Node, transition: Transition, activities: Mapping[str, Activity]) -> Channels:
@@ -247,14 +243,8 @@ def _negated(group: Sequence[Transition], own: set[Channel]) -> Iterator[Diagnos
     for channel, span in opposed.items():
         if channel in asserted or channel in own or channel.comm is Comm.SIGNAL:
             continue
-        yield Diagnostic(
-            "N720",
-            f"while no `{channel}` has come, this does not hold, and `else` is taken",
-            span,
-            (Related(otherwise.span, "the `else`"),),
-            hint=f"write `!has({channel}) || …` if this is meant then, else `!has({channel})` in a branch of "
-            "its own",
-        )
+        related = (Related(otherwise.span, "the `else`"),)
+        yield Diagnostic(ElseWithoutMessage(str(channel)), span, related)
 
 
 def _alternatives(condition: Value) -> Iterator[Value]:

@@ -11,6 +11,7 @@ from aseme_dsl.compiler.checks.message_use import members_of, read_channels
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.use import SignalAlreadyConsumed, SignalConsumedBeforeActivity
 from aseme_dsl.source import Span
 
 Asked = dict[Channel, Span]
@@ -70,13 +71,8 @@ def _taken_on_the_way(
         first = [_taken_by(chart, way, taken, incoming).get(channel) for way, taken in ways]
         if first and all(place is not None for place in first) and first[0] is not None:
             around = chart.by_label[source.parent]
-            yield Diagnostic(
-                "W521",
-                f"the signal `{channel}` is gone when this asks for it",
-                span,
-                (Related(first[0], f"the way into `{cut(around.name)}` has taken it"),),
-                hint="ask for it in one place; keep in a variable what is to be known of it later",
-            )
+            related = (Related(first[0], f"the way into `{cut(around.name)}` has taken it"),)
+            yield Diagnostic(SignalAlreadyConsumed(str(channel)), span, related)
 
 
 def _taken_by(
@@ -111,12 +107,9 @@ def _looked_at_first(
         for channel, subscription in read_channels(said, symbols):
             if channel in signals:
                 yield Diagnostic(
-                    "W521",
-                    f"`{said.name}` reads the signal `{channel}`, but this looks at each one first: "
-                    "what was looked at is gone when the step ends",
+                    SignalConsumedBeforeActivity(str(channel), said.name),
                     signals[channel],
                     (Related(subscription.span, f"`{said.name}` reads it"),),
-                    hint=f"let `{said.name}` raise an event for this, or stand in a region of its own",
                 )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from typing import Literal
 
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.blocks import participants_of
@@ -12,6 +13,14 @@ from aseme_dsl.compiler.read.library import declared_by
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.types.exchange import is_answered
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.use import (
+    AgentMessageUnmatched,
+    DeclarationKind,
+    DeclarationNotUsed,
+    ImportedTwice,
+    ImportNotUsed,
+    RoleWithoutAgent,
+)
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source
 
@@ -33,12 +42,10 @@ def check_unused(files: Sequence[tree.File], symbols: Symbols, memory: Memory) -
     own = [item for file in files if file.source.path == home.path for item in file.declarations]
     for what, name in _declared(own):
         if sum(of_file[name.text] for of_file in words) == 1:
-            yield Diagnostic(
-                "N727", f"nothing uses the {what} `{name}`", name.span, hint="use it, or leave it out"
-            )
+            yield Diagnostic(DeclarationNotUsed(what, name.text), name.span)
 
 
-def _declared(declarations: Iterable[object]) -> Iterator[tuple[str, tree.Name]]:
+def _declared(declarations: Iterable[object]) -> Iterator[tuple[DeclarationKind, tree.Name]]:
     for item in declarations:
         match item:
             case tree.Let(name=name):
@@ -70,13 +77,11 @@ def _imports(file: tree.File, own: Counter[str]) -> Iterator[Diagnostic]:
             continue
         text = item.target.text
         if text in seen:
-            message = f"`{text}` is imported already"
-            yield Diagnostic("N727", message, item.target.span, hint="leave one of them out")
+            yield Diagnostic(ImportedTwice(text), item.target.span)
         elif isinstance(item.target, tree.Name):
             given = declared_by(text)
             if given and not any(own[name] for name in given):
-                message = f"nothing uses what `{text}` declares"
-                yield Diagnostic("N727", message, item.target.span, hint="use it, or leave the import out")
+                yield Diagnostic(ImportNotUsed(text), item.target.span)
         seen.add(text)
 
 
@@ -93,12 +98,7 @@ def check_agents(
         if role.name.span in known:
             continue
         if role.span.source.path == symbols.system.span.source.path and role.name.text not in played:
-            yield Diagnostic(
-                "N728",
-                f"no agent has the role `{role.name}`",
-                role.name.span,
-                hint=f"give it to one in a `team`: `name : {role.name}`",
-            )
+            yield Diagnostic(RoleWithoutAgent(role.name.text), role.name.span)
 
 
 def check_exchange(aips: Iterable[tree.Aip]) -> Iterator[Diagnostic]:
@@ -109,18 +109,16 @@ def check_exchange(aips: Iterable[tree.Aip]) -> Iterator[Diagnostic]:
         received = {(item.performative.text, item.message.text) for part in parts for item in part.receives}
         for part in parts:
             own = [item.message.text for item in part.sends]
-            for items, others, clause, other in (
-                (part.sends, received, "sends", "receives"),
-                (part.receives, sent, "receives", "sends"),
-            ):
+            clauses: tuple[Literal["sends", "receives"], ...] = ("sends", "receives")
+            for clause in clauses:
+                items, others = (part.sends, received) if clause == "sends" else (part.receives, sent)
                 for item in items:
                     name = f"{item.performative} {item.message}"
                     if clause == "receives" and is_answered(item.performative.text, item.message.text, own):
                         continue
                     if (item.performative.text, item.message.text) not in others:
-                        message = f"`{part.name}` {clause} `{name}`, and no participant {other} it"
-                        hint = f"write `{other} {name}` of the participant that does, or leave it out here"
-                        yield Diagnostic("W524", message, item.span, hint=hint)
+                        problem = AgentMessageUnmatched(part.name.text, clause, name)
+                        yield Diagnostic(problem, item.span)
 
 
 __all__ = ["check_agents", "check_exchange", "check_unused"]

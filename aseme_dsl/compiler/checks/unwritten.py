@@ -19,8 +19,8 @@ from aseme_dsl.amola.messages import AGENT
 from aseme_dsl.amola.srm import Activity, Plays, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.read.library import is_of_library
-from aseme_dsl.compiler.read.names import listed
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.use import VariablesNeverSet
 from aseme_dsl.source import Span
 
 _SHOWN = 4
@@ -68,17 +68,9 @@ def check_unwritten(
                 if place is not None and (name, span) not in [item[:2] for item in told.get(place, ())]:
                     told.setdefault(place, []).append((name, span, value.span))
     for place, items in told.items():
-        names = listed([name for name, _, _ in items])
         related = [Related(span, "the variable") for _, span, _ in items[:_SHOWN]]
         related += [Related(item[2], "the condition") for item in items[:_SHOWN] if item[2] != place]
-        yield Diagnostic(
-            "N437",
-            f"nothing sets {names}, so that a condition never changes",
-            place,
-            tuple(related),
-            hint=f"set it in an action, let the activity that does say so, `writes {items[0][0]}`, or give "
-            "it a value in the team: `agent : role with …`",
-        )
+        yield Diagnostic(VariablesNeverSet(tuple(name for name, _, _ in items)), place, tuple(related))
 
 
 def _is_simulated(chart: Statechart, scope: str, activities: Mapping[str, Activity]) -> bool:

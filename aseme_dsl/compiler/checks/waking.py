@@ -14,6 +14,7 @@ from aseme_dsl.amola.expression import After, Assign, Failed, Value, VariableVal
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.control import RegionsWakeEachOther
 from aseme_dsl.proofs.evaluate import value_of
 from aseme_dsl.proofs.unknowns import VARIABLE, Vocabulary
 
@@ -44,14 +45,8 @@ def _wake_each_other(chart: Statechart, found: Sequence[Transition]) -> Diagnost
     first, *others = found
     sources = [chart.node(transition.source) for transition in found]
     named = dict.fromkeys(node.name for node in sources if node.type in (NodeType.BASIC, NodeType.OR))
-    names = " and ".join(f"`{cut(name)}`" for name in named)
-    return Diagnostic(
-        "W436",
-        f"these concurrent parts wake each other without end: {names}",
-        first.span,
-        tuple(Related(other.span, "by this") for other in others),
-        hint="let one of them wait for the completion of an activity, for an event, or for a timer",
-    )
+    problem = RegionsWakeEachOther(tuple(cut(name) for name in named))
+    return Diagnostic(problem, first.span, tuple(Related(other.span, "by this") for other in others))
 
 
 @dataclass

@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from aseme_dsl.amola.expression import Expired, Not, TransitionExpression, operands
 from aseme_dsl.amola.liveness import Formula, ungrouped
@@ -14,10 +15,25 @@ from aseme_dsl.compiler.control.waits import check_waits
 from aseme_dsl.compiler.formula.formula_to_statechart import Way
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.staying import STAYING
-from aseme_dsl.compiler.formula.terms import Terms, listed, spelling, terms_of
+from aseme_dsl.compiler.formula.terms import Terms, spelling, terms_of
 from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.compiler.read.missing import Missing
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
+from aseme_dsl.diagnostics.problems.control import (
+    BranchUndecided,
+    ChoiceUndecided,
+    ConditionAlwaysFalse,
+    ElseBesideTime,
+    ElseTwice,
+    InterruptUndecided,
+    InterruptWaits,
+    LoopNeverLeft,
+    LoopNeverRepeats,
+    LoopUndecided,
+)
+from aseme_dsl.diagnostics.problems.expressions.conditions import BranchBehindOpenOne
+from aseme_dsl.diagnostics.problems.formulas import LineNeverTaken, LoopMayBeEmpty
+from aseme_dsl.diagnostics.problems.missing import ControlMissing
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -117,7 +133,8 @@ def _is_empty(control: tree.Control) -> bool:
 
 def unsettled(formulas: Formulas, problems: Iterable[Diagnostic]) -> set[str]:
     """The formulas with a loop that would never settle (E303): its repair changes what is to be decided."""
-    places = [item.span for item in problems if item.code == "E303" and item.span is not None]
+    loops = (item.span for item in problems if isinstance(item.problem, LoopMayBeEmpty))
+    places = [span for span in loops if span is not None]
     return {
         name
         for name, item in formulas.named.items()
@@ -182,12 +199,7 @@ def check_interruption(interruption: Interruption) -> Iterator[Diagnostic]:
     """`A [> B` wants an event or `when` on every way into B (E420), and at least one (E421)."""
     way = interruption.way
     if not way.lines:
-        yield Diagnostic(
-            "E421",
-            f"nothing says when `{interruption.term}` cuts `{interruption.cut}` short",
-            way.span,
-            hint=f"write `{way.name} : when [ … ]`, or name an event",
-        )
+        yield Diagnostic(InterruptUndecided(interruption.term, interruption.cut), way.span)
     for line in way.lines:
         written = line.written
         if written.events or written.when:
@@ -197,12 +209,9 @@ def check_interruption(interruption: Interruption) -> Iterator[Diagnostic]:
             start = written.span.start
             edits = (Edit(Span(written.span.source, start, start), "when "),)
         yield Diagnostic(
-            "E420",
-            f"`{way.name}` cuts `{interruption.cut}` short, but this waits until that is complete",
+            InterruptWaits(interruption.term, interruption.cut),
             line.span,
             (Related(way.span, f"`{interruption.term}` stands behind `[>`"),),
-            hint=f"write `{way.name} : when [ … ]`, or name an event; for what follows `{interruption.cut}` "
-            "when it is complete, write `.` in the formula",
             edits=edits,
         )
 
@@ -212,28 +221,22 @@ def check_choice(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
     decided = [item for item in alternatives if any(not _unconditional(line.written) for line in item.lines)]
     if not decided:
         yield Diagnostic(
-            "E405",
-            "nothing decides this choice: none of "
-            + listed(item.name for item in alternatives)
-            + " has a condition",
+            ChoiceUndecided(tuple(item.name for item in alternatives)),
             alternatives[0].place,
             _places(alternatives),
-            hint=f"for example `{alternatives[0].name} : [ … ]` and `{alternatives[-1].name} : else`",
         )
         return
     undecided = [item for item in alternatives if not item.is_decided]
     has_else = any(line.written.otherwise for item in alternatives for line in item.lines)
     for item in undecided:
-        last = item is undecided[-1]
+        may_be_else = item is undecided[-1] and not has_else
         yield Diagnostic(
-            "E404",
-            f"`{item.name}` has no condition, while `{decided[0].name}` has one",
+            BranchUndecided(item.name, decided[0].name, may_be_else),
             next((line.span for line in item.lines if _unconditional(line.written)), item.span),
             (Related(decided[0].place, f"`{decided[0].name}`"),),
-            hint=f"write `{item.name} : else`" if last and not has_else else f"write `{item.name} : [ … ]`",
         )
     limits = [line for item in alternatives for line in item.lines if _waits(line.written)]
-    yield from _else_beside(alternatives, limits, "the time limit beside it is never waited for")
+    yield from _else_beside(alternatives, limits, "limit")
     if not undecided:
         yield from _behind_an_open_one(alternatives)
 
@@ -259,11 +262,9 @@ def _behind_an_open_one(alternatives: Sequence[Alternative]) -> Iterator[Diagnos
         if item is taken or len(later) < len(item.lines) or not later or later[0].written.condition is None:
             continue
         yield Diagnostic(
-            "W412",
-            f"`{item.name}` is never taken: `{taken.name}` comes first and is always open",
+            BranchBehindOpenOne(item.name, taken.name),
             later[0].span,
             (Related(taken.place, f"`{taken.name}`"),),
-            hint="say when each is meant, or write `else` for the last branch",
         )
 
 
@@ -284,24 +285,13 @@ def check_loop(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
     """
     repeat, leave = alternatives
     if any(item.is_decided for item in alternatives):
-        for item, other, what in ((repeat, leave, "never repeats"), (leave, repeat, "is never left")):
+        for item, other, never in ((repeat, leave, LoopNeverRepeats), (leave, repeat, LoopNeverLeft)):
             reason = _never(item, other)
             if reason is not None:
-                yield Diagnostic(
-                    "W420",
-                    f"the loop {what}",
-                    item.place,
-                    (Related(reason, "because of this"),) if reason != item.place else (),
-                    hint=f"let `{item.name}` and `{other.name}` have conditions that can hold and can fail",
-                )
+                related = (Related(reason, "because of this"),) if reason != item.place else ()
+                yield Diagnostic(never(repeat.name, leave.name), item.place, related)
         return
-    yield Diagnostic(
-        "E407",
-        f"`{repeat.name}` and `{leave.name}` are both without a condition: the loop is never left",
-        repeat.place,
-        _places(alternatives),
-        hint=f"write `{repeat.name} : [ … ]`, and `{leave.name} : else` or another condition",
-    )
+    yield Diagnostic(LoopUndecided(repeat.name, leave.name), repeat.place, _places(alternatives))
 
 
 def _endless_once(terms: Terms, lines: Lines) -> Iterator[Diagnostic]:
@@ -311,8 +301,7 @@ def _endless_once(terms: Terms, lines: Lines) -> Iterator[Diagnostic]:
             body = ungrouped(term.operands[0])
             own = lines.of(("repeat", body))
             if own and all(_fixed(line) is False for line in own):
-                hint = f"let `repeat {spelling(terms, body)}` have a condition that can hold"
-                yield Diagnostic("W420", "the loop never repeats", own[0].span, hint=hint)
+                yield Diagnostic(LoopNeverRepeats(f"repeat {spelling(terms, body)}", None), own[0].span)
 
 
 def _never(item: Alternative, other: Alternative) -> Span | None:
@@ -351,12 +340,7 @@ def always_false(lines: Iterable[Line]) -> Iterator[Diagnostic]:
     for line in lines:
         condition = line.expression.condition
         if condition is not None and _fixed(line) is False:
-            yield Diagnostic(
-                "W404",
-                "this transition is never taken: its condition is always false",
-                condition.span,
-                hint="write a condition that can hold, or remove the line",
-            )
+            yield Diagnostic(ConditionAlwaysFalse(), condition.span)
 
 
 def check_group(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
@@ -364,15 +348,9 @@ def check_group(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
     lines = sorted((line for item in alternatives for line in item.lines), key=lambda line: line.position)
     otherwise = [line for line in lines if line.written.otherwise]
     for line in otherwise[1:]:
-        yield Diagnostic(
-            "E406",
-            "this is the second `else` beside each other",
-            line.span,
-            (Related(otherwise[0].span, "the first one"),),
-            hint="say when this one is taken, and leave `else` to one of them",
-        )
+        yield Diagnostic(ElseTwice(), line.span, (Related(otherwise[0].span, "the first one"),))
     timers = [line for line in lines if line.expression.every or _expires(line.expression)]
-    yield from _else_beside(alternatives, timers, "the timer beside it is not waited for")
+    yield from _else_beside(alternatives, timers, "timer")
     for item in alternatives:
         always = [line for line in item.lines if _unconditional(line.written)]
         for line in always[1:]:
@@ -393,29 +371,19 @@ def check_source(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
 
 def never_taken(line: Line, because: Span) -> Diagnostic:
     """W301 for a line beside one, at `because`, that needs no condition."""
-    return Diagnostic(
-        "W301",
-        "this line is never taken: something beside it needs no condition",
-        line.span,
-        (Related(because, "taken as soon as the source is complete"),),
-        hint="give the other one a condition, or remove this line",
-    )
+    related = (Related(because, "taken as soon as the source is complete"),)
+    return Diagnostic(LineNeverTaken(), line.span, related)
 
 
 def _else_beside(
-    alternatives: Sequence[Alternative], timed: Sequence[Line], why: str
+    alternatives: Sequence[Alternative], timed: Sequence[Line], time: Literal["limit", "timer"]
 ) -> Iterator[Diagnostic]:
     """W401 for the first `else`; another one is E406."""
     lines = (line for item in alternatives for line in item.lines if line.written.otherwise)
     first = min(lines, key=lambda line: line.position, default=None)
     if first is not None and timed:
-        yield Diagnostic(
-            "W401",
-            f"`else` is taken as soon as nothing else is enabled: {why}",
-            first.span,
-            (Related(timed[0].span, "the time that is waited for"),),
-            hint="write the opposite condition instead of `else`",
-        )
+        related = (Related(timed[0].span, "the time that is waited for"),)
+        yield Diagnostic(ElseBesideTime(time), first.span, related)
 
 
 def _expires(typed: TransitionExpression) -> bool:
@@ -442,22 +410,11 @@ def _nothing_said(
     silent: Sequence[Interruption],
     inside: Span,
 ) -> Missing:
-    parts = [_counted(len(choices), "choice"), _counted(len(loops), "loop")]
-    what = " and ".join(part for part in parts if part)
-    said = [f"`{terms.title}` has {what} without a condition: what comes first is taken"] if what else []
-    said += [f"nothing says when `{item.term}` cuts `{item.cut}` short: it never does" for item in silent]
     skeleton = control_skeleton(control, [*choices, *loops], [item.way for item in silent])
-    note = Diagnostic(
-        "N704",
-        "; ".join(said),
-        terms.formulas.named[terms.formula].name.span,
-        hint="start from\n" + skeleton,
-    )
+    interrupts = tuple((item.term, item.cut) for item in silent)
+    problem = ControlMissing(terms.title, len(choices), len(loops), interrupts, skeleton)
+    note = Diagnostic(problem, terms.formulas.named[terms.formula].name.span)
     return Missing(note, skeleton, inside)
-
-
-def _counted(number: int, what: str) -> str:
-    return "" if number == 0 else f"a {what}" if number == 1 else f"{number} {what}s"
 
 
 def control_skeleton(

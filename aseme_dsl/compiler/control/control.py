@@ -23,6 +23,23 @@ from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.types.given import inside_formula
 from aseme_dsl.compiler.types.typecheck import type_expression
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.control import (
+    ControlTwice,
+    LineInBranch,
+    PeriodOfLoopNotPositive,
+    PeriodOutsideLoop,
+    TransitionNotOfFormula,
+)
+from aseme_dsl.diagnostics.problems.statecharts import (
+    NoStateOfFormula,
+    OutsideOfBranch,
+    TransitionIntoRegion,
+    TransitionIntoStart,
+    TransitionOfRoot,
+    TransitionOutOfEnd,
+    TransitionToOtherChoice,
+    TransitionToRegion,
+)
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -96,11 +113,9 @@ def read_lines(
         if first is not control:
             found.append(
                 Diagnostic(
-                    "E411",
-                    f"`{control.name}` has two control blocks",
+                    ControlTwice(control.name.text),
                     control.name.span,
                     (Related(first.name.span, "the first one"),),
-                    hint="write their lines into one block: their order is the order in which they are tried",
                 )
             )
         terms = terms_of(formulas, name, control.name.text, played)
@@ -145,14 +160,9 @@ def _pace(entry: tree.Way) -> Iterator[Diagnostic]:
     if pace is None:
         return
     if entry.verb.text != "repeat":
-        problem = f"only `repeat` has a pace, not `{entry.verb}`"
-        yield Diagnostic(
-            "E432", problem, pace.span, hint="wait with `after(…)`, or give the activity a period"
-        )
+        yield Diagnostic(PeriodOutsideLoop(entry.verb.text), pace.span)
     elif pace.nanoseconds == 0:
-        yield Diagnostic(
-            "E432", "a pace of no time is none", pace.span, hint="leave `every` out, or say how long"
-        )
+        yield Diagnostic(PeriodOfLoopNotPositive(), pace.span)
 
 
 # ---- onto the chart -----------------------------------------------------------------------------
@@ -336,11 +346,9 @@ def check_labels(
         if (source.label, target.label) not in ends:
             found.append(
                 Diagnostic(
-                    "W400",
-                    f"the formula has no transition from {source.label} to {target.label}",
+                    TransitionNotOfFormula(source.label, target.label),
                     place,
                     (Related(source.span, source.label), Related(target.span, target.label)),
-                    hint="with it the chart is no longer the formula's; change the formula if you can",
                 )
             )
     return tuple(good), tuple(found)
@@ -366,21 +374,11 @@ def structure_problem(
 ) -> Diagnostic | None:
     """What forbids a transition between two states: E603, E604 (rules of the papers' tools), E409."""
     if source.parent is None or target.parent is None:
-        return Diagnostic("E409", "the root has no transitions: nothing is around it", place)
+        return Diagnostic(TransitionOfRoot(), place)
     if target.type is NodeType.START:
-        return Diagnostic(
-            "E603",
-            f"{target.label} is a START: it is entered with the state around it, not by a transition",
-            place,
-            hint=f"lead to {target.parent}, or to what {target.label} leads to",
-        )
+        return Diagnostic(TransitionIntoStart(target.label, target.parent), place)
     if source.type is NodeType.END:
-        return Diagnostic(
-            "E604",
-            f"{source.label} is an END: what follows is a transition of the state around it",
-            place,
-            hint=f"let the transition leave {source.parent}",
-        )
+        return Diagnostic(TransitionOutOfEnd(source.label, source.parent), place)
     return _region_problem(nodes, source, target, place)
 
 
@@ -393,20 +391,13 @@ def _region_problem(nodes: Mapping[str, Node], source: Node, target: Node, place
     into, out = regions_around(nodes, target), regions_around(nodes, source)
     parent = nodes.get(target.parent or "")  # there may be no such state
     if parent is not None and parent.type is NodeType.AND:
-        message = f"{target.label} is a region of {parent.label}: it is entered with it, not by a transition"
-        return Diagnostic("E409", message, place, hint=f"lead to {parent.label}")
+        return Diagnostic(TransitionToRegion(target.label, parent.label), place)
     for entered in into:
         around = nodes[entered].parent or ""
         if source.label.startswith(f"{around}.") and (entered not in out or entered == source.label):
-            message = f"a transition from {source.label} to {target.label} leads into the region {entered}"
-            hint = (
-                f"the regions of {around} are active together: lead out of it, or raise an event in one that "
-            )
-            return Diagnostic("E409", message, place, hint=hint + "another waits for")
+            return Diagnostic(TransitionIntoRegion(source.label, target.label, entered, around), place)
     if into != out and target.type is NodeType.CONDITION:
-        message = f"{target.label} is a CONDITION of another region than {source.label}"
-        hint = f"lead to a state: to {target.parent}, if its START leads to the choice"
-        return Diagnostic("E409", message, place, hint=hint)
+        return Diagnostic(TransitionToOtherChoice(source.label, target.label, target.parent or ""), place)
     return None
 
 
@@ -426,37 +417,22 @@ def _unknown_label(name: tree.Name, nodes: Mapping[str, Node]) -> Diagnostic:
     parent = name.text
     while parent and parent not in nodes:
         parent = parent.rpartition(".")[0]
-    inside = [label for label, node in nodes.items() if node.parent == parent]
-    if inside:
-        hint = f"inside {parent} there are {inside[0]} to {inside[-1]}"
-    else:
-        hint = f"{parent} has nothing inside" if parent else "the root is 0"
-    return Diagnostic("E410", f"the statechart has no state {name}", name.span, hint=hint)
+    inside = tuple(label for label, node in nodes.items() if node.parent == parent)
+    return Diagnostic(NoStateOfFormula(name.text, parent or None, inside), name.span)
 
 
 def _inside_branch(outline: Outline, source: Node, target: Node, place: Span) -> Diagnostic | None:
     for label, branch in outline.branches.items():
         if source.label.startswith(label + ".") or target.label.startswith(label + "."):
-            return Diagnostic(
-                "E408",
-                f"{label} is the branch of {branch.protocol}.{branch.participant}: "
-                "a role cannot write control inside it",
-                place,
-                (Related(branch.formulas.named[branch.formulas.root].name.span, "the process"),),
-                hint=f"say it in `aip {branch.protocol}`, for every role that plays it",
-            )
+            related = (Related(branch.formulas.named[branch.formulas.root].name.span, "the process"),)
+            return Diagnostic(LineInBranch(branch.protocol, branch.participant, label), place, related)
     return None
 
 
 def _outside_branch(inside: str, source: Node, target: Node, place: Span) -> Diagnostic | None:
     for node in (source, target):
         if not node.label.startswith(inside + "."):
-            return Diagnostic(
-                "E409",
-                f"{node.label} is outside this participant's branch, which is {inside}",
-                place,
-                hint="what several participants do together follows from their processes and messages",
-            )
+            return Diagnostic(OutsideOfBranch(node.label, inside), place)
     return None
 
 

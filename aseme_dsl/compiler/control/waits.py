@@ -12,6 +12,7 @@ from aseme_dsl.compiler.control.control import Lines
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.terms import Terms, spelling, terms_of
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.control import EventWaits
 from aseme_dsl.grammar.text import tree
 
 
@@ -56,15 +57,10 @@ def _waits(
         is_when = line.expression.when
         if is_when or any(isinstance(event, Raised | Failed) for event in line.expression.events):
             first, whole = spelling(terms, before), spelling(terms, term)
-            what = "`when`" if is_when else "the event"
-            named = f"`{verb} {spelling(inside, branch)}`"
             yield Diagnostic(
-                "W405",
-                f"{what} of {named} is waited for only when `{first}` is complete",
+                EventWaits(f"{verb} {spelling(inside, branch)}", first, whole, is_when),
                 line.span,
                 (Related(before.span, f"`{first}` comes before the choice"),),
-                hint=f"to interrupt `{first}`, write `enter {whole} : when [ … ]` or an event as well; "
-                f"if it is to be completed first, write `enter {whole} :` to say so",
             )
             return
 

@@ -18,6 +18,7 @@ from aseme_dsl.amola.operators import Operator, Template
 from aseme_dsl.amola.statechart import Argument, Node, NodeType, Origin, OriginKind
 from aseme_dsl.compiler.formula.formulas import Formulas, dependencies_first, fold
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.formulas import TooManyStates
 from aseme_dsl.source import Span
 
 LARGEST = 50_000
@@ -431,11 +432,11 @@ def too_large(
     total = states[formulas.root] if regions == 1 else regions * (states[formulas.root] + 3)
     if total <= largest:
         return None
-    chain: list[str] = []
+    heavy: list[tuple[str, int]] = []
     related: list[Related] = []
     name: str | None = formulas.root
     while name is not None:
-        chain.append(f"{name} ({states[name]:,} states)".replace(",", " "))
+        heavy.append((name, states[name]))
         heaviest, name = name, None
         shares: dict[str, int] = {}
         first: dict[str, Formula] = {}
@@ -450,15 +451,8 @@ def too_large(
             times = shares[name] // states[name]
             how_often = "once" if times == 1 else f"{times} times"
             related.append(Related(first[name].span, f"`{heaviest}` uses `{name}` {how_often}"))
-    return Diagnostic(
-        "E304",
-        f"{formulas.owner} would have {total:,} states; the limit is {largest:,}: ".replace(",", " ")
-        + " → ".join(chain),
-        span,
-        tuple(related),
-        hint="a formula is expanded each time it stands: use it in fewer places, or allow more with "
-        "`max_states = …` under [tool.asemec] in pyproject.toml",
-    )
+    problem = TooManyStates(formulas.owner, total, largest, tuple(heavy))
+    return Diagnostic(problem, span, tuple(related))
 
 
 def _occurrences(formula: Formula) -> Iterable[tuple[Formula, int]]:

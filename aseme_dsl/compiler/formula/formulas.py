@@ -12,6 +12,15 @@ from aseme_dsl.amola.messages import Parameter
 from aseme_dsl.amola.operators import INFIX, Operator, Template
 from aseme_dsl.amola.statechart import Argument
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.formulas import (
+    FormulaNotUsed,
+    FormulaRecursive,
+    FormulaTwice,
+    LoopMayBeEmpty,
+    OperatorsMixed,
+    TooFewInstances,
+)
+from aseme_dsl.diagnostics.problems.names import VerbAsName
 from aseme_dsl.grammar.text import tree
 
 _T = TypeVar("_T")
@@ -60,11 +69,9 @@ def table(
         if first is not item:
             found.append(
                 Diagnostic(
-                    "E301",
-                    f"`{item.name}` has two formulas in {owner}",
+                    FormulaTwice(item.name.text, owner),
                     item.name.span,
                     (Related(first.name.span, "the first one"),),
-                    hint="rename one of them, or join them with an operator",
                 )
             )
     root = root if root is not None else next(iter(named), None)
@@ -239,18 +246,12 @@ def _cycles(formulas: Formulas) -> Iterator[Cycle]:
 
 
 def _recursion(formulas: Formulas, cycle: Cycle) -> Diagnostic:
-    chain = " → ".join([*(name for name, _ in cycle), cycle[0][0]])
+    circle = (*(name for name, _ in cycle), cycle[0][0])
     last, place = cycle[-1]
     related = tuple(Related(node.span, f"`{name}` uses `{node.name}` here") for name, node in cycle[:-1]) or (
         Related(formulas.named[last].name.span, f"`{last}` is defined here"),
     )
-    return Diagnostic(
-        "E300",
-        f"a formula cannot contain itself: {chain}",
-        place.span,
-        related,
-        hint="say a repetition with `*`, `+` or `~`",
-    )
+    return Diagnostic(FormulaRecursive(circle), place.span, related)
 
 
 def _unused(formulas: Formulas) -> Iterator[Diagnostic]:
@@ -260,11 +261,9 @@ def _unused(formulas: Formulas) -> Iterator[Diagnostic]:
     for name, item in formulas.named.items():
         if name not in used and name != formulas.root and name not in formulas.taken_over:
             yield Diagnostic(
-                "E302",
-                f"nothing in {formulas.owner} uses the formula `{name}`",
+                FormulaNotUsed(name, formulas.owner),
                 item.name.span,
                 (Related(root.name.span, f"`{formulas.root}` is the formula that the others refine"),),
-                hint="use it in a formula, or remove it",
             )
 
 
@@ -309,20 +308,14 @@ def _empty_loop(formulas: Formulas, loop: Formula) -> Diagnostic:
     if body.operator is Operator.NAME and body.name in formulas.named:
         named = formulas.named[body.name]
         related = (Related(named.formula.span, f"`{body.name}` may be empty"),)
-    hint = "let the body take at least one activity, or give `repeat` a pace: `every 200ms`"
+    simpler = None
     if body.operator.row.skips:
         operand = body.operands[0]
         inside = canonical(operand, QUOTED)
         inside = f"({inside})" if operand.operator in INFIX else inside
         simpler = inside + (Operator.ZERO_OR_MORE if loop.operator.row.leaves else Operator.FOREVER)
-        hint = f"write `{simpler}`" if len(simpler) <= QUOTED else hint
-    return Diagnostic(
-        "E303",
-        f"the body of `{shown(loop)}` may be empty, so that the loop would never settle",
-        loop.span,
-        related,
-        hint=hint,
-    )
+        simpler = simpler if len(simpler) <= QUOTED else None
+    return Diagnostic(LoopMayBeEmpty(shown(loop), simpler), loop.span, related)
 
 
 VERBS = ("enter", "skip", "repeat", "leave", "start", "finish")
@@ -333,12 +326,7 @@ def _verbs(item: tree.NamedFormula) -> Iterator[Diagnostic]:
     places = [(node.name, node.span) for node in names(item.formula)]
     for name, span in [(item.name.text, item.name.span), *places]:
         if name in VERBS:
-            yield Diagnostic(
-                "E202",
-                f"`{name}` is a verb of `control`, which could not name it",
-                span,
-                hint=f"call it `{name.capitalize()}`",
-            )
+            yield Diagnostic(VerbAsName(name), span)
 
 
 def _mixed_operators(formula: Formula) -> Iterator[Diagnostic]:
@@ -352,12 +340,7 @@ def _mixed_operators(formula: Formula) -> Iterator[Diagnostic]:
         )
         mixed = mixed and all(part.operator is not Operator.HOLE for part in (node, *node.operands))
         if mixed and not inside:
-            yield Diagnostic(
-                "W300",
-                f"`{shown(node)}` mixes operators without parentheses",
-                node.span,
-                hint=f"it is read as `{_with_parentheses(node)}`",
-            )
+            yield Diagnostic(OperatorsMixed(shown(node), _with_parentheses(node)), node.span)
         waiting += [(operand, infix and (mixed or inside)) for operand in reversed(node.operands)]
 
 
@@ -376,12 +359,7 @@ def _with_parentheses(formula: Formula) -> str:
 def _too_few_instances(formula: Formula) -> Iterator[Diagnostic]:
     for node in walk(formula):
         if node.operator is Operator.INSTANCES and node.count < 2:
-            yield Diagnostic(
-                "E307",
-                f"`{shown(node)}` asks for {node.count} instance{'' if node.count == 1 else 's'}",
-                node.span,
-                hint="two or more run concurrently; for one, leave the number out",
-            )
+            yield Diagnostic(TooFewInstances(shown(node), node.count), node.span)
 
 
 __all__ = [

@@ -10,18 +10,19 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from aseme_dsl.diagnostics import Diagnostic, Severity
-
-HOLE = "E109"
+from aseme_dsl.diagnostics.problems.syntax.entries import Hole
 
 
 def apart_from_holes(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     """The diagnostics without those of holes."""
-    return tuple(item for item in diagnostics if item.code != HOLE)
+    return tuple(item for item in diagnostics if not isinstance(item.problem, Hole))
 
 
 def as_notes(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
     """The diagnostics for somebody who generates nothing: there a hole is something still to be said."""
-    return tuple(replace(item, level=Severity.NOTE) if item.code == HOLE else item for item in diagnostics)
+    return tuple(
+        replace(item, level=Severity.NOTE) if isinstance(item.problem, Hole) else item for item in diagnostics
+    )
 
 
-__all__ = ["HOLE", "apart_from_holes", "as_notes"]
+__all__ = ["apart_from_holes", "as_notes"]

@@ -15,6 +15,7 @@ from aseme_dsl.amola.operators import is_choice
 from aseme_dsl.amola.statechart import Node, NodeType, Transition
 from aseme_dsl.compiler.formula.terms import Terms
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.control import ReactiveWithoutChoice
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -28,13 +29,8 @@ def choices_in(terms: Terms) -> frozenset[Formula]:
 
 def no_choice(control: tree.Control, reactive: Span, formula: tree.NamedFormula) -> Diagnostic:
     """E425 for a reactive control of a formula without a choice."""
-    return Diagnostic(
-        "E425",
-        f"`{control.name}` has no choice that could be made again",
-        reactive,
-        (Related(formula.formula.span, "its text"),),
-        hint="leave `reactive` out, or write it where the choice is: `A | B`, `[A]` or `A*`",
-    )
+    problem = ReactiveWithoutChoice(control.name.text)
+    return Diagnostic(problem, reactive, (Related(formula.formula.span, "its text"),))
 
 
 def reconsidered(

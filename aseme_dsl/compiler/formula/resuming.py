@@ -8,6 +8,7 @@ from aseme_dsl.amola.liveness import ungrouped
 from aseme_dsl.amola.operators import Operator
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.control import NothingToResume
 from aseme_dsl.grammar.text import tree
 
 RESUME = "resume"
@@ -19,16 +20,7 @@ def check_resuming(line: tree.Way, formulas: Formulas, played: frozenset[str]) -
     term = ungrouped(line.term.formula)
     if term.operator is not Operator.NAME or term.name in formulas.named:
         return
-    if term.name in played:
-        message = f"`{term.name}` is a participant: a conversation that was left cannot be resumed"
-    else:
-        message = f"`{term.name}` is an activity: it starts anew, as by `enter {term.name}`"
-    yield Diagnostic(
-        "W430",
-        message,
-        line.verb.span.to(line.term.span),
-        hint="write `enter`, or resume the formula around it",
-    )
+    yield Diagnostic(NothingToResume(term.name, term.name in played), line.verb.span.to(line.term.span))
 
 
 __all__ = ["RESUME", "check_resuming"]

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from aseme_dsl.amola.statechart import TransitionKind
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.control import ElseOfOn, ErrorOfOn, ExitWaits, NothingDone
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -16,45 +17,18 @@ STAYING: Mapping[str, TransitionKind] = {"on": TransitionKind.ON, "exit": Transi
 def check_staying(line: tree.Way | tree.StandingWay) -> Iterator[Diagnostic]:
     """What an `on` (E422) or `exit` (E424) line cannot wait for; that it does something (E423)."""
     state = (line.term if isinstance(line, tree.Way) else line.state).span.text
-    written, name = line.expression, f"{line.verb} {state}"
+    written = line.expression
     if line.verb.text == "exit":
         if written.events or written.condition is not None or written.when or written.otherwise:
-            yield Diagnostic(
-                "E424",
-                f"`{name}` waits for nothing: it is done whenever `{state}` is left",
-                _before_actions(written),
-                hint=f"write `{name} : / …`; for a condition of leaving, write it on the way out",
-            )
+            yield Diagnostic(ExitWaits(state), _before_actions(written))
     elif written.otherwise:
-        yield Diagnostic(
-            "E422",
-            f"`{name}` has no `else`: nothing is chosen here",
-            _before_actions(written),
-            hint=f"write when it is done: `{name} : when [ … ] / …`",
-        )
+        yield Diagnostic(ElseOfOn(state), _before_actions(written))
     else:
         for event in written.events:
             if isinstance(event, tree.Raised) and event.name.text == "error":
-                yield Diagnostic(
-                    "E422",
-                    f"`{name}` cannot take an `error`: what has failed stays failed until it is left",
-                    event.span,
-                    hint="take it on a way out: " + _WAYS_OUT[type(line)],
-                )
+                yield Diagnostic(ErrorOfOn(state, isinstance(line, tree.StandingWay)), event.span)
     if not written.actions:
-        when = "" if line.verb.text == "exit" else "… "
-        yield Diagnostic(
-            "E423",
-            f"`{name}` does nothing",
-            line.span,
-            hint=f"write what is done: `{name} : {when}/ light = true`",
-        )
-
-
-_WAYS_OUT: Mapping[type, str] = {
-    tree.Way: "`enter …`, `leave …` or `repeat …` with `error`",
-    tree.StandingWay: "`0.2 -> 0.3 : error`",
-}
+        yield Diagnostic(NothingDone(line.verb.text, state), line.span)
 
 
 def _before_actions(written: tree.TransitionExpression) -> Span:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import assert_never
 
@@ -13,11 +13,17 @@ from aseme_dsl.compiler.formula.formulas import QUOTED, VERBS, Formulas, cut
 from aseme_dsl.compiler.formula.resuming import RESUME
 from aseme_dsl.compiler.formula.staying import STAYING
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
+from aseme_dsl.diagnostics.problems.absences import NoOccurrence, NoTerm
+from aseme_dsl.diagnostics.problems.control import (
+    NoLeaveButNext,
+    NoStartButOfFirst,
+    NoStayInWhole,
+    NoWay,
+    NoWayButOfBody,
+    NoWayIntoFormula,
+    TermAmbiguous,
+)
 from aseme_dsl.grammar.text import tree
-
-_LISTED = 8
-"""How many candidates a hint names at most."""
-
 
 Played = Mapping[tuple[str, str], Formulas]
 
@@ -162,27 +168,18 @@ def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, D
             Related(place.span, f"write `{name}#{number}` for this one")
             for number, place in enumerate(places, 1)
         )
-        return None, Diagnostic(
-            "E401",
-            f"`{name}` stands {len(places)} times in `{terms.title}`",
-            written.span,
-            related,
-            hint="say which one: " + listed(f"{name}#{n}" for n in range(1, len(places) + 1)),
-        )
+        return None, Diagnostic(TermAmbiguous(name, terms.title, len(places)), written.span, related)
     if 1 <= written.occurrence <= len(places):
         return places[written.occurrence - 1], None
-    count = "once" if len(places) == 1 else f"{len(places)} times"
+    numbered = tuple(spelling(terms, place) for place in places)
     return None, Diagnostic(
-        "E400",
-        f"there is no `{name}#{written.occurrence}`: the term stands {count} in `{terms.title}`",
+        NoOccurrence(f"{name}#{written.occurrence}", None, numbered, terms.title),
         written.span,
         tuple(Related(place.span, f"`{name}#{n}`") for n, place in enumerate(places, 1)),
-        hint="there " + ("is " if len(places) == 1 else "are ") + listed(_numbered(terms, places)),
     )
 
 
 def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
-    message = f"`{terms.title}` has no term `{_named(ungrouped(written.formula))}`"
     named = terms.formulas.named
     place = Related(named[terms.formula].formula.span, f"the text of `{terms.title}`")
     related: tuple[Related, ...] = (place,)
@@ -194,25 +191,25 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
     short = [place for place in terms.places if len(place) <= QUOTED] if len(key) <= QUOTED else []
     near = closest(key, short)
     inside = next((owner for owner, other in terms.played.items() if _has_term(other, key)), None)
+    problem = NoTerm(
+        _named(ungrouped(written.formula)),
+        None if near is None else _named(terms.places[near][0]),
+        tuple(_named(places[0]) for places in terms.places.values()),
+        terms.title,
+    )
     if elsewhere:
-        name = elsewhere[0]
-        hint = f"it stands in `{name}`: write this line in `control {name} {{ … }}`"
+        problem = problem.but(formula=elsewhere[0])
     elif inside is not None:
         protocol, participant = inside
-        owner = f"{protocol}.{participant}"
-        hint = f"it stands in {owner}, whose control is the protocol's: say it in `aip {protocol}`"
+        problem = problem.but(protocol=protocol, participant=participant)
         process = terms.played[inside].named[terms.played[inside].root]
-        related = (*related, Related(process.span, f"the process of {owner}"))
-    elif near is not None:
-        hint = f"did you mean `{_named(terms.places[near][0])}`?"
-    else:
-        hint = f"its terms are {listed(_named(places[0]) for places in terms.places.values())}"
+        related = (*related, Related(process.span, f"the process of {protocol}.{participant}"))
     fix = None
     if not elsewhere and inside is None and written.occurrence is None and "\n" not in written.span.text:
         fix = surely(key, short)
         if fix is not None and written.formula.operator is Operator.GROUP:
             fix = f"({fix})"  # the parentheses that somebody wrote stay
-    return Diagnostic("E400", message, written.span, related, hint=hint, fix=fix)
+    return Diagnostic(problem, written.span, related, fix)
 
 
 def _has_term(formulas: Formulas, key: str) -> bool:
@@ -234,53 +231,31 @@ def _spelt(term: Formula, key: str) -> bool:
 
 
 def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Term) -> Diagnostic:
-    text = _named(term)
-    has = [name for name in ways(terms, term) if name not in (*STAYING, RESUME)]
+    related = (Related(term.span, f"`{_named(term)}` in `{terms.title}`"),)
+    return Diagnostic(_no_way(terms, term, verb.text), verb.span.to(written.span), related)
+
+
+def _no_way(terms: Terms, term: Formula, verb: str) -> NoWay:
+    text, title = _named(term), terms.title
+    has = tuple(name for name in ways(terms, term) if name not in (*STAYING, RESUME))
     parent = terms.parents[term]
     template = term.operator.row.template
-    if verb.text in STAYING:
-        hint = f"say it where `{terms.title}` stands in another formula, or of the terms of this one"
-    elif (
-        verb.text in ("start", "finish")
-        and term.operator is Operator.NAME
-        and terms.formulas.formula(term.name)
-    ):
-        hint = f"what happens inside `{term.name}` is said in `control {term.name} {{ … }}`"
-    elif verb.text in ("skip", "repeat", "leave") and _inner_has(terms, term, verb.text):
-        inside = _named(ungrouped(term.operands[0]))
-        does = {"skip": "goes past it", "repeat": "repeats it", "leave": "leaves it"}[verb.text]
-        hint = f"its body is `{inside}`: `{verb} {inside}` {does}"
-    elif verb.text == "start" and template in (Template.CHAIN, Template.CUT):
-        hint = f"its START leads to its first term: `enter {_named(ungrouped(term.operands[0]))}`"
-    elif verb.text == "leave" and parent is not None and parent.operator.row.template is Template.CHAIN:
+    if verb in STAYING:
+        return NoStayInWhole(verb, text, title, has)
+    if verb in ("start", "finish") and terms.formulas.formula(term.name) and term.operator is Operator.NAME:
+        return NoWayIntoFormula(verb, text, title, has)
+    if verb in ("skip", "repeat", "leave") and _inner_has(terms, term, verb):
+        return NoWayButOfBody(verb, text, title, has, _named(ungrouped(term.operands[0])))
+    if verb == "start" and template in (Template.CHAIN, Template.CUT):
+        return NoStartButOfFirst(verb, text, title, has, _named(ungrouped(term.operands[0])))
+    if verb == "leave" and parent is not None and parent.operator.row.template is Template.CHAIN:
         index = next(i for i, operand in enumerate(parent.operands) if ungrouped(operand) is term)
-        following = _named(ungrouped(parent.operands[index + 1]))
-        hint = f"what follows `{text}` is `{following}`: `enter {following}`"
-    elif len(has) == 1:
-        hint = f"the only way of `{text}` is `{has[0]} {text}`"
-    elif has:
-        hint = f"the ways of `{text}` are {listed(f'{name} {text}' for name in has)}"
-    else:
-        hint = f"`{text}` is all of `{terms.title}`; the ways are those of its terms"
-    related = (Related(term.span, f"`{text}` in `{terms.title}`"),)
-    message = f"`{text}` has no way `{verb}` in `{terms.title}`"
-    return Diagnostic("E402", message, verb.span.to(written.span), related, hint=hint)
+        return NoLeaveButNext(verb, text, title, has, _named(ungrouped(parent.operands[index + 1])))
+    return NoWay(verb, text, title, has)
 
 
 def _inner_has(terms: Terms, term: Formula, verb: str) -> bool:
     return len(term.operands) == 1 and verb in ways(terms, ungrouped(term.operands[0]))
 
 
-def _numbered(terms: Terms, places: Iterable[Formula]) -> Iterator[str]:
-    return (spelling(terms, place) for place in places)
-
-
-def listed(names: Iterable[str]) -> str:
-    """`A`, `B` and `C`; of many names the first ones."""
-    found = [f"`{name}`" for name in names]
-    if len(found) > _LISTED:
-        return ", ".join(found[:_LISTED]) + f" and {len(found) - _LISTED} more"
-    return " and ".join([", ".join(found[:-1]), found[-1]] if len(found) > 1 else found)
-
-
-__all__ = ["Terms", "listed", "spelling", "terms_of", "way", "ways"]
+__all__ = ["Terms", "spelling", "terms_of", "way", "ways"]

@@ -11,6 +11,7 @@ from aseme_dsl.compiler.names.symbols import ActivityForm
 from aseme_dsl.compiler.read.builtins import reserved
 from aseme_dsl.compiler.read.collector import Collector, type_named
 from aseme_dsl.compiler.read.names import declared_twice
+from aseme_dsl.diagnostics.problems.names import ReservedName
 from aseme_dsl.grammar.text import tree
 
 
@@ -46,11 +47,10 @@ def _parameters(
             collector.wrong.add(item.name.text)
             continue
         if name.text == "context" or name.text == "self" or keyword.iskeyword(name.text):
-            reason = "it would be a name that Python, or the runtime, has for something else"
-            collector.report("E202", f"a parameter cannot be called `{name}`", name.span, reason)
+            collector.report(ReservedName("parameter", name.text, "python"), name.span)
         first = found.setdefault(name.text, Parameter(name.text, kind, name.span))
         if first.span != name.span:
-            collector.diagnostics.append(declared_twice("the parameter", name, first.span))
+            collector.diagnostics.append(declared_twice("parameter", name, first.span))
     return tuple(found.values())
 
 
@@ -66,10 +66,10 @@ def _outcomes(collector: Collector, item: tree.Activity) -> tuple[str, ...]:
     for name in item.ends:
         reason = reserved(name.text)
         if reason is not None:
-            collector.report("E202", f"an outcome cannot be called `{name}`", name.span, reason)
+            collector.report(ReservedName("outcome", name.text, reason), name.span)
         first = found.setdefault(name.text, name)
         if first is not name:
-            collector.diagnostics.append(declared_twice("the outcome", name, first.span))
+            collector.diagnostics.append(declared_twice("outcome", name, first.span))
     return tuple(found)
 
 

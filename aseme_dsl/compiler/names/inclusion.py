@@ -11,6 +11,9 @@ from aseme_dsl.compiler.read.blocks import Blocks
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Diagnostic, Related, Severity
+from aseme_dsl.diagnostics.problems import names as problems
+from aseme_dsl.diagnostics.problems.absences import NoRole
+from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, RoleWithoutFormula
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -93,7 +96,7 @@ def include(
             if other.text in charts:
                 found.append(_is_chart(other, charts[other.text]))
             elif not is_excused(other.text):
-                found.append(unknown("E207", "there is no role", other, srms.keys() - {name}))
+                found.append(unknown(NoRole, other, srms.keys() - {name}))
     for circle in _circles(direct):
         found.append(_circle(circle))
         incomplete.update(name for name, _ in circle)
@@ -104,8 +107,8 @@ def include(
         if not incomplete.isdisjoint(parts):
             incomplete.add(name)
         included[name] = tuple(part for _, part in parts.values())
-        complete[name], problems = _taken_over(item, tuple(parts.values()))
-        found += problems
+        complete[name], twice = _taken_over(item, tuple(parts.values()))
+        found += twice
     used = {part.name.text for parts in included.values() for part in parts}
     abstract = tuple(item for item in srms.values() if item.abstract)
     unused = tuple(complete[item.name.text] for item in abstract if item.name.text not in used)
@@ -182,7 +185,7 @@ def _taken_over(
     replaced: set[str] = set()
     """The formulas that stand twice: their control then does, too, which is not said again."""
 
-    def joined(kind: str, what: str) -> tuple[_T, ...]:
+    def joined(kind: str, what: problems.Part) -> tuple[_T, ...]:
         """What all have of a kind; of two of one name the first counts (E223), unless they say the same."""
         own: tuple[_T, ...] = getattr(item, kind)
         items = list(own)
@@ -200,15 +203,15 @@ def _taken_over(
 
     complete = replace(
         item,
-        plays=joined("plays", "the participant"),
-        capabilities=joined("capabilities", "the capability"),
-        variables=joined("variables", "the variable"),
-        lets=joined("lets", "the let"),
-        formulas=joined("formulas", "the formula"),
+        plays=joined("plays", "participant"),
+        capabilities=joined("capabilities", "capability"),
+        variables=joined("variables", "variable"),
+        lets=joined("lets", "let"),
+        formulas=joined("formulas", "formula"),
         activities=item.activities + tuple(one for _, part in parts for one in part.activities),
-        modules=joined("modules", "the module"),
-        functionalities=joined("functionalities", "the functionality"),
-        controls=joined("controls", "the control of"),
+        modules=joined("modules", "module"),
+        functionalities=joined("functionalities", "functionality"),
+        controls=joined("controls", "control"),
     )
     return complete, tuple(found)
 
@@ -252,18 +255,13 @@ def _span_of(one: object) -> Span:
 
 
 def _twice(
-    item: tree.Srm, what: str, other: tree.Name, part: tree.Srm, first: object, second: object
+    item: tree.Srm, kind: problems.Part, other: tree.Name, part: tree.Srm, first: object, second: object
 ) -> Diagnostic:
-    owner = "its own text" if _holds(item.span, _span_of(first)) else "another one"
-    hint = "what a role includes cannot be replaced: give one of them another name"
-    if isinstance(first, tree.NamedFormula):
-        hint = f"leave the formula out in `{part.name}`: then it is open there; or rename one of them"
+    is_own = _holds(item.span, _span_of(first))
     return Diagnostic(
-        "E223",
-        f"`{item.name}` has {what} `{_shown(second)}` from `{part.name}` and from {owner}",
+        problems.IncludedTwice(item.name.text, kind, _shown(second), part.name.text, is_own),
         other.span,
         (Related(_span_of(first), "the one"), Related(_span_of(second), "the other")),
-        hint=hint,
     )
 
 
@@ -281,13 +279,8 @@ def _holds(outer: Span, inner: Span) -> bool:
 
 
 def _is_chart(other: tree.Name, chart: tree.Statechart) -> Diagnostic:
-    return Diagnostic(
-        "E221",
-        f"`{other}` is a statechart, and only an `srm` can be included",
-        other.span,
-        (Related(chart.name.span, "the statechart"),),
-        hint="what is to be shared is said by formulas in an `srm`",
-    )
+    related = (Related(chart.name.span, "the statechart"),)
+    return Diagnostic(problems.ChartIncluded(other.text), other.span, related)
 
 
 _Direct = Mapping[str, Sequence[tuple[tree.Name, tree.Srm]]]
@@ -324,24 +317,13 @@ def _circles(direct: _Direct) -> Iterator[list[tuple[str, tree.Name]]]:
 
 
 def _circle(circle: Sequence[tuple[str, tree.Name]]) -> Diagnostic:
-    chain = " → ".join([*(name for name, _ in circle), circle[0][0]])
+    path = (*(name for name, _ in circle), circle[0][0])
     related = tuple(Related(place.span, f"`{name}` includes `{place}`") for name, place in circle[:-1])
-    return Diagnostic(
-        "E222",
-        f"a role cannot include itself: {chain}",
-        circle[-1][1].span,
-        related,
-        hint="put what both need into a third role, `abstract srm …`, and let both include that",
-    )
+    return Diagnostic(problems.RoleInItself(path), circle[-1][1].span, related)
 
 
 def _nobody_includes(item: tree.Srm) -> Diagnostic:
-    return Diagnostic(
-        "W550",
-        f"no role includes the abstract role `{item.name}`",
-        item.name.span,
-        hint=f"write `includes {item.name}` in a role, or leave `abstract` out",
-    )
+    return Diagnostic(problems.AbstractRoleUnused(item.name.text), item.name.span)
 
 
 def _once_by_pair(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
@@ -349,7 +331,8 @@ def _once_by_pair(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     seen: set[object] = set()
     kept: list[Diagnostic] = []
     for item in found:
-        key = (item.code, tuple(place.span for place in item.related)) if item.code == "E223" else item
+        is_twice = isinstance(item.problem, problems.IncludedTwice)
+        key = tuple(place.span for place in item.related) if is_twice else item
         if key not in seen:
             seen.add(key)
             kept.append(item)
@@ -358,11 +341,8 @@ def _once_by_pair(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
 
 def errors_alone(found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
     """What is wrong with a role for itself, though others shall complete it."""
-    return (item for item in found if item.severity is Severity.ERROR and item.code not in _INCOMPLETE)
-
-
-_INCOMPLETE = frozenset(("E302", "E305"))
-"""What may be left to the role that includes it: to use a formula, and to have one at all."""
+    left = (FormulaNotUsed, RoleWithoutFormula)  # to the role that includes it
+    return (item for item in found if item.severity is Severity.ERROR and not isinstance(item.problem, left))
 
 
 __all__ = ["Inclusion", "complete", "errors_alone", "include", "includers"]

@@ -12,6 +12,8 @@ from aseme_dsl.compiler.read.builtins import reserved
 from aseme_dsl.compiler.read.collector import Collector, type_named
 from aseme_dsl.compiler.read.names import declared_twice
 from aseme_dsl.diagnostics import Related
+from aseme_dsl.diagnostics.problems import names as problems
+from aseme_dsl.diagnostics.problems.files import TwoProtoFiles
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -36,13 +38,8 @@ def imported_types(
         for file in one.files:
             other, first = known.setdefault(file.name, (file, one))
             if other.descriptor != file.descriptor:
-                collector.report(
-                    "E007",
-                    f"two different files are called {file.name} by those that import them",
-                    one.at,
-                    None,
-                    Related(first.at, "the other one comes with this import"),
-                )
+                related = Related(first.at, "the other one comes with this import")
+                collector.report(TwoProtoFiles(file.name), one.at, related)
     own = {item.name.text for item in collector.every(tree.Enum)}
     own |= {item.name.text for item in collector.every(tree.Message)}
     enum_types, message_types, files = join(protos, own)
@@ -51,30 +48,29 @@ def imported_types(
     return enum_types, message_types, files
 
 
-def _declare_type(collector: Collector, what: str, name: tree.Name) -> bool:
+def _declare_type(collector: Collector, kind: str, name: tree.Name) -> bool:
     """Enter the name of an enum or message; whether it is the first of that name."""
     reason = _refusal(name.text, taken_as_type)
     if reason is not None:
-        collector.report("E202", f"{what} cannot be called `{name.text}`", name.span, reason)
+        collector.report(problems.ReservedName(kind, name.text, reason), name.span)
         collector.wrong.add(name.text)
     if name.text in collector.types:
-        collector.diagnostics.append(declared_twice("the type", name, collector.types[name.text]))
+        collector.diagnostics.append(declared_twice("type", name, collector.types[name.text]))
         return False
     collector.types[name.text] = name.span
     return True
 
 
-def _refusal(name: str, taken: Callable[[str], bool]) -> str | None:
+def _refusal(name: str, taken: Callable[[str], bool]) -> problems.Reserved | None:
     """Why neither the language nor the generated Python, where it would be `taken`, can have `name`."""
-    other = f"`{name}` means something else in the generated Python" if taken(name) else None
-    return reserved(name) or other
+    return reserved(name) or ("generated" if taken(name) else None)
 
 
 def enums(collector: Collector) -> tuple[EnumType, ...]:
     """The enums of the document, with their constants' numbers."""
     found = []
     for item in collector.every(tree.Enum):
-        if _declare_type(collector, "an enum", item.name):
+        if _declare_type(collector, "enum", item.name):
             found.append(EnumType(item.name.text, _constants(collector, item), item.name.span))
     return tuple(found)
 
@@ -82,8 +78,7 @@ def enums(collector: Collector) -> tuple[EnumType, ...]:
 def _constants(collector: Collector, enum: tree.Enum) -> tuple[tuple[str, int], ...]:
     """The constants with their numbers: each one more than the one before it, from 0, unless it is given."""
     if not enum.constants:
-        hint = f"list them in the braces: enum {enum.name} {{ FIRST SECOND }}"
-        collector.report("E216", f"`{enum.name}` has no constants", enum.name.span, hint)
+        collector.report(problems.NoConstants(enum.name.text), enum.name.span)
     found: list[tuple[str, int]] = []
     names: dict[str, Span] = {}
     shapes: dict[str, tree.Name] = {}
@@ -94,37 +89,22 @@ def _constants(collector: Collector, enum: tree.Enum) -> tuple[tuple[str, int], 
             number = found[-1][1] + 1 if found else 0
         reason = _refusal(name.text, taken_as_constant)
         if reason is not None:
-            collector.report("E202", f"a constant cannot be called `{name.text}`", name.span, reason)
+            collector.report(problems.ReservedName("constant", name.text, reason), name.span)
         if name.text in names:
-            collector.diagnostics.append(declared_twice("the constant", name, names[name.text]))
+            collector.diagnostics.append(declared_twice("constant", name, names[name.text]))
             continue
         names[name.text] = name.span
         other = shapes.setdefault(_enum_shape(name.text), name)
         if other is not name:
-            collector.report(
-                "E201",
-                f"`{name}` and `{other}` are the same constant to Protocol Buffers",
-                name.span,
-                "it ignores case and underscores",
-                Related(other.span, "the other one"),
-            )
+            same = problems.SameConstant(name.text, other.text)
+            collector.report(same, name.span, Related(other.span, "the other one"))
         if not found and number != 0:
-            collector.report(
-                "E210",
-                f"the first constant of an enum has the number 0, not {number}",
-                name.span,
-                "it is the value of a message that says nothing",
-            )
+            collector.report(problems.FirstConstantNotZero(number), name.span)
         if not -LARGEST_ENUM_NUMBER - 1 <= number <= LARGEST_ENUM_NUMBER:
-            collector.report("E210", f"the number {number} is out of range", item.span)
+            collector.report(problems.ConstantOutOfRange(number), item.span)
         elif number in numbers:
-            collector.report(
-                "E210",
-                f"`{name}` has the number {number}, as `{numbers[number]}` has",
-                item.span,
-                "give it a number of its own, or leave the numbers out",
-                Related(numbers[number].span, "used here"),
-            )
+            twice = problems.NumberTwice("constant", name.text, number, numbers[number].text)
+            collector.report(twice, item.span, Related(numbers[number].span, "used here"))
         numbers.setdefault(number, name)
         found.append((name.text, number))
     return tuple(found)
@@ -140,7 +120,7 @@ def messages(
 ) -> tuple[Message, ...]:
     """The messages of the document, with their fields' types and numbers."""
     declared = [
-        item for item in collector.every(tree.Message) if _declare_type(collector, "a message", item.name)
+        item for item in collector.every(tree.Message) if _declare_type(collector, "message", item.name)
     ]
     # Fields may name messages that come later: all names first, then the fields.
     names = {item.name.text for item in declared} | {item.name for item in imported}
@@ -173,18 +153,13 @@ def _fields(
         _check_member_name(collector, name, enum_names, messages)
         number = next(free) if item.number is None else _checked_number(collector, item, numbers)
         if name.text in names:
-            collector.diagnostics.append(declared_twice("the field", name, names[name.text]))
+            collector.diagnostics.append(declared_twice("field", name, names[name.text]))
             continue
         names[name.text] = name.span
         other = shapes.setdefault(_json_name(name.text), name)
         if other is not name:
-            collector.report(
-                "E201",
-                f"`{name}` and `{other}` are the same field to Protocol Buffers",
-                name.span,
-                f"both are `{_json_name(name.text)}` in its JSON",
-                Related(other.span, "the other one"),
-            )
+            same = problems.SameField(name.text, other.text, _json_name(name.text))
+            collector.report(same, name.span, Related(other.span, "the other one"))
         if kind is not None:
             found.append(Field(name.text, kind, number, item.label, name.span))
     return tuple(found)
@@ -195,30 +170,19 @@ def _check_member_name(
 ) -> None:
     reason = _refusal(name.text, taken_as_member)
     if reason is None and (name.text in messages or name.text in enum_names):
-        reason = f"`{name.text}` is a type"
+        reason = "type"
     if reason is not None:
-        hint = f"{reason}; `{name.text.lower()}_` is free" if name.text.lower() == name.text else reason
-        collector.report("E202", f"a field cannot be called `{name.text}`", name.span, hint)
+        collector.report(problems.ReservedName("field", name.text, reason), name.span)
 
 
 def _checked_number(collector: Collector, item: tree.Field, numbers: dict[int, tree.Name]) -> int:
     number = item.number
     assert number is not None
     if not 1 <= number <= LARGEST_NUMBER or number in RESERVED_NUMBERS:
-        collector.report(
-            "E210",
-            f"the field number {number} is out of range",
-            item.span,
-            f"1 to {LARGEST_NUMBER}, but for 19000 to 19999, which Protocol Buffers keeps for itself",
-        )
+        collector.report(problems.FieldOutOfRange(number, LARGEST_NUMBER), item.span)
     elif number in numbers:
-        collector.report(
-            "E210",
-            f"the field `{item.name}` has the number {number}, as `{numbers[number]}` has",
-            item.span,
-            "give it a number of its own, or leave the numbers out",
-            Related(numbers[number].span, "used here"),
-        )
+        twice = problems.NumberTwice("field", item.name.text, number, numbers[number].text)
+        collector.report(twice, item.span, Related(numbers[number].span, "used here"))
     numbers.setdefault(number, item.name)
     return number
 
@@ -256,15 +220,9 @@ def _check_containment(collector: Collector, messages: list[Message]) -> None:
 def _report_circle(
     collector: Collector, chain: list[tuple[Message, Iterator[Field], Field | None]], closing: Field
 ) -> None:
-    path = " → ".join([*(entry[0].name for entry in chain), chain[0][0].name])
+    path = (*(entry[0].name for entry in chain), chain[0][0].name)
     related = tuple(
         Related(entry[2].span, "through this field") for entry in chain[1:] if entry[2] is not None
     )
-    collector.report(
-        "E209",
-        f"the message `{chain[0][0].name}` contains itself: {path}",
-        closing.span,
-        "make the field `optional` or `repeated`",
-        *related,
-    )
+    collector.report(problems.MessageInItself(path), closing.span, *related)
     collector.wrong.update(entry[0].name for entry in chain)

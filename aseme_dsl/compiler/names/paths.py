@@ -12,12 +12,30 @@ from dataclasses import replace
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Index, Member, Named, ParameterValue, Value, VariableValue
 from aseme_dsl.amola.messages import Channel, Comm, EnumType, Kind, Message, Topic, Type, list_of
-from aseme_dsl.compiler.names.checker import Checker, a
-from aseme_dsl.compiler.names.scope import Taken, TypedLet
+from aseme_dsl.compiler.names.checker import Checker
+from aseme_dsl.compiler.names.scope import Scope, Taken, TypedLet
 from aseme_dsl.compiler.read.builtins import COMM_TYPES, PERFORMATIVES
 from aseme_dsl.compiler.read.library import providers
-from aseme_dsl.compiler.read.names import listed, unknown
+from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Related, closest, surely
+from aseme_dsl.diagnostics.problems.absences import NoCommunicationClass
+from aseme_dsl.diagnostics.problems.expressions import paths as problems
+from aseme_dsl.diagnostics.problems.expressions.absences import (
+    Meant,
+    MemberlessKind,
+    NoAgent,
+    NoBeginning,
+    NoConstant,
+    NoHost,
+    NoMember,
+    NoMembers,
+    NoMessageOfTopic,
+    NotAValue,
+    NotCarried,
+    NoTopicOfPath,
+    NoVariableOrLet,
+)
+from aseme_dsl.diagnostics.problems.talk import MessageHasAName, NotTaken
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -63,7 +81,7 @@ def _parameter(checker: Checker, path: tree.Path) -> Value | None:
         return None
     if len(path.segments) == 1:
         return ParameterValue(name, kind, path.span)
-    checker.report("E501", f"the parameter `{name}` is used as a whole", path.segments[1].span)
+    checker.report(problems.WholeParameter(name), path.segments[1].span)
     return None
 
 
@@ -71,9 +89,9 @@ def _is_meant_for(checker: Checker, first: tree.Name, taken: Taken) -> bool:
     """Whether a participant or a type is written where what the transition takes is meant; told if so."""
     if first.text not in checker.scope.parties and (first.text != taken.message or not taken.message):
         return False
-    what = "a participant" if first.text in checker.scope.parties else "a type"
     called = taken.name or f"{taken.performative}.{taken.message}"
-    checker.report("E502", f"`{first}` is {what}", first.span, f"the message that is taken is `{called}`")
+    is_participant = first.text in checker.scope.parties
+    checker.report(problems.NotTheMessage(first.text, is_participant, called), first.span)
     return True
 
 
@@ -82,8 +100,7 @@ def _of_taken(checker: Checker, path: tree.Path, taken: Taken) -> Value | None:
     if not taken.lost:
         return _bound(checker, path, taken.name, taken.message, path.segments[1:])
     if len(path.segments) > 1:
-        problem = f"`{taken.name}` is an agent: it has no members"
-        checker.report("E501", problem, path.segments[1].span)
+        _no_members(checker, path.segments[1], "", taken.name, "agent")
         return None
     return amola.Sender(taken.name, path.span, lost=True)
 
@@ -101,7 +118,6 @@ def _by_performative(checker: Checker, path: tree.Path) -> Value | None:
     """`propose.Bid.cost`: the one agent message that the transition takes (E533)."""
     taken = checker.scope.taken
     first, message = path.segments[:2]
-    said = f"{first} {message}"
     if (
         taken is not None
         and not taken.lost
@@ -113,18 +129,15 @@ def _by_performative(checker: Checker, path: tree.Path) -> Value | None:
     ):
         if not taken.name:
             return _bound(checker, path, f"{first}.{message}", message.text, path.segments[2:])
-        members = "".join(f".{item}" for item in path.segments[2:])
-        hint = f"write `{taken.name}{members}`"
-        checker.report("E533", f"the message is called `{taken.name}` here", path.span, hint)
+        members = tuple(item.text for item in path.segments[2:])
+        checker.report(MessageHasAName(taken.name, members), path.span)
         return None
     if taken is not None and any(
         taken.span.start <= item.span.start < taken.span.end for item in checker.diagnostics if item.span
     ):
         return None  # what is wrong with the event is said there
-    hint = f"only the line that takes it knows it, `{said} from …`: keep what is needed in a variable there"
-    if taken is None and not checker.scope.parties:
-        hint = "agent messages are known in the `control` of a participant of an `aip`"
-    checker.report("E533", f"no `{said}` is taken here", path.span, hint)
+    in_protocol = taken is not None or bool(checker.scope.parties)
+    checker.report(NotTaken(first.text, message.text, in_protocol), path.span)
     return None
 
 
@@ -133,12 +146,8 @@ def _variable(checker: Checker, path: tree.Path) -> Value | None:
     key, kind = checker.scope.variables[name]
     if len(path.segments) == 1:
         return VariableValue(key, kind, path.span)
-    hint = None
-    if checker.scope.symbols.topic(name) is not None:
-        hint = f"the variable hides the topic `{name}`: call it something else"
-    checker.report(
-        "E501", f"the variable `{name}` is {a(kind)}: it has no members", path.segments[1].span, hint
-    )
+    hides = checker.scope.symbols.topic(name) is not None
+    _no_members(checker, path.segments[1], "variable", name, str(kind), hides)
     return None
 
 
@@ -153,12 +162,9 @@ def _let(checker: Checker, path: tree.Path, let: TypedLet) -> Value | None:
     if isinstance(message, amola.Element) and message.type.kind is Kind.MESSAGE:
         found = member_path(checker, message.type, message.path, path.segments[1:])
         return None if found is None else replace(message, path=found[0], type=found[1], span=path.span)
-    checker.report(
-        "E501",
-        f"the let `{let.name}` is {a(let.value.type)}: it has no members",
-        path.segments[1].span,
-        related=(Related(let.span, "declared here"),),
-    )
+    member = path.segments[1]
+    problem = NoMembers(member.text, None, (), "let", let.name, str(let.value.type))
+    checker.report(problem, member.span, (Related(let.span, "declared here"),))
     return None
 
 
@@ -172,24 +178,20 @@ def unnamed(value: Value) -> Value:
 def _constant(checker: Checker, path: tree.Path, enum: EnumType) -> Value | None:
     names = [name for name, _ in enum.constants]
     if len(path.segments) == 1:
-        hint = f"write `{enum.name}.{names[0]}`, say" if names else None
-        checker.report("E508", f"`{enum.name}` is an enum, not one of its constants", path.span, hint)
+        checker.report(problems.EnumAsValue(enum.name, names[0] if names else None), path.span)
         return None
     constant = path.segments[1]
     number = enum.number(constant.text)
     if number is None:
         symbols = checker.scope.symbols
         if enum.name not in symbols.wrong:
-            owners = [
+            namesakes = tuple(
                 f"{item.name}.{constant}" for item in symbols.enums if item.number(constant.text) is not None
-            ]
-            certain = f"it is one of another enum: {listed(owners, 'or')}" if owners else None
-            checker.diagnostics.append(
-                unknown("E508", f"`{enum.name}` has no constant", constant, names, certain=certain)
             )
+            checker.diagnostics.append(unknown(NoConstant, constant, names, enum.name, namesakes))
         return None
     if len(path.segments) > 2:
-        checker.report("E501", "a constant has no members", path.segments[2].span)
+        _no_members(checker, path.segments[2], "constant", f"{enum.name}.{constant}")
         return None
     return amola.EnumConstant(constant.text, number, Type(Kind.ENUM, enum.name), path.span)
 
@@ -199,44 +201,36 @@ def _unknown_word(checker: Checker, name: tree.Name) -> None:
     scope, symbols = checker.scope, checker.scope.symbols
     if symbols.is_excused(name.text):
         return
-    hint = fix = None
-    owners = [enum.name for enum in symbols.enums if enum.number(name.text) is not None]
-    if owners:
-        fix = f"{owners[0]}.{name}" if len(owners) == 1 else None
-        hint = "a constant is written with its enum: " + listed((f"{item}.{name}" for item in owners), "or")
-    elif any(name.text in party.variables for party in scope.parties.values()):
-        theirs = [party.name for party in scope.parties.values() if name.text in party.variables]
-        hint = f"it is a variable of {listed(theirs)}: each participant sees its own"
-    elif name.text in scope.parties:
-        hint = "it is a participant; one agent of it is the `sender(…)` of a message that it has sent"
-    elif name.text in NOTHING:
-        hint = "write `!has(topic.state.Message)` to ask whether a message is not there"
-    elif symbols.topic(name.text) is not None:
-        hint = f"it is a topic: `{name}.state.Message.member` reads from it"
-    elif symbols.message(name.text) is not None:
-        hint = _where(symbols.channels_of(name.text))
-    elif symbols.overloads(name.text):
-        hint = f"it is a function: `{name}(…)` calls it"
-    if hint is not None:
-        checker.report("E200", f"there is no variable or let `{name}`", name.span, hint, fix=fix)
-        return
     pool = (*scope.parameters, *scope.variables, *scope.lets, *(enum.name for enum in symbols.enums), INDEX)
-    checker.diagnostics.append(
-        unknown(
-            "E200",
-            "there is no variable or let",
-            name,
-            pool,
-            "declare it",
-            certain=providers(name.text, "let", "enum"),
+    meant, places = _meant(scope, name)
+    if meant is None:
+        checker.diagnostics.append(
+            unknown(NoVariableOrLet, name, pool, libraries=providers(name.text, "let", "enum"))
         )
-    )
+        return
+    problem = NotAValue(name.text, None, pool, meant=meant, places=places)
+    fix = places[0] if meant == "constant" and len(places) == 1 else None
+    checker.report(problem, name.span, fix=fix)
 
 
-def _where(channels: tuple[Channel, ...]) -> str:
-    if not channels:
-        return "no topic carries this message"
-    return "the message is on " + listed((str(channel) for channel in channels), "and")
+def _meant(scope: Scope, name: tree.Name) -> tuple[Meant | None, tuple[str, ...]]:
+    """What else is called so, and where it is."""
+    symbols = scope.symbols
+    constants = [f"{item.name}.{name}" for item in symbols.enums if item.number(name.text) is not None]
+    if constants:
+        return "constant", tuple(constants)
+    owners = [party.name for party in scope.parties.values() if name.text in party.variables]
+    if owners:
+        return "variable", tuple(owners)
+    if name.text in scope.parties:
+        return "participant", ()
+    if name.text in NOTHING:
+        return "nothing", ()
+    if symbols.topic(name.text) is not None:
+        return "topic", ()
+    if symbols.message(name.text) is not None:
+        return "message", tuple(map(str, symbols.channels_of(name.text)))
+    return ("function" if symbols.overloads(name.text) else None), ()
 
 
 # ---- messages on topics ------------------------------------------------------------------------
@@ -281,14 +275,13 @@ def channel_of(checker: Checker, path: tree.Path) -> tuple[str | None, Channel, 
 
 
 def _is_host(checker: Checker, host: tree.Name) -> bool:
-    agents = checker.scope.symbols.agents
-    if not agents or host.text in agents:
+    symbols = checker.scope.symbols
+    hosts = symbols.hosts
+    if hosts is None or host.text in hosts:
         return True
-    if not checker.scope.symbols.is_excused(host.text):
-        hint = "a variable is `host.topic.class.Message.member`, and hosts are the agents of the team"
-        if host.text in checker.scope.parties:
-            hint = "it is a participant; hosts are the agents of the team"
-        checker.diagnostics.append(unknown("E513", "there is no agent", host, agents, hint))
+    if not symbols.is_excused(host.text):
+        is_participant = host.text in checker.scope.parties
+        checker.diagnostics.append(unknown(NoHost, host, hosts, is_participant, bool(symbols.teams)))
     return False
 
 
@@ -297,10 +290,8 @@ def _topic(checker: Checker, name: tree.Name, message: tree.Name | None = None) 
     topic = symbols.topic(name.text)
     if topic is None and not symbols.is_excused(name.text):
         pool = [item.name for item in symbols.topics]
-        certain = providers(name.text, "topic", carrying=message.text if message is not None else None)
-        checker.diagnostics.append(
-            unknown("E502", "there is no topic", name, pool, "declare it", certain=certain)
-        )
+        libraries = providers(name.text, "topic", carrying=message.text if message is not None else None)
+        checker.diagnostics.append(unknown(NoTopicOfPath, name, pool, libraries=libraries))
     return topic
 
 
@@ -317,7 +308,7 @@ def _no_class(checker: Checker, path: tree.Path) -> None:
         _wrong_class(checker, first, segments[1])
         return
     on_host = len(segments) > 1 and symbols.topic(segments[1].text) is not None
-    if on_host and (first.text in symbols.agents or not symbols.agents):
+    if on_host and (symbols.hosts is None or first.text in symbols.hosts):
         topic = symbols.topic(segments[1].text)
         if len(segments) == 2 and topic is not None:
             _no_message(checker, path, topic, [f"{first}.{item.channel}" for item in topic.channels])
@@ -327,57 +318,38 @@ def _no_class(checker: Checker, path: tree.Path) -> None:
     if symbols.is_excused(first.text) or symbols.is_excused(segments[1].text):
         return
     if symbols.message(first.text) is not None:
-        owners = [
+        constants = tuple(
             f"{enum.name}.{segments[1]}"
             for enum in symbols.enums
             if enum.number(segments[1].text) is not None
-        ]
-        if len(segments) == 2 and owners:
-            hint = f"did you mean {listed(owners, 'or')}?"
-            checker.report("E502", f"`{first}` is a message, not an enum", first.span, hint)
-            return
-        channels = symbols.channels_of(first.text)
-        fix = f"{channels[0]}" if len(channels) == 1 else None
-        checker.report(
-            "E502",
-            f"`{first}` is a message: a topic and a class come before it",
-            first.span,
-            _where(channels),
-            (),
-            fix,
         )
+        if len(segments) == 2 and constants:
+            checker.report(problems.MessageAsEnum(first.text, constants), first.span)
+            return
+        channels = tuple(map(str, symbols.channels_of(first.text)))
+        fix = channels[0] if len(channels) == 1 else None
+        checker.report(problems.MessageWithoutTopic(first.text, channels), first.span, fix=fix)
         return
     pool = [*checker.scope.variables, *checker.scope.lets]
     pool += [enum.name for enum in symbols.enums] + [topic.name for topic in symbols.topics]
     if on_host:
-        checker.diagnostics.append(unknown("E513", "there is no agent", first, symbols.agents))
+        checker.diagnostics.append(unknown(NoAgent, first, symbols.hosts or ()))
         return
+    libraries = providers(first.text, "topic", "let", "enum")
     checker.diagnostics.append(
-        unknown(
-            "E502",
-            "there is no topic, variable, let or enum",
-            first,
-            pool,
-            "a message is read as `topic.state.Message.member`",
-            certain=_taken_elsewhere(checker, first) or providers(first.text, "topic", "let", "enum"),
-        )
+        unknown(NoBeginning, first, pool, _is_bound(checker, first), libraries=libraries)
     )
 
 
-def _taken_elsewhere(checker: Checker, name: tree.Name) -> str | None:
-    """What to do about `q.n` where another line has `propose Bid q from contractor`."""
+def _is_bound(checker: Checker, name: tree.Name) -> bool:
+    """Whether `q` of `q.n` is known to another line, such as `propose Bid q from contractor`."""
     text = name.span.source.text
-    if not checker.scope.parties or not re.search(rf"\w\s+\w+\s+{name}\s+from\s+\w", text):
-        return None
-    return f"`{name}` is known only in the line that takes the message: keep what is needed in a variable"
+    return bool(checker.scope.parties) and re.search(rf"\w\s+\w+\s+{name}\s+from\s+\w", text) is not None
 
 
 def _no_message(checker: Checker, path: tree.Path, topic: Topic, carried: list[str]) -> None:
     """A path that ends before its message."""
-    hint = f"`{topic.name}` carries nothing of the kind"
-    if carried:
-        hint = ("there is " if len(carried) == 1 else "there are ") + listed(carried)
-    checker.report("E502", f"`{path.text}` names no message", path.span, hint)
+    checker.report(problems.PathWithoutMessage(path.text, topic.name, tuple(carried)), path.span)
 
 
 def _wrong_class(checker: Checker, topic: tree.Name, comm: tree.Name) -> None:
@@ -389,9 +361,8 @@ def _wrong_class(checker: Checker, topic: tree.Name, comm: tree.Name) -> None:
     channels = [item.channel for item in found.channels]
     fits = [channel for channel in channels if channel.message == comm.text]
     if fits:
-        hint = "write " + listed((str(channel) for channel in fits), "or")
         fix = f"{fits[0].comm}.{comm}" if len(fits) == 1 else None
-        checker.report("E503", "the communication class is missing", comm.span, hint, fix=fix)
+        checker.report(problems.ClassMissing(tuple(map(str, fits))), comm.span, fix=fix)
         return
     paths = [
         f"{channel}.{comm}"
@@ -400,19 +371,12 @@ def _wrong_class(checker: Checker, topic: tree.Name, comm: tree.Name) -> None:
         and any(member.name == comm.text for member in message.fields)
     ]
     if len(paths) == 1:
-        problem = "the communication class and the message are missing"
         fix = paths[0].partition(".")[2]
-        checker.report("E503", problem, comm.span, f"write `{paths[0]}`", fix=fix)
+        checker.report(problems.ClassAndMessageMissing(paths[0]), comm.span, fix=fix)
         return
     near = closest(comm.text, COMM_TYPES)
-    hint = f"did you mean `{near}`?" if near else "there are `signal`, `state` and `data`"
-    checker.report(
-        "E503",
-        f"there is no communication class `{comm}`",
-        comm.span,
-        hint,
-        fix=surely(comm.text, COMM_TYPES),
-    )
+    no_class = NoCommunicationClass(comm.text, near, ("signal", "state", "data"))
+    checker.report(no_class, comm.span, fix=surely(comm.text, COMM_TYPES))
 
 
 def _no_channel(checker: Checker, topic: Topic, comm: tree.Name, message: tree.Name) -> None:
@@ -420,35 +384,23 @@ def _no_channel(checker: Checker, topic: Topic, comm: tree.Name, message: tree.N
     symbols = checker.scope.symbols
     others = [item for item in topic.channels if item.channel.message == message.text]
     if others:
-        classes = listed((item.channel.comm for item in others), "and")
-        checker.report(
-            "E503",
-            f"`{message}` is on `{topic.name}` as {classes}, not as `{comm}`",
-            comm.span,
-            f"write {listed((str(item.channel) for item in others), 'or')}",
-            tuple(Related(item.span, "declared here") for item in others),
-            str(others[0].channel.comm) if len(others) == 1 else None,
-        )
+        classes = tuple(str(item.channel.comm) for item in others)
+        channels = tuple(str(item.channel) for item in others)
+        related = tuple(Related(item.span, "declared here") for item in others)
+        other_class = problems.OtherClass(message.text, topic.name, comm.text, classes, channels)
+        checker.report(other_class, comm.span, related, classes[0] if len(classes) == 1 else None)
         return
     if symbols.is_excused(message.text):
         return
     if symbols.message(message.text) is not None:
-        channels = symbols.channels_of(message.text)
-        related = (Related(topic.span, "the topic"),)
-        problem = f"the topic `{topic.name}` does not carry `{message}`"
-        checker.report("E502", problem, message.span, _where(channels), related)
+        channels = tuple(map(str, symbols.channels_of(message.text)))
+        problem = NotCarried(message.text, None, channels, topic.name)
+        checker.report(problem, message.span, (Related(topic.span, "the topic"),))
         return
     pool = [item.channel.message for item in topic.channels if item.channel.comm == comm.text]
     pool = pool or [item.channel.message for item in topic.channels]
-    checker.diagnostics.append(
-        unknown(
-            "E502",
-            f"the topic `{topic.name}` carries no message",
-            message,
-            pool,
-            certain=providers(message.text, "message"),
-        )
-    )
+    libraries = providers(message.text, "message")
+    checker.diagnostics.append(unknown(NoMessageOfTopic, message, pool, topic.name, libraries=libraries))
 
 
 def _members(checker: Checker, start: Member, names: tuple[tree.Name, ...], span: Span) -> Member | None:
@@ -466,14 +418,11 @@ def member_path(
     for name in names:
         owner = symbols.message(kind.name) if kind.kind is Kind.MESSAGE else None
         if kind.kind is Kind.LIST:
-            one = f"{path[-1]}[0].{name}" if path else f"[0].{name}"
-            hint = f"take one of its elements: `{one}` for the first"
-            checker.report("E501", f"`{'.'.join(path)}` is a list: it has no members", name.span, hint)
+            _no_members(checker, name, "list", ".".join(path))
             return None
         if owner is None:
             if kind.name not in symbols.wrong:
-                where = ".".join(path)
-                checker.report("E501", f"`{where}` is {a(kind)}: it has no members", name.span)
+                _no_members(checker, name, "", ".".join(path), str(kind))
             return None
         field = owner.field(name.text)
         if field is None:
@@ -488,9 +437,14 @@ def _no_member(checker: Checker, owner: Message, name: tree.Name) -> None:
     symbols = checker.scope.symbols
     if owner.name in symbols.wrong:
         return
-    checker.diagnostics.append(
-        unknown("E501", f"`{owner.name}` has no member", name, [field.name for field in owner.fields])
-    )
+    fields = [field.name for field in owner.fields]
+    checker.diagnostics.append(unknown(NoMember, name, fields, owner.name))
+
+
+def _no_members(
+    checker: Checker, member: tree.Name, kind: MemberlessKind, owner: str, type: str = "", hides: bool = False
+) -> None:
+    checker.report(NoMembers(member.text, None, (), kind, owner, type, hides), member.span)
 
 
 def through_optional(checker: Checker, message: str, path: tuple[str, ...]) -> str | None:

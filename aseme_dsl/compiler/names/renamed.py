@@ -11,6 +11,7 @@ from aseme_dsl.compiler.names.usecases import UseCases, folded
 from aseme_dsl.compiler.read.blocks import participants_of
 from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.names import RoleRenamed, UseCaseRenamed
 from aseme_dsl.grammar.text import tree
 
 
@@ -30,29 +31,20 @@ def renamed(
     now: list[UseCase] = []
     for case in cases.suc.usecases:
         meant = None
+        is_protocol = cases.is_protocol(case)
         if case.includes and cases.spellings.keys().isdisjoint(cases.names_of(case)):
-            if cases.is_protocol(case):
+            if is_protocol:
                 meant = next((item.name for item in free if _is_protocol_of(case, cases, item)), None)
-                what = "protocol"
             else:
                 meant = next(_formulas_of(case, cases, srms, taken), None)
-                what = "formula"
         if meant is None:
             now.append(case)
             continue
         taken.add(folded(meant.text))
         free = [item for item in free if item.name is not meant]
         now.append(replace(case, realises=(*case.realises, meant.text)))
-        found.append(
-            Diagnostic(
-                "W560",
-                f"nothing is called `{case.name}`, and no use case is called like the {what} `{meant}`",
-                case.span,
-                (Related(meant.span, "is it this?"),),
-                hint=f"if it is the same: call it so, too, or write `realises {meant}` behind the use case; "
-                f"if not: write a use case for `{meant}`",
-            )
-        )
+        problem = UseCaseRenamed(case.name, "protocol" if is_protocol else "formula", meant.text)
+        found.append(Diagnostic(problem, case.span, (Related(meant.span, "is it this?"),)))
     if not found:
         return cases, ()
     suc = replace(cases.suc, usecases=tuple(now))
@@ -82,16 +74,8 @@ def renamed_roles(
             continue
         free.remove(meant)
         names_of_roles.add(role.name)
-        found.append(
-            Diagnostic(
-                "W560",
-                f"there is no srm `{role.name}`, and the use cases do not name the role `{meant.name}`",
-                role.span,
-                (Related(meant.name.span, "is it this?"),),
-                hint=f"if it is the same: call it so, too; if not: write an srm for `{role.name}`, and name "
-                f"`{meant.name}` in the use cases",
-            )
-        )
+        problem = RoleRenamed(role.name, meant.name.text)
+        found.append(Diagnostic(problem, role.span, (Related(meant.name.span, "is it this?"),)))
     return frozenset(names_of_roles), tuple(found)
 
 

@@ -16,8 +16,10 @@ from aseme_dsl.compiler.names.topics import check_radio, topics
 from aseme_dsl.compiler.read.builtins import FORMS, FUNCTIONS, YIELDING, reserved
 from aseme_dsl.compiler.read.collector import Collector, type_named
 from aseme_dsl.compiler.read.load import Loaded
-from aseme_dsl.compiler.read.names import declared_twice, listed, unknown
+from aseme_dsl.compiler.read.names import declared_twice, unknown
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems import names as problems
+from aseme_dsl.diagnostics.problems.absences import NoRoleOfAgent
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -38,12 +40,14 @@ def resolve(loaded: Loaded) -> tuple[Symbols, tuple[Diagnostic, ...]]:
     imported_enums, imported_messages, imported_files = imported_types(collector, loaded.protos)
     all_enums = imported_enums + enums(collector)
     own_messages = messages(collector, {item.name for item in all_enums}, imported_messages)
+    system, teams = _system(collector), _teams(collector)
     symbols = Symbols(
-        system=_system(collector),
+        system=system,
         enums=all_enums,
         messages=imported_messages + own_messages,
         protos=imported_files,
-        teams=_teams(collector),
+        teams=teams,
+        roles=frozenset() if teams else frozenset(_roles(collector)),
         wrong=frozenset(collector.wrong),
         lost=loaded.lost,
         complete=loaded.complete,
@@ -67,11 +71,8 @@ def _system(collector: Collector) -> tree.System | None:
         if first is None:
             first = item
             continue
-        hint = None
-        if first.span.source.path != item.span.source.path:
-            hint = "one of the imported files is a system of its own: move what both need into a third file"
-        related = Related(first.name.span, "first declared here")
-        collector.report("E201", "a system is declared twice", item.name.span, hint, related)
+        twice = problems.SystemTwice(first.span.source.path != item.span.source.path)
+        collector.report(twice, item.name.span, Related(first.name.span, "first declared here"))
     return first
 
 
@@ -82,26 +83,21 @@ def _functions(collector: Collector, symbols: Symbols) -> tuple[Function, ...]:
     message_names = [item.name for item in symbols.messages]
     for item in collector.every(tree.Function):
         name = item.name.text
-        reason = f"`{name}` is built in" if name in built_in else reserved(name)
+        reason = "built in" if name in built_in else reserved(name)
         if reason is not None:
-            collector.report("E202", f"a function cannot be called `{name}`", item.name.span, reason)
+            collector.report(problems.ReservedName("function", name, reason), item.name.span)
             continue
         kinds = [
             type_named(collector, parameter.type, enum_names, message_names) for parameter in item.parameters
         ]
         result = type_named(collector, item.result, enum_names, message_names)
         if not _TARGET.fullmatch(item.target.text):
-            collector.report(
-                "E214",
-                f"`{item.target.text}` does not say where the Python function is",
-                item.target.span,
-                'it is written "module:name", say "team.conditions:can_kick"',
-            )
+            collector.report(problems.NoTarget("function", item.target.text), item.target.span)
         seen: dict[str, Span] = {}
         for parameter in item.parameters:
             if parameter.name.text in seen:
                 first = seen[parameter.name.text]
-                collector.diagnostics.append(declared_twice("the parameter", parameter.name, first))
+                collector.diagnostics.append(declared_twice("parameter", parameter.name, first))
             seen.setdefault(parameter.name.text, parameter.name.span)
         if result is None or None in kinds:
             collector.wrong.add(name)
@@ -116,14 +112,8 @@ def _functions(collector: Collector, symbols: Symbols) -> tuple[Function, ...]:
         )
         first_one = found.setdefault((name, types), function)
         if first_one is not function:
-            shown = ", ".join(str(kind) for kind in types)
-            collector.report(
-                "E201",
-                f"the function `{name}({shown})` is declared twice",
-                item.name.span,
-                "functions of one name differ in the types of their parameters",
-                Related(first_one.span, "first declared here"),
-            )
+            twice = problems.FunctionTwice(name, tuple(str(kind) for kind in types))
+            collector.report(twice, item.name.span, Related(first_one.span, "first declared here"))
     return tuple(found.values())
 
 
@@ -132,37 +122,36 @@ def _lets(collector: Collector) -> tuple[tree.Let, ...]:
     for item in collector.every(tree.Let):
         reason = reserved(item.name.text)
         if reason is not None:
-            collector.report("E202", f"a let cannot be called `{item.name}`", item.name.span, reason)
+            collector.report(problems.ReservedName("let", item.name.text, reason), item.name.span)
         first = found.setdefault(item.name.text, item)
         if first is not item:
-            collector.diagnostics.append(declared_twice("the let", item.name, first.name.span))
+            collector.diagnostics.append(declared_twice("let", item.name, first.name.span))
     return tuple(found.values())
 
 
+def _roles(collector: Collector) -> set[str]:
+    """What an agent can have as its role."""
+    roles = {item.name.text for item in collector.every(tree.Srm) if not item.abstract}
+    return roles | {item.name.text for item in collector.every(tree.Statechart)}
+
+
 def _teams(collector: Collector) -> tuple[Team, ...]:
-    srms = tuple(collector.every(tree.Srm))
-    roles = {item.name.text for item in srms if not item.abstract}
+    roles = _roles(collector)
+    srms = collector.every(tree.Srm)
     abstract = {item.name.text: item for item in srms if item.abstract and item.name.text not in roles}
-    roles |= {item.name.text for item in collector.every(tree.Statechart)}
     found: dict[str, Team] = {}
     for item in collector.every(tree.Team):
         team = Team(item.name.text, _agents(collector, item, roles, abstract), item.name.span)
         first = found.setdefault(team.name, team)
         if first is not team:
-            collector.diagnostics.append(declared_twice("the team", item.name, first.span))
+            collector.diagnostics.append(declared_twice("team", item.name, first.span))
     return tuple(found.values())
 
 
 def _is_abstract(name: tree.Name, role: tree.Srm, roles: set[str], collector: Collector) -> Diagnostic:
     including = [item for item in includers(collector.every(tree.Srm)).get(name.text, ()) if item in roles]
-    hint = f"give the agent a role that includes it: {listed(including, 'or')}" if including else None
-    return Diagnostic(
-        "E224",
-        f"`{name}` is abstract: no agent can have it alone",
-        name.span,
-        (Related(role.name.span, "the abstract role"),),
-        hint=hint or f"leave `abstract` out, or write a role with `includes {name}`",
-    )
+    problem = problems.AbstractRoleOfAgent(name.text, tuple(including))
+    return Diagnostic(problem, name.span, (Related(role.name.span, "the abstract role"),))
 
 
 def _agents(
@@ -173,13 +162,10 @@ def _agents(
         if line.role.text in abstract:
             collector.diagnostics.append(_is_abstract(line.role, abstract[line.role.text], roles, collector))
         elif line.role.text not in roles and not collector.is_excused(line.role.text):
-            collector.diagnostics.append(
-                unknown("E207", "there is no role", line.role, roles, "a role is an `srm` or a `statechart`")
-            )
+            collector.diagnostics.append(unknown(NoRoleOfAgent, line.role, roles))
         for name, many in line.names:
             if many is not None and many[1] - many[0] >= MOST_AGENTS:
-                problem = f"`{name}[{many[0]}..{many[1]}]` has more than {MOST_AGENTS} agents"
-                collector.report("E215", problem, name.span)
+                collector.report(problems.TooManyAgents(name.text, *many, MOST_AGENTS), name.span)
                 continue
             numbers = [None] if many is None else list(range(many[0], many[1] + 1))
             for number in numbers:
@@ -188,5 +174,5 @@ def _agents(
                 first = found.setdefault(agent.name, agent)
                 if first is not agent:
                     called = tree.Name(agent.name, name.span)
-                    collector.diagnostics.append(declared_twice("the agent", called, first.span))
+                    collector.diagnostics.append(declared_twice("agent", called, first.span))
     return tuple(found.values())

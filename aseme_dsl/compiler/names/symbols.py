@@ -19,7 +19,7 @@ from aseme_dsl.amola.messages import (
     Topic,
     Type,
 )
-from aseme_dsl.amola.system import Team
+from aseme_dsl.amola.system import Team, agent_names
 from aseme_dsl.compiler.read.builtins import FUNCTIONS, NOWHERE
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
@@ -48,6 +48,8 @@ class Symbols:
     activities: Mapping[str, ActivityForm] = field(default_factory=dict)
     """The activities that some role describes."""
     teams: tuple[Team, ...] = ()
+    roles: frozenset[str] = frozenset()
+    """Without a team: the roles."""
     protos: tuple[ProtoFile, ...] = ()
     wrong: frozenset[str] = frozenset()
     """Names whose declaration is wrong: their uses are not reported again."""
@@ -81,8 +83,18 @@ class Symbols:
 
     @cached_property
     def agents(self) -> frozenset[str]:
-        """The names of all agents of all teams: the hosts that a variable may name."""
+        """The names of all agents of all teams."""
         return frozenset(agent.name for team in self.teams for agent in team.agents)
+
+    @cached_property
+    def hosts(self) -> frozenset[str] | None:
+        """The agents that a path may name; None where nobody knows them.
+
+        Files without a `system` are part of others, which have the team; and where something could not be
+        read, that may have been one.
+        """
+        without = self.system is None or self.teams or self.lost or not self.complete
+        return None if without and not self.agents else agent_names(self.teams, self.roles)
 
     @property
     def function_names(self) -> tuple[str, ...]:

@@ -15,6 +15,9 @@ from aseme_dsl.compiler.read.collector import Collector
 from aseme_dsl.compiler.read.library import providers
 from aseme_dsl.compiler.read.names import declared_twice, unknown
 from aseme_dsl.diagnostics import Related
+from aseme_dsl.diagnostics.problems import names as problems
+from aseme_dsl.diagnostics.problems.absences import NoCommunicationClass, NoMessage, NoPublisher, NoTopic
+from aseme_dsl.diagnostics.problems.expressions.paths import NotKept, NotQueued
 from aseme_dsl.grammar.text import tree
 
 
@@ -29,20 +32,18 @@ def topics(collector: Collector, symbols: Symbols) -> tuple[Topic, ...]:
     including = includers(collector.every(tree.Srm)) if limited else {}
     for item in declared:
         name = item.name.text
-        reason = f"`{name}` is a communication class" if name in COMM_TYPES else reserved(name)
+        reason = "class" if name in COMM_TYPES else reserved(name)
         if reason is not None:
-            collector.report("E202", f"a topic cannot be called `{name}`", item.name.span, reason)
+            collector.report(problems.ReservedName("topic", name, reason), item.name.span)
         if name in found:
-            collector.diagnostics.append(declared_twice("the topic", item.name, found[name].span))
+            collector.diagnostics.append(declared_twice("topic", item.name, found[name].span))
             continue
         if (
             item.under is not None
             and item.under.text not in declared_names
             and not collector.is_excused(item.under.text)
         ):
-            collector.diagnostics.append(
-                unknown("E502", "there is no topic", item.under, declared_names - {name})
-            )
+            collector.diagnostics.append(unknown(NoTopic, item.under, declared_names - {name}))
         found[name] = Topic(
             name,
             item.under.text if item.under is not None and item.under.text in declared_names else None,
@@ -104,9 +105,7 @@ def _check_tree(collector: Collector, declared: list[tree.Topic], found: dict[st
             upper = found[upper].under
         if upper == item.name.text:
             assert item.under is not None
-            path = " under ".join([*seen, upper])
-            problem = f"the topic `{upper}` is below itself: {path}"
-            collector.report("E217", problem, item.under.span, "remove one `under`")
+            collector.report(problems.TopicBelowItself((*seen, upper)), item.under.span)
             found[upper] = replace(found[upper], under=None)
 
 
@@ -121,36 +120,28 @@ def _channels(
     found: dict[Channel, ChannelRules] = {}
     for entry in topic.entries:
         if entry.comm.text not in COMM_TYPES:
-            collector.diagnostics.append(
-                unknown("E503", "there is no communication class", entry.comm, COMM_TYPES)
-            )
+            collector.diagnostics.append(unknown(NoCommunicationClass, entry.comm, COMM_TYPES))
             continue
         comm = Comm(entry.comm.text)
         if entry.queued and comm is not Comm.SIGNAL:
-            collector.report("E503", f"a {comm} is never queued", entry.span, "only signals wait in a queue")
+            collector.report(NotQueued(str(comm)), entry.span)
         for source in entry.sources:
             if source.text not in publishers and not symbols.is_excused(source.text):
-                nobody = unknown("E200", "there is no role, agent or activity", source, publishers)
-                if nobody.hint is None:
-                    outside = f"if it is not part of the system: `suc {{ role {source} : external }}`"
-                    nobody = replace(nobody, hint=outside)
-                collector.diagnostics.append(nobody)
+                collector.diagnostics.append(unknown(NoPublisher, source, publishers))
         if entry.persist and comm is not Comm.STATE:
-            collector.report("E503", f"a {comm} does not persist", entry.span, "only states are kept")
+            collector.report(NotKept(str(comm)), entry.span)
         for name in entry.messages:
             if symbols.message(name.text) is None:
                 if not symbols.is_excused(name.text):
                     pool = [item.name for item in symbols.messages]
-                    certain = "it is an enum" if symbols.enum(name.text) else providers(name.text, "message")
-                    found_none = unknown("E502", "there is no message", name, pool, certain=certain)
-                    collector.diagnostics.append(found_none)
+                    is_enum, libraries = symbols.enum(name.text) is not None, providers(name.text, "message")
+                    collector.diagnostics.append(unknown(NoMessage, name, pool, is_enum, libraries=libraries))
                     collector.wrong.add(name.text)
                 continue
             channel = Channel(topic.name.text, comm, name.text)
             if channel in found:
-                collector.diagnostics.append(
-                    declared_twice(f"on this topic, {comm}", name, found[channel].span)
-                )
+                related = Related(found[channel].span, "first declared here")
+                collector.report(problems.CarriedTwice(str(comm), name.text), name.span, related)
                 continue
             found[channel] = ChannelRules(
                 channel,
@@ -175,7 +166,7 @@ def check_radio(collector: Collector, symbols: Symbols) -> None:
             if message is not None and message.name not in symbols.wrong:
                 _check_size(collector, symbols, message, rules, written)
     if sum(len(topic.channels) for topic in on_air) > MOST_KINDS:
-        collector.report("E211", f"more than {MOST_KINDS} kinds of message travel by radio", on_air[-1].span)
+        collector.report(problems.TooManyRadioMessages(MOST_KINDS), on_air[-1].span)
 
 
 def _check_size(
@@ -184,18 +175,16 @@ def _check_size(
     plural = "" if limit.value == 1 else "s"
     sent = parts(message, symbols.message, symbols.enum)
     carries = Related(limit.span, f"the radio of `{rules.channel.topic}` carries {limit.value} byte{plural}")
-    hint = "one byte says which message it is; a bool takes 1, an enum 1, an int 4, a double 4"
     size = KIND_BYTES
     for part in sent:
         this = Related(part.path[-1].span, "this field")
         if isinstance(part, Unfit):
-            problem = f"`{message.name}` cannot travel by radio because of `{part.name}`: {part.why}"
-            collector.report("E211", problem, rules.span, hint, this, carries)
+            unfit = problems.UnfitForRadio(message.name, part.name, part.why, str(part.path[-1].type))
+            collector.report(unfit, rules.span, this, carries)
             return
         size += part.size
         if size > limit.value:
             whole = KIND_BYTES + sum(item.size for item in sent if not isinstance(item, Unfit))
-            problem = f"`{message.name}` takes {whole} bytes of the radio's {limit.value}: "
-            problem += f"`{part.name}` no longer fits"
-            collector.report("E211", problem, rules.span, hint, this, carries)
+            long = problems.TooLongForRadio(message.name, part.name, whole, int(limit.value))
+            collector.report(long, rules.span, this, carries)
             return

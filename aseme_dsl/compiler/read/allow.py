@@ -15,7 +15,17 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 
-from aseme_dsl.diagnostics import CODES, Diagnostic, Edit, Severity, Suppressed, closest, has_errors, in_order
+from aseme_dsl.diagnostics import (
+    CODES,
+    Diagnostic,
+    Edit,
+    Severity,
+    Suppressed,
+    closest,
+    has_errors,
+    in_order,
+)
+from aseme_dsl.diagnostics.problems import settings as problems
 from aseme_dsl.grammar.parsing.parts import NO_PARTS, Layout
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source, Span
@@ -24,8 +34,6 @@ _ADDRESSED = re.compile(r"(?://|/\*)\s*asemec\s*:\s*(.*)", re.DOTALL)
 _ALLOW = re.compile(r"//\s*asemec\s*:\s*(?P<verb>allow|allow-file)\s*\((?P<codes>[^()]*)\)\s*(?P<reason>.*)")
 _VERB = re.compile(r"[\w-]+")
 _CODE = re.compile(r"[^\s,]+")
-_FORM = "it is written `// asemec: allow(CODE) reason` or `// asemec: allow-file(CODE) reason`"
-
 OWN = frozenset(("W010", "W011", "W012", "W013", "W014"))
 """What is wrong with the comments themselves; a comment cannot allow that."""
 
@@ -106,16 +114,12 @@ def _read(
             continue
         whole = written["verb"] == "allow-file"
         if whole and lines.first < comment.span.start:
-            hint = "it stands above the first declaration; further down, write `allow`"
-            found.append(
-                Diagnostic("W014", "`allow-file` after the beginning of the file", comment.span, hint=hint)
-            )
+            found.append(Diagnostic(problems.LateAllowFile(), comment.span))
             continue
         start, end = (0, len(file.source.text) + 1) if whole else lines.about(comment)
         reason = written["reason"].strip()
         if not reason:
-            hint = "write after the bracket why it is right here"
-            found.append(Diagnostic("W010", "this does not say why", comment.span, hint=hint))
+            found.append(Diagnostic(problems.NoReason(), comment.span))
         codes = [
             (code.group(), _within(comment, written.start("codes") + code.start(), len(code.group())))
             for code in _CODE.finditer(written["codes"])
@@ -138,13 +142,12 @@ def _within(comment: tree.Comment, offset: int, length: int) -> Span:
 def _not_understood(comment: tree.Comment) -> Diagnostic:
     found = _ADDRESSED.match(comment.text)
     verb = _VERB.match(found[1]) if found is not None else None
-    message = "this comment to asemec is not understood"
     if verb is not None and found is not None and comment.text.startswith("//"):
         near = closest(verb.group(), ("allow", "allow-file"))
         if near is not None and verb.group() not in ("allow", "allow-file"):
             place = _within(comment, found.start(1), len(verb.group()))
-            return Diagnostic("W014", message, place, hint=f"did you mean `{near}`?", fix=near)
-    return Diagnostic("W014", message, comment.span, hint=_FORM)
+            return Diagnostic(problems.CommentNotUnderstood(near), place, fix=near)
+    return Diagnostic(problems.CommentNotUnderstood(None), comment.span)
 
 
 def _cannot_allow(code: str, place: Span, present: Sequence[str]) -> Diagnostic | None:
@@ -152,14 +155,11 @@ def _cannot_allow(code: str, place: Span, present: Sequence[str]) -> Diagnostic 
         # What is reported in these files is more likely meant than anything else of that look.
         near = closest(code, present)
         likely = near or closest(code, CODES)
-        hint = f"did you mean `{likely}` ({CODES[likely].title})?" if likely else "a code is such as W300"
-        return Diagnostic("W012", f"there is no code `{code}`", place, hint=hint, fix=near)
+        return Diagnostic(problems.NoSuchCode(code, likely), place, fix=near)
     if CODES[code].severity == Severity.ERROR:
-        message = f"`{code}` is an error: nothing can be generated until it is mended"
-        return Diagnostic("W013", message, place)
+        return Diagnostic(problems.ErrorAllowed(code), place)
     if code in OWN:
-        message = f"a comment cannot allow what is wrong with comments (`{code}`)"
-        return Diagnostic("W013", message, place, hint="the project's policy in pyproject.toml can")
+        return Diagnostic(problems.CommentAllowed(code), place)
     return None
 
 
@@ -171,9 +171,8 @@ def _useless(allows: Sequence[_Allow], used: set[int], unchecked: frozenset[str]
     for comment, items in by_comment.items():
         idle = [item for item in items if id(item) not in used and item.code not in unchecked]
         for item in idle:
-            message = f"there is no `{item.code}` here to allow"
             edit = _without(comment) if len(idle) == len(items) else _without_code(comment, item.place)
-            yield Diagnostic("W011", message, item.place, hint="take it away", edits=(edit,))
+            yield Diagnostic(problems.NothingToAllow(item.code), item.place, edits=(edit,))
 
 
 def _without(comment: tree.Comment) -> Edit:

@@ -45,11 +45,11 @@ def blocks_of(files: Iterable[tree.File]) -> tuple[Blocks, tuple[Diagnostic, ...
                 case tree.Aip():
                     protocol = aips.setdefault(item.name.text, item)
                     if protocol is not item:
-                        found.append(declared_twice("the protocol", item.name, protocol.name.span))
+                        found.append(declared_twice("protocol", item.name, protocol.name.span))
                 case tree.Srm() | tree.Statechart():
                     role = roles.setdefault(item.name.text, item)
                     if role is not item:
-                        found.append(declared_twice("the role", item.name, role.name.span))
+                        found.append(declared_twice("role", item.name, role.name.span))
     return Blocks(tuple(sags), tuple(sucs), tuple(aips.values()), tuple(roles.values())), tuple(found)
 
 

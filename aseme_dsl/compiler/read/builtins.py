@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, Comm, Function, Type
+from aseme_dsl.diagnostics.problems.names import Reserved
 from aseme_dsl.grammar.formulas.words import RESERVED
 from aseme_dsl.source import Source, Span
 
@@ -77,10 +78,10 @@ OTHER_SPELLINGS = {
 """What other languages call a built-in type."""
 
 
-def reserved(name: str) -> str | None:
+def reserved(name: str) -> Reserved | None:
     """Why nothing that expressions name (a variable, topic, field, …) can be called `name`, or None."""
     if name in BUILT_IN:
-        return f"`{name}` is a type"
+        return "type"
     if name in RESERVED:
-        return f"`{name}` is a word of the language"
-    return f"`{name}` is an action" if name in ACTIONS else None
+        return "word"
+    return "action" if name in ACTIONS else None

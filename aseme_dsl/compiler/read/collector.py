@@ -10,7 +10,8 @@ from aseme_dsl.amola.messages import BUILT_IN, Kind, Type
 from aseme_dsl.compiler.read.builtins import OTHER_SPELLINGS
 from aseme_dsl.compiler.read.library import providers
 from aseme_dsl.compiler.read.names import unknown
-from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics import Diagnostic, Problem, Related
+from aseme_dsl.diagnostics.problems.absences import NoDeclaredType
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -39,8 +40,8 @@ class Collector:
         """Whether it is a consequence of another problem that this name is not known."""
         return name in self.wrong or name in self.lost or not self.complete
 
-    def report(self, code: str, message: str, span: Span, hint: str | None = None, *related: Related) -> None:
-        self.diagnostics.append(Diagnostic(code, message, span, related, hint))
+    def report(self, problem: Problem, span: Span, *related: Related) -> None:
+        self.diagnostics.append(Diagnostic(problem, span, related))
 
 
 def type_named(
@@ -58,19 +59,10 @@ def type_named(
     other = OTHER_SPELLINGS.get(name.text)
     if other is not None:
         collector.diagnostics.append(
-            Diagnostic(
-                "E200",
-                f"there is no type `{name}`",
-                name.span,
-                hint=f"it is called `{other}` here",
-                fix=other,
-            )
+            Diagnostic(NoDeclaredType(name.text, None, (), spelling=other), name.span, fix=other)
         )
         return None
     pool = (*BUILT_IN, *enums, *messages)
-    hint = "declare it or import it"
-    found = unknown(
-        "E200", "there is no type", name, pool, hint, certain=providers(name.text, "enum", "message")
-    )
-    collector.diagnostics.append(found)
+    libraries = providers(name.text, "enum", "message")
+    collector.diagnostics.append(unknown(NoDeclaredType, name, pool, libraries=libraries))
     return None

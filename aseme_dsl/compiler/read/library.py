@@ -11,8 +11,8 @@ from aseme_dsl.standard_library import standard_library
 _DECLARED = re.compile(r"^(enum|message|topic|function|let|aip)\s+(\w+)(\s*\{[^}]*|[^\n]*)", re.MULTILINE)
 
 
-def providers(name: str, *kinds: str, carrying: str | None = None) -> str | None:
-    """``"`import soccer` declares it"``, or None.
+def providers(name: str, *kinds: str, carrying: str | None = None) -> tuple[str, ...]:
+    """The files of the standard library that declare `name`, as an import calls them.
 
     Only what is declared as one of `kinds`, if any are given, counts; of topics, with `carrying` only those
     that carry that message.
@@ -23,9 +23,7 @@ def providers(name: str, *kinds: str, carrying: str | None = None) -> str | None
         carries = carrying is None or kind != "topic" or re.search(rf"\b{re.escape(carrying)}\b", rest)
         if fits and carries and library not in found:
             found.append(library)
-    if not found:
-        return None
-    return " or ".join(f"`import {item}`" for item in found) + " declares it"
+    return tuple(found)
 
 
 @cache

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl import outside
-from aseme_dsl.diagnostics import Diagnostic, Related, closest, has_errors, surely
+from aseme_dsl.diagnostics import Diagnostic, Problem, Related, closest, has_errors, surely
+from aseme_dsl.diagnostics.problems import files as problems
 from aseme_dsl.grammar.parsing.parts import NO_PARTS, InParts, Layout
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source, library_path
@@ -26,12 +27,6 @@ LARGEST = 20_000_000
 LANGUAGE = 1
 """The version of the language that this compiler knows."""
 
-
-TARGET_FORMS = "name a .aseme file, a project's folder or an output folder (or, for trace and sniff, a trace)"
-"""What a command works on: the hint where that is named and not there."""
-
-UNREAD = ("E001", "E002", "E003", "E004", "E006", "E007")
-"""What leaves a file unread."""
 
 _DECLARED = re.compile(
     r"\b(?:enum|message|topic|function|let|var|actor|role|usecase|aip|participant|srm)\s+(\w+)"
@@ -122,7 +117,7 @@ def load(
     parsed = _parsed(loader, root if isinstance(root, Source) else place, None)
     if parsed is not None:
         _follow(loader, _Reading(place, parsed, _imports(parsed), None))
-    complete = not any(item.code in UNREAD for item in loader.diagnostics)
+    complete = not any(isinstance(item.problem, problems.Unread) for item in loader.diagnostics)
     return Loaded(
         tuple(loader.files),
         tuple(loader.protos),
@@ -213,22 +208,16 @@ def _circle(stack: list[_Reading], place: _Place, item: tree.Import) -> Diagnost
         for other in stack[first + 1 :]
         if other.entered_by is not None
     )
-    if len(names) == 1:
-        message = f"{names[0]} imports itself"
-    else:
-        message = "these files import each other in a circle: " + " → ".join([*names, names[0]])
-    hint = "move what both need into a file of its own, and import that"
-    return Diagnostic("E005", message, item.target.span, related, None if len(names) == 1 else hint)
+    return Diagnostic(problems.ImportCycle(tuple(names)), item.target.span, related)
 
 
 def _not_found(item: tree.Import, known: Iterable[str]) -> Diagnostic:
     name = item.target.text
     near = closest(name, known)
-    hint = f"did you mean `{near}`?" if near else "the standard library has " + ", ".join(sorted(known))
-    fix = surely(name, known)
-    if (Path(item.span.source.path).parent / f"{name}.aseme").is_file():
-        hint, fix = f'a neighbour file is imported by its path: import "{name}.aseme"', f'"{name}.aseme"'
-    return Diagnostic("E004", f"the standard library has no `{name}`", item.target.span, hint=hint, fix=fix)
+    is_neighbour = (Path(item.span.source.path).parent / f"{name}.aseme").is_file()
+    fix = f'"{name}.aseme"' if is_neighbour else surely(name, known)
+    problem = problems.NoLibrary(name, near, tuple(sorted(known)), is_neighbour)
+    return Diagnostic(problem, item.target.span, fix=fix)
 
 
 def _parsed(loader: _Loader, given: Source | _Place, item: tree.Import | None) -> tree.File | None:
@@ -242,9 +231,7 @@ def _parsed(loader: _Loader, given: Source | _Place, item: tree.Import | None) -
     if source is None:
         return None
     if not source.text.strip():
-        loader.diagnostics.append(
-            _about(source.path, item, "W001", f"{source.path} is empty", "write it, or leave it out")
-        )
+        loader.diagnostics.append(_about(source.path, item, problems.EmptyFile(source.path)))
     if len(source.text) > loader.largest:
         loader.diagnostics.append(_too_large(source.path, item, len(source.text), loader.largest))
         return None
@@ -293,33 +280,20 @@ def _language(parsed: tree.File) -> Diagnostic | None:
     if number is None or number.value == LANGUAGE:
         return None
     if number.value > LANGUAGE:
-        return Diagnostic(
-            "E006",
-            f"the file is written in language {number.value}; this compiler knows language {LANGUAGE}",
-            number.span,
-            hint="install a newer aseme-dsl",
-        )
-    return Diagnostic(
-        "E006",
-        f"there is no language {number.value}",
-        number.span,
-        hint=f"the first line may be `language {LANGUAGE}`",
-        fix=str(LANGUAGE),
-    )
+        return Diagnostic(problems.NewerLanguage(int(number.value), LANGUAGE), number.span)
+    problem = problems.NoSuchLanguage(int(number.value), LANGUAGE)
+    return Diagnostic(problem, number.span, fix=str(LANGUAGE))
 
 
-def _about(
-    path: str, item: tree.Import | None, code: str, message: str, hint: str | None = None
-) -> Diagnostic:
+def _about(path: str, item: tree.Import | None, problem: Problem, fix: str | None = None) -> Diagnostic:
     """A problem of a whole file: at the import that asks for it, or (the root) at no place in a text."""
     if item is None:
-        return Diagnostic(code, message, None, hint=hint, path=path)
-    return Diagnostic(code, message, item.target.span, hint=hint)
+        return Diagnostic(problem, None, path=path)
+    return Diagnostic(problem, item.target.span, fix=fix)
 
 
 def _too_large(path: str, item: tree.Import | None, size: int, largest: int) -> Diagnostic:
-    message = f"{path} has {size:,} bytes; the limit is {largest:,}".replace(",", " ")
-    return _about(path, item, "E003", message, "split it, and import the parts")
+    return _about(path, item, problems.SourceTooLarge(path, size, largest))
 
 
 def _read(loader: _Loader, place: _Place, item: tree.Import | None) -> Source | None:
@@ -344,50 +318,41 @@ def read_source(path: Path, *, largest: int = LARGEST) -> Source | Diagnostic:
 def _content(
     loader: _Loader, place: _Place, item: tree.Import | None, encoding: str = "utf-8-sig"
 ) -> str | Diagnostic:
-    def fail(code: str, message: str, hint: str | None = None) -> Diagnostic:
-        return _about(place.shown, item, code, message, hint)
+    def fail(problem: Problem, fix: str | None = None) -> Diagnostic:
+        return _about(place.shown, item, problem, fix)
 
     try:
         found = Path(place.key).stat()
         if not stat.S_ISREG(found.st_mode):
-            what = "a folder" if stat.S_ISDIR(found.st_mode) else "not a regular file"
-            return fail("E001", f"{place.shown} is {what}")
+            return fail(problems.NotRegularFile(place.shown, stat.S_ISDIR(found.st_mode)))
         if found.st_size > loader.largest:
             return _too_large(place.shown, item, found.st_size, loader.largest)
         content = outside.read_bytes(place.key, loader.largest)
     except FileNotFoundError:
         library = Path(place.key).name.removesuffix(".aseme")
         if item is not None and library in _library():
-            hint = f"the library is written `import {library}`"
-            missing = fail("E004", f"there is no file {place.shown}", hint)
-            return replace(missing, fix=library)
-        code = "E001" if item is None else "E004"
-        forms = TARGET_FORMS if item is None else None
-        return fail(code, f"there is no file {place.shown}", _neighbour(place) or forms)
+            return fail(problems.LibraryByPath(place.shown, library), library)
+        missing = problems.NoFile if item is None else problems.ImportedFileMissing
+        return fail(missing(place.shown, _neighbour(place)))
     except (OSError, ValueError) as problem:  # ValueError: a path with a NUL character
         reason = problem.strerror if isinstance(problem, OSError) and problem.strerror else str(problem)
-        return fail("E001", f"{place.shown} cannot be read: {reason}")
+        return fail(problems.CannotBeRead(place.shown, reason))
     if b"\0" in content:
-        return fail("E002", f"{place.shown} is not a text: byte {content.index(0)} is NUL")
+        return fail(problems.NotText(place.shown, content.index(0)))
     try:
         return content.decode(encoding)
     except UnicodeDecodeError as problem:
         line = content.count(b"\n", 0, problem.start) + 1
-        return fail(
-            "E002",
-            f"{place.shown} is not UTF-8: byte 0x{content[problem.start]:02x} in line {line}",
-            "save it as UTF-8",
-        )
+        return fail(problems.NotUtf8(place.shown, content[problem.start], line))
 
 
 def _neighbour(place: _Place) -> str | None:
-    """Did-you-mean among the files of the folder."""
+    """The file of the folder whose name is spelt alike."""
     folder = Path(place.key).parent
     try:
-        near = closest(Path(place.key).name, [path.name for path in folder.iterdir() if path.is_file()])
+        return closest(Path(place.key).name, [path.name for path in folder.iterdir() if path.is_file()])
     except (OSError, ValueError):
         return None
-    return f"did you mean `{near}`?" if near else None
 
 
 def _load_proto(loader: _Loader, place: _Place, item: tree.Import) -> None:

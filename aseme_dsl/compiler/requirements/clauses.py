@@ -9,8 +9,9 @@ from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.compiler.read.blocks import participants_of
 from aseme_dsl.compiler.read.damage import Damaged
-from aseme_dsl.compiler.read.names import listed, unknown
-from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.compiler.read.names import unknown
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.absences import NoParticipantOfClause, NoPlaceOfClause
 from aseme_dsl.grammar.text import tree
 
 _NUMBERS = {1: "one", 2: "two", 3: "three"}
@@ -53,22 +54,14 @@ def _problem(written: tree.Aip, place: tree.Place, places: Mapping[str, frozense
         if place.name.text in places:
             return None
         owners = [name for name, inside in places.items() if place.name.text in inside]
-        hint = None
-        if owners:
-            spelled = listed((f"{place.name}@{name}" for name in owners), "or")
-            hint = f"say whose: {spelled}"
-        return unknown("E212", f"{written.name} has no participant", place.name, places, hint)
+        return unknown(NoParticipantOfClause, place.name, places, written.name.text, tuple(owners))
     if place.at.text not in places:
-        return unknown("E212", f"{written.name} has no participant", place.at, places)
+        return unknown(NoParticipantOfClause, place.at, places, written.name.text)
     inside = places[place.at.text]
     if place.name.text in inside:
         return None
     owners = [name for name, others in places.items() if place.name.text in others]
-    if owners and closest(place.name.text, inside) is None:
-        hint = f"it is in the process of {listed(owners)}"
-        message = f"the process of {place.at} has no activity or formula `{place.name}`"
-        return Diagnostic("E212", message, place.name.span, hint=hint)
-    return unknown("E212", f"the process of {place.at} has no activity or formula", place.name, inside)
+    return unknown(NoPlaceOfClause, place.name, inside, place.at.text, tuple(owners))
 
 
 def _clause_text(

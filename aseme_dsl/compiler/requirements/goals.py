@@ -12,13 +12,19 @@ from aseme_dsl.compiler.chart.srm_to_iac import Role
 from aseme_dsl.compiler.names.usecases import UseCases, folded
 from aseme_dsl.compiler.read.blocks import participants_of
 from aseme_dsl.compiler.read.memory import Memory
-from aseme_dsl.compiler.read.names import first_of, listed
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics.problems.absences import NoFunctionality
+from aseme_dsl.diagnostics.problems.activities import NamedLikeParticipant
+from aseme_dsl.diagnostics.problems.missing import (
+    FunctionalityNotSaid,
+    ParticipantWithoutPlayer,
+    ProtocolWithoutPlayer,
+    RoleIncomplete,
+    UseCaseOfOthers,
+)
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source, Span
-
-_SHOWN = 4
 
 
 def out_of_reach(
@@ -53,15 +59,10 @@ def out_of_reach(
         if others:
             doer = roles[others[0]].written.name.span
             place = next((places[name] for name in names if name in places), doer)
-            yield Diagnostic(
-                "N705",
-                f"`{case.name}` is a use case of {listed(case.participants)}, but only {listed(others)} "
-                f"{'does' if len(others) == 1 else 'do'} it",
-                case.span,
-                (Related(place, "here"),),
-                hint=f"let a formula of {listed(sorted(own), 'or')} use `{cases.spelling(case)}`, or say "
-                f"whose it is: `usecase {case.name} by {others[0]}`",
+            problem = UseCaseOfOthers(
+                case.name, cases.spelling(case), case.participants, tuple(sorted(own)), tuple(others)
             )
+            yield Diagnostic(problem, case.span, (Related(place, "here"),))
 
 
 def _reached(role: Role) -> set[str] | None:
@@ -93,7 +94,8 @@ def not_played(
     Protocols of other files are there to be played in part: another system may have the other part. What
     `told` says of a protocol or participant (W202, N702) is not said again.
     """
-    known = {place.span for item in told if item.code in ("W202", "N702") for place in item.related}
+    partly = (NamedLikeParticipant, RoleIncomplete)
+    known = {place.span for item in told if isinstance(item.problem, partly) for place in item.related}
     roles = list(roles)
     if not roles:
         return
@@ -106,14 +108,11 @@ def not_played(
         left = [item for item in left if item.name.span not in known]
         if not left:
             continue
-        first = left[0].name
-        hint = f"write `plays {aip.name}.{first}` in the `srm` that does, and let a formula use `{first}`"
         if len(left) == len(participants):
-            yield Diagnostic("N706", f"no role plays the protocol `{aip.name}`", aip.name.span, hint=hint)
+            yield Diagnostic(ProtocolWithoutPlayer(aip.name.text, left[0].name.text), aip.name.span)
             continue
         for item in left:
-            hint = f"write `plays {aip.name}.{item.name}` in the `srm` that does"
-            yield Diagnostic("N706", f"no role plays {aip.name}.{item.name}", item.name.span, hint=hint)
+            yield Diagnostic(ParticipantWithoutPlayer(aip.name.text, item.name.text), item.name.span)
 
 
 def without_functionality(
@@ -140,29 +139,19 @@ def _without_functionality(
             if near is not None:
                 found.append(
                     Diagnostic(
-                        "W230",
-                        f"there is no functionality `{name}`",
+                        NoFunctionality(name.text, near, tuple(known)),
                         name.span,
                         (Related(known[near], f"`{near}`"),),
-                        hint=f"did you mean `{near}`?",
                         fix=near,
                     )
                 )
     if not role.written.functionalities or role.outline is None:
         return tuple(found)
     names = dict.fromkeys(node.activity for node in role.outline.nodes if node.activity is not None)
-    idle = [name for name in names if name not in activities or not activities[name].uses]
+    idle = tuple(name for name in names if name not in activities or not activities[name].uses)
     if idle:
-        use = "uses" if len(idle) == 1 else "use"
-        shown = first_of(idle, _SHOWN)
-        found.append(
-            Diagnostic(
-                "N707",
-                f"nothing says which functionality {shown} of {role.name} {use}",
-                role.written.name.span,
-                hint=f"say it among the `activities`: `{idle[0]} uses {next(iter(known))}`",
-            )
-        )
+        problem = FunctionalityNotSaid(role.name, idle, next(iter(known)))
+        found.append(Diagnostic(problem, role.written.name.span))
     return tuple(found)
 
 

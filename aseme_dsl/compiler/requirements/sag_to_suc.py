@@ -9,6 +9,8 @@ from aseme_dsl.amola.suc import Role, RoleType, Suc, UseCase
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.names import declared_twice, unknown
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.absences import NoActor, NoRoleOfUseCase
+from aseme_dsl.diagnostics.problems.names import UseCaseIncludesItself
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -23,18 +25,18 @@ def read_sag(written: Iterable[tree.Sag], symbols: Symbols) -> tuple[Sag, tuple[
     for actor in blocks:
         name = actor.name.text
         if name in actors:
-            found.append(declared_twice("the actor", actor.name, actors[name].span))
+            found.append(declared_twice("actor", actor.name, actors[name].span))
         actors.setdefault(name, Actor(name, actor.name.span))
         for goal in actor.goals:
             if goal.name.text in goals:
-                found.append(declared_twice("the goal", goal.name, goals[goal.name.text].span))
+                found.append(declared_twice("goal", goal.name, goals[goal.name.text].span))
                 continue
             dependees: dict[str, None] = {}
             for other in goal.depends:
                 if other.text in known:
                     dependees[other.text] = None
                 elif not symbols.is_excused(other.text):
-                    found.append(unknown("E200", "there is no actor", other, known))
+                    found.append(unknown(NoActor, other, known))
             requirements = goal.requirements.text if goal.requirements is not None else ""
             goals[goal.name.text] = Goal(goal.name.text, name, tuple(dependees), requirements, goal.name.span)
     return Sag(tuple(actors.values()), tuple(goals.values())), tuple(found)
@@ -69,7 +71,7 @@ def sag_to_suc(
     for entry in entries:
         key = _folded(entry.name.text)
         if key in first:
-            found.append(declared_twice("the use case", entry.name, first[key].name.span))
+            found.append(declared_twice("use case", entry.name, first[key].name.span))
             continue
         first[key] = entry
         by = []
@@ -81,9 +83,7 @@ def sag_to_suc(
             if name.text in roles:
                 by.append(name.text)
             elif not symbols.is_excused(name.text):
-                found.append(
-                    unknown("E200", "there is no role", name, [*roles, *declared_roles, *abstract_roles])
-                )
+                found.append(unknown(NoRoleOfUseCase, name, [*roles, *declared_roles, *abstract_roles]))
         included += entry.includes
         cases[key] = _joined(cases.get(key), entry, by, spelling)
     for name in included:
@@ -106,7 +106,7 @@ def _add_roles(roles: dict[str, Role], written: Iterable[tree.Suc]) -> Iterator[
             kind = RoleType(entry.type.text) if entry.type is not None else RoleType.SYSTEM
             for name in entry.names:
                 if name.text in declared:
-                    yield declared_twice("the role", name, declared[name.text])
+                    yield declared_twice("role", name, declared[name.text])
                     continue
                 declared[name.text] = name.span
                 earlier = roles.get(name.text)
@@ -147,14 +147,13 @@ def _circles(cases: Mapping[str, UseCase], written: Mapping[str, tree.UseCase]) 
                 continue
             if key in path:
                 circle = path[path.index(key) :]
-                names = [cases[item].name for item in (*circle, key)]
+                names = tuple(cases[item].name for item in (*circle, key))
                 last = written[circle[-1]]
                 place = next(name for name in last.includes if _folded(name.text) == key)
                 related = tuple(
                     Related(written[item].name.span, f"`{cases[item].name}`") for item in circle[:-1]
                 )
-                message = f"a use case cannot include itself: {' → '.join(names)}"
-                yield Diagnostic("E208", message, place.span, related, hint="remove one of the inclusions")
+                yield Diagnostic(UseCaseIncludesItself(names), place.span, related)
                 done.update(circle)
             elif key not in done:
                 path.append(key)

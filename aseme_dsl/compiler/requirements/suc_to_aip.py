@@ -11,10 +11,10 @@ from aseme_dsl.compiler.names.usecases import UseCases, activity_name, folded, f
 from aseme_dsl.compiler.read.blocks import participants_of
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.missing import Missing
-from aseme_dsl.compiler.read.names import listed
 from aseme_dsl.compiler.requirements.clauses import read_clauses
 from aseme_dsl.compiler.types.scopes import TypedParticipant
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.missing import ProtocolNotWritten
 from aseme_dsl.grammar.text import tree
 
 
@@ -68,13 +68,11 @@ def suc_to_aip(cases: UseCases, written: Sequence[tree.Aip]) -> tuple[Missing, .
             skeleton = aip_skeleton(cases, case)
             parties = cases.parties(case)
             note = Diagnostic(
-                "N701",
-                f"the protocol `{case.name}` of {listed(parties)} is not written yet",
+                ProtocolNotWritten(case.name, tuple(parties), skeleton),
                 case.span,
                 tuple(
                     Related(role.span, f"`{role.name}`") for role in cases.suc.roles if role.name in parties
                 ),
-                hint="start from\n" + skeleton,
             )
             found.append(Missing(note, skeleton))
     return tuple(found)

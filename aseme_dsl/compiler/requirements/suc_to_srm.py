@@ -24,6 +24,15 @@ from aseme_dsl.compiler.read.missing import Missing
 from aseme_dsl.compiler.read.names import declared_twice, unknown
 from aseme_dsl.compiler.requirements.suc_to_aip import participant_skeleton, participant_term
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest
+from aseme_dsl.diagnostics.problems.absences import NoActivityOfRole
+from aseme_dsl.diagnostics.problems.missing import (
+    NotAParticipant,
+    RoleIncomplete,
+    RoleNotWritten,
+    UseCaseNotPlayed,
+    UseCaseNotSpecified,
+    UseCaseWithoutFormula,
+)
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -42,7 +51,7 @@ def read_srm(
     functionalities: dict[str, Functionality] = {}
     for item in written.functionalities:
         if item.name.text in functionalities:
-            found.append(declared_twice("the functionality", item.name, functionalities[item.name.text].span))
+            found.append(declared_twice("functionality", item.name, functionalities[item.name.text].span))
             continue
         functionalities[item.name.text] = Functionality(
             item.name.text,
@@ -92,11 +101,11 @@ def _capabilities(
     for item in role.written.capabilities:
         key = folded(item.name.text)
         if key in capabilities:
-            found.append(declared_twice("the capability", item.name, capabilities[key].span))
+            found.append(declared_twice("capability", item.name, capabilities[key].span))
             continue
         for name in item.activities:
             if role.outline is not None and name.text not in known:
-                found.append(unknown("E204", f"{role.name} has no activity", name, known))
+                found.append(unknown(NoActivityOfRole, name, known, role.name))
         names = tuple(name.text for name in item.activities)
         capabilities[key] = Capability(item.name.text, names, _text(item.description), item.name.span)
     for case in _cases_of([role.name, *included], role, cases):
@@ -135,8 +144,7 @@ def suc_to_srm(
             elsewhere.add(item.name)
         elif item.type is RoleType.SYSTEM and item.name not in roles and item.name not in elsewhere:
             skeleton = srm_skeleton(item.name, cases, protocols)
-            message = f"the role `{item.name}` is not written yet"
-            note = Diagnostic("N703", message, item.span, hint="start from\n" + skeleton)
+            note = Diagnostic(RoleNotWritten(item.name, skeleton), item.span)
             found.append(Missing(note, skeleton))
             elsewhere.add(item.name)
             noted |= _included(_cases_of([item.name], None, cases), cases)
@@ -154,19 +162,16 @@ def suc_to_srm(
         specified = not cases.spellings.keys().isdisjoint(cases.names_of(case))
         if left_to_others or specified or folded(case.name) in noted:
             continue
-        hint = f"let a formula use `{cases.spelling(case)}`, or say what it `realises`"
         others = {name for other in cases.suc.usecases if other is not case for name in cases.names_of(other)}
         free = [name for name in cases.spellings if name not in others]
         near = next((near for name in cases.names_of(case) if (near := closest(name, free))), None)
-        if near is not None:
-            meant = cases.spellings[near]
-            hint = f"is it `{meant}`? Then call it so, or write `realises {meant}`"
-        message = f"nothing specifies the use case `{case.name}`"
-        note = Diagnostic("N700", message, case.span, hint=hint)
+        meant = cases.spellings[near] if near is not None else None
+        problem = UseCaseNotSpecified(case.name, cases.spelling(case), meant)
+        note = Diagnostic(problem, case.span)
         doer = next((roles[name] for name in case.participants if name in roles), None)
         inside = doer.written.span if doer is not None else None
         edits = () if near is not None else _used_in(case, doer, roles, written)
-        found.append(Missing(note, f"// The use case {case.name}: {hint}.", inside, edits))
+        found.append(Missing(note, f"// The use case {case.name}: {problem.hint}.", inside, edits))
     return tuple(found)
 
 
@@ -298,23 +303,19 @@ def _no_formula(case: UseCase, role: Role, written: _Written) -> Missing:
     plays = written.plays(case, role.name)
     if protocol is not None and _lacks(protocol, role.name, case):
         lines = participant_skeleton(written.cases, case, role.name)
-        message = f"{role.name} takes part in the use case `{case.name}`, but is no participant of it"
-        hint = "\n".join(["add", *lines])
-        note = Diagnostic("N702", message, place, (Related(protocol.name.span, "the protocol"),), hint=hint)
+        problem: RoleIncomplete = NotAParticipant(role.name, case.name, tuple(lines))
+        note = Diagnostic(problem, place, (Related(protocol.name.span, "the protocol"),))
         return Missing(note, "\n".join(lines), protocol.span)
     if protocol is not None and plays is not None:
         lines = [f"plays {item}" for item in plays.values()]
-        message = f"{role.name} takes part in the use case `{case.name}`, but plays none of {protocol.name}"
-        hint = "say which part it takes: " + " or ".join(f"`{line}`" for line in lines)
+        problem = UseCaseNotPlayed(role.name, case.name, protocol.name.text, tuple(lines))
         advice = f"// The use case {case.name}; let a formula use the participant:"
-        note = Diagnostic("N702", message, place, (Related(protocol.name.span, "the protocol"),), hint=hint)
+        note = Diagnostic(problem, place, (Related(protocol.name.span, "the protocol"),))
     else:
         lines = helper_formulas(written.cases, [case], lambda item: written.term(item, role.name))
-        message = f"{role.name} has no formula for the use case `{case.name}`"
         name = written.cases.spelling(case)
-        hint = "\n".join(["start from", *lines, f"and let a formula use `{name}`"])
         advice = f"// The use case {case.name}; let a formula use `{name}`:"
-        note = Diagnostic("N702", message, place, hint=hint)
+        note = Diagnostic(UseCaseWithoutFormula(role.name, case.name, name, tuple(lines)), place)
     # As a comment: what no formula uses would be an error.
     skeleton = "\n".join([advice, *(f"//   {line}" for line in lines)])
     edits: tuple[Edit, ...] = ()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
+from typing import Literal
 
 from aseme_dsl.amola.messages import Channel, Comm, Parameter
 from aseme_dsl.amola.srm import Activity, Subscription
@@ -14,10 +15,12 @@ from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.library import providers
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems import activities as problems
+from aseme_dsl.diagnostics.problems.absences import NoKindOfActivity
+from aseme_dsl.diagnostics.problems.expressions.absences import NoTopicToRead, NoVariable
 from aseme_dsl.grammar.text import tree
 
 KINDS = ("thread", "async", "process", "step")
-REACHES = ("on", "above", "below", "around")
 
 
 def type_activity(
@@ -33,7 +36,7 @@ def type_activity(
         if written.kind.text in KINDS:
             kind = written.kind.text
         else:
-            checker.diagnostics.append(unknown("E200", "there is no kind of activity", written.kind, KINDS))
+            checker.diagnostics.append(unknown(NoKindOfActivity, written.kind, KINDS))
     variables_read: list[str] = []
     reads = [_read(checker, item, variables_read, played) for item in written.reads]
     writes: list[Channel] = []
@@ -57,8 +60,7 @@ def type_activity(
         written.simulated is not None,
     )
     if written.within is not None and written.within.nanoseconds <= 0:
-        hint = "a deadline comes after the state is entered: `within 5s`"
-        checker.report("E522", "the deadline is no time at all", written.within.span, hint)
+        checker.report(problems.NoDeadline(), written.within.span)
     return activity, tuple(checker.diagnostics)
 
 
@@ -84,41 +86,44 @@ def _read(
             variables.append(topic.text)
             if symbols.topic(topic.text) is None:
                 if history is not None:
-                    checker.report("E503", "a variable has no history", history.span, "leave it out")
+                    checker.report(problems.HistoryOfVariable(), history.span)
                 return None
         if symbols.topic(topic.text) is None:
             if not symbols.is_excused(topic.text):
                 pool = [*(item.name for item in symbols.topics), *checker.scope.variables, *played]
-                hint = providers(topic.text, "topic")
-                if symbols.message(topic.text) is not None:
-                    channels = symbols.channels_of(topic.text)
-                    hint = f"it is a message: `{channels[0]}`" if channels else "it is a message"
-                elif topic.text in checker.scope.lets:
-                    hint = "it is a let: say what it reads instead"
-                checker.diagnostics.append(unknown("E502", "there is no topic", topic, pool, certain=hint))
+                libraries = providers(topic.text, "topic")
+                carried = next(map(str, symbols.channels_of(topic.text)), None)
+                checker.diagnostics.append(
+                    unknown(NoTopicToRead, topic, pool, _meant(checker, topic), carried, libraries=libraries)
+                )
             return None
         if history is not None:
-            hint = f"name the message: `{topic}.data.Message for {history.span.text}`"
-            checker.report("E503", "a whole topic has no history", history.span, hint)
+            checker.report(problems.HistoryOfTopic(topic.text, history.span.text), history.span)
         return Subscription(None, topic.text, written.reach, 0, None, written.span)
     found = channel_of(checker, path)
     if found is None:
         return None
     host, channel, used = found
     if len(path.segments) > used:
-        hint = f"write `{'.'.join(item.text for item in path.segments[:used])}`"
-        checker.report("E502", "an activity reads whole messages", path.segments[used].span, hint)
+        whole = ".".join(item.text for item in path.segments[:used])
+        checker.report(problems.PartOfMessageUsed("reads", whole), path.segments[used].span)
     if written.reach != "on":
-        hint = f"write `{written.reach} {channel.topic}`"
-        checker.report("E502", f"`{written.reach}` is followed by a topic", path.span, hint)
+        checker.report(problems.ReachOfMessage(written.reach, channel.topic), path.span)
         return None
     kept = 0
     if history is not None and channel.comm is not Comm.DATA:
-        problem = f"only data has a history; `{channel}` is a {channel.comm}"
-        checker.report("E503", problem, path.segments[used - 2].span)
+        problem = problems.HistoryOfOther(str(channel), str(channel.comm))
+        checker.report(problem, path.segments[used - 2].span)
     elif history is not None:
         kept = history.nanoseconds
     return Subscription(channel, channel.topic, written.reach, kept, host, written.span)
+
+
+def _meant(checker: Checker, name: tree.Name) -> Literal["message", "let"] | None:
+    """What is called like a topic that there is not."""
+    if checker.scope.symbols.message(name.text) is not None:
+        return "message"
+    return "let" if name.text in checker.scope.lets else None
 
 
 def _write(
@@ -136,29 +141,22 @@ def _write(
             variables.append(first.text)
         elif first.text in scope.lets:
             related = (Related(scope.lets[first.text].span, "declared here"),)
-            checker.report(
-                "E507", f"`{first}` is a let: nothing can be written to it", path.span, None, related
-            )
+            checker.report(problems.LetWritten(first.text), path.span, related)
         elif not scope.symbols.is_excused(first.text):
             pool = {*scope.variables, *played}
-            hint = "an activity writes a variable of its role or `topic.state.Message`"
-            found = [str(channel) for channel in scope.symbols.channels_of(first.text)]
-            if scope.symbols.topic(first.text) is not None:
-                hint = f"it is a topic: name the message, `{first}.state.Message`"
-            elif found:
-                hint = f"it is a message: `{found[0]}`"
-            checker.diagnostics.append(unknown("E200", "there is no variable", first, pool, hint))
+            is_topic = scope.symbols.topic(first.text) is not None
+            carried = next(map(str, scope.symbols.channels_of(first.text)), None)
+            checker.diagnostics.append(unknown(NoVariable, first, pool, is_topic, carried))
         return
     channel = channel_of(checker, path)
     if channel is None:
         return
     host, written, used = channel
     if host is not None:
-        checker.report("E502", "an activity publishes as its own agent", path.segments[0].span)
+        checker.report(problems.PublishesForOther(), path.segments[0].span)
         return
     if len(path.segments) > used:
-        hint = f"write `{written}`"
-        checker.report("E502", "an activity publishes whole messages", path.segments[used].span, hint)
+        checker.report(problems.PartOfMessageUsed("publishes", str(written)), path.segments[used].span)
     channels.append(written)
 
 
@@ -213,15 +211,8 @@ def merge_activity(statements: Sequence[Activity]) -> tuple[Activity, tuple[Diag
             elif other is item:
                 clauses[clause] = value
             elif _different(getattr(other, clause), value):
-                diagnostics.append(
-                    Diagnostic(
-                        "E203",
-                        f"`{item.name}` has two different `{word}`: an activity belongs to the whole system",
-                        item.span,
-                        (Related(other.span, "the other statement"),),
-                        hint="leave one of them out, or give one of the activities another name",
-                    )
-                )
+                related = (Related(other.span, "the other statement"),)
+                diagnostics.append(Diagnostic(problems.TwoStatements(item.name, word), item.span, related))
     if not clauses.get("kind", first.kind):
         clauses["kind"] = "thread"
     simulated = next((item for item in statements if item.simulated), None)
@@ -229,14 +220,7 @@ def merge_activity(statements: Sequence[Activity]) -> tuple[Activity, tuple[Diag
         clauses["simulated"] = True
     merged = replace(first, **clauses) if clauses else first  # type: ignore[arg-type]
     if simulated is not None and merged.takes is None:
-        diagnostics.append(
-            Diagnostic(
-                "W201",
-                f"`{merged.name}` is simulated, and nothing says how long: it lasts 100 ms",
-                simulated.span,
-                hint=f"say what it takes: `{merged.name} takes 1s simulated`",
-            )
-        )
+        diagnostics.append(Diagnostic(problems.SimulatedWithoutTime(merged.name), simulated.span))
     return merged, tuple(diagnostics)
 
 

@@ -8,15 +8,19 @@ from dataclasses import replace
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Member, Value
 from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, STRING, Comm, Function, Kind, Type
-from aseme_dsl.compiler.names.checker import Checker, a, is_number
+from aseme_dsl.compiler.names.checker import Checker, is_number
 from aseme_dsl.compiler.names.paths import is_optional, unnamed
 from aseme_dsl.compiler.read.builtins import FORMS, YIELDING
 from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.compiler.read.library import providers
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Related
+from aseme_dsl.diagnostics.problems.expressions import arguments as problems
+from aseme_dsl.diagnostics.problems.expressions.absences import NoFunction
+from aseme_dsl.diagnostics.problems.expressions.paths import NoHistory, NotAFunction, SignalAge
+from aseme_dsl.diagnostics.problems.expressions.values import DoubleForInt, OtherTypeWanted
+from aseme_dsl.diagnostics.problems.names import SeveralFunctions
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.source import Span
 
 
 def function_name(checker: Checker, written: tree.Call) -> str | None:
@@ -24,17 +28,15 @@ def function_name(checker: Checker, written: tree.Call) -> str | None:
     name = written.function.segments[0]
     symbols = checker.scope.symbols
     if len(written.function.segments) > 1:
-        checker.report("E502", f"`{written.function.text}` is not a function", written.function.span)
+        checker.report(NotAFunction(written.function.text), written.function.span)
         return None
     if name.text in FORMS or symbols.overloads(name.text):
         return name.text
     if not symbols.is_excused(name.text):
         pool = (*symbols.function_names, *FORMS)
-        hint = "declare it, or import the file that does"
-        found = unknown(
-            "E502", "there is no function", name, pool, hint, certain=providers(name.text, "function")
+        checker.diagnostics.append(
+            unknown(NoFunction, name, pool, libraries=providers(name.text, "function"))
         )
-        checker.diagnostics.append(found)
     return None
 
 
@@ -54,7 +56,9 @@ def call(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Va
             return amola.Age(message, written.span)
         case "random":
             if arguments:
-                wrong_form(checker, name, written.span, "`random` takes no arguments")
+                checker.report(
+                    problems.WrongNumberForForm(name, FORMS[name], 0, len(arguments)), written.span
+                )
                 return None
             return amola.Random(written.span)
         case "at":
@@ -81,13 +85,8 @@ def _function(checker: Checker, name: str, written: tree.Call, arguments: Sequen
         _no_overload(checker, name, written, arguments, overloads)
         return None
     if len(best) > 1:
-        checker.report(
-            "E213",
-            f"`{name}` means several functions here",
-            written.function.span,
-            "write a decimal point where a double is meant",
-            tuple(Related(function.span, _signature(function)) for function in best),
-        )
+        related = tuple(Related(function.span, _signature(function)) for function in best)
+        checker.report(SeveralFunctions(name), written.function.span, related)
         return None
     return amola.Call(best[0], tuple(arguments), best[0].result, written.span)
 
@@ -122,31 +121,27 @@ def _no_overload(
         for function in overloads
         if not function.target.startswith("builtin:")
     )
-    hint = None
-    if not related:
-        hint = "there is " + ", ".join(f"`{_signature(function)}`" for function in overloads)
+    signatures = () if related else tuple(map(_signature, overloads))
     fits = [function for function in overloads if len(function.parameters) == len(arguments)]
     if not fits:
-        counts = sorted({len(function.parameters) for function in overloads})
-        takes = " or ".join(str(count) for count in counts)
-        plural = "" if counts == [1] else "s"
-        problem = f"`{name}` takes {takes} argument{plural}, not {len(arguments)}"
-        checker.report("E504", problem, written.span, hint, related)
+        counts = tuple(sorted({len(function.parameters) for function in overloads}))
+        problem = problems.WrongNumber(name, signatures, counts, len(arguments))
+        checker.report(problem, written.span, related)
         return
     if len(fits) == 1:
         order = _order(fits[0], arguments)
         if order is not None:
-            meant = f"{name}({', '.join(arguments[index].span.text for index in order)})"
-            problem = f"the arguments of `{name}` are in another order"
-            checker.report("E504", problem, written.span, f"write `{meant}`", related)
+            meant = tuple(arguments[index].span.text for index in order)
+            checker.report(problems.OtherOrder(name, meant), written.span, related)
             return
         for (parameter, kind), argument in zip(fits[0].parameters, arguments, strict=True):
             if _cost(replace(fits[0], parameters=((parameter, kind),)), [argument]) is None:
-                problem = f"`{name}` wants {a(kind)} as `{parameter}`, not {a(argument.type)}"
-                checker.report("E504", problem, argument.span, hint, related)
+                types = (str(kind), str(argument.type))
+                wrong = problems.WrongArgument(name, signatures, parameter, *types)
+                checker.report(wrong, argument.span, related)
         return
-    given = ", ".join(str(argument.type) for argument in arguments)
-    checker.report("E504", f"no `{name}` takes ({given})", written.span, hint, related)
+    given = tuple(str(argument.type) for argument in arguments)
+    checker.report(problems.NoOverload(name, signatures, given), written.span, related)
 
 
 def _order(function: Function, arguments: Sequence[Value]) -> list[int] | None:
@@ -161,25 +156,21 @@ def _order(function: Function, arguments: Sequence[Value]) -> list[int] | None:
 # ---- forms of the language ---------------------------------------------------------------------
 
 
-def wrong_form(checker: Checker, name: str, span: Span, problem: str) -> None:
-    """E504 with an example of how it is used."""
-    checker.report("E504", problem, span, f"it is used as `{FORMS[name]}`")
-
-
 def is_given(checker: Checker, name: str, written: tree.Call, count: int) -> bool:
     """Whether a form is given as many arguments as it takes (E504)."""
     given = len(written.arguments)
     if given != count:
-        plural = "" if count == 1 else "s"
-        wrong_form(checker, name, written.span, f"`{name}` takes {count} argument{plural}, not {given}")
+        checker.report(problems.WrongNumberForForm(name, FORMS[name], count, given), written.span)
     return given == count
 
 
-def only_name(checker: Checker, name: str, argument: tree.Expression, wanted: str) -> tree.Name | None:
+def only_name(
+    checker: Checker, name: str, argument: tree.Expression, wanted: problems.Named
+) -> tree.Name | None:
     """The name, with nothing before or after it, that a form wants as `wanted` (E504)."""
     if isinstance(argument, tree.Path) and len(argument.segments) == 1:
         return argument.segments[0]
-    wrong_form(checker, name, argument.span, f"`{name}` wants the name of {wanted}")
+    checker.report(problems.NoName(name, FORMS[name], wanted), argument.span)
     return None
 
 
@@ -191,11 +182,12 @@ def _message(
         return None
     message = unnamed(arguments[0])
     if not isinstance(message, Member):
-        wrong_form(checker, name, arguments[0].span, f"`{name}` wants a message, not {a(message.type)}")
+        other = problems.OtherKind(name, FORMS[name], "message", str(message.type))
+        checker.report(other, arguments[0].span)
         return None
     if count == 1 and message.path:
         whole = ".".join(([message.host] if message.host else []) + [str(message.channel)])
-        wrong_form(checker, name, arguments[0].span, f"`{name}` wants the whole message: `{whole}`")
+        checker.report(problems.PartOfMessage(name, FORMS[name], whole), arguments[0].span)
         return None
     return replace(message, span=arguments[0].span)
 
@@ -210,8 +202,8 @@ def _has(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Va
         if is_optional(checker, message, asked.path):
             return amola.Has(asked, written.span)
     if isinstance(asked, amola.Bound):
-        what = "the message that is taken" if not asked.path else f"`{'.'.join(asked.path)}`"
-        wrong_form(checker, "has", arguments[0].span, f"{what} is there in any case")
+        there = problems.AlwaysThere("has", FORMS["has"], ".".join(asked.path))
+        checker.report(there, arguments[0].span)
         return None
     found = _message(checker, "has", written, arguments, 1)
     return None if found is None else amola.Has(found, written.span)
@@ -224,57 +216,48 @@ def _sender(checker: Checker, written: tree.Call, arguments: Sequence[Value]) ->
     message = arguments[0]
     if isinstance(message, amola.Bound) and not message.path:
         return amola.Sender(message.name, written.span)
-    problem = "`sender` wants the agent message that the transition takes"
-    if isinstance(message, amola.Sender) and message.lost:
-        problem = f"`{message.name}` is the agent itself"
-    wrong_form(checker, "sender", written.span, problem)
+    agent = message.name if isinstance(message, amola.Sender) and message.lost else None
+    checker.report(problems.SenderOfOther("sender", FORMS["sender"], agent), written.span)
     return None
 
 
 def _is_timed(checker: Checker, message: Member) -> bool:
     if message.channel.comm is not Comm.SIGNAL:
         return True
-    checker.report("E503", "a signal has no age: it is consumed by its reader", message.span)
+    checker.report(SignalAge(), message.span)
     return False
 
 
 def _is_data(checker: Checker, name: str, message: Member) -> bool:
     if message.channel.comm is Comm.DATA:
         return True
-    checker.report(
-        "E503",
-        f"`{name}` needs a history, which only data has; `{message.channel}` is a {message.channel.comm}",
-        message.span,
-    )
+    problem = NoHistory(name, str(message.channel), str(message.channel.comm))
+    checker.report(problem, message.span)
     return False
 
 
 def constant_duration(
-    checker: Checker, what: str, value: Value, least: int | None, most: int | None
+    checker: Checker, place: problems.DurationOf, value: Value, least: int | None, most: int | None
 ) -> int | None:
     """The ns of a constant duration that is not out of its range."""
     if value.type != DURATION:
-        hint = "a duration has a unit: 200ms, 1.5s, 2min" if is_number(value.type) else None
-        checker.report("E504", f"{what} must be a duration, not {a(value.type)}", value.span, hint)
+        checker.report(problems.NotADuration(place, str(value.type)), value.span)
         return None
     try:
         nanoseconds = fold(value)
     except NotConstant as problem:
-        hint = "this is known only at run time: write a duration, such as 500ms"
-        checker.report("E515", f"{what} must be a constant", problem.value.span, hint)
+        checker.report(problems.DurationNotConstant(place), problem.value.span)
         return None
     except ArithmeticError:
-        checker.report("E516", f"{what} cannot be computed", value.span)
+        checker.report(problems.DurationNotComputed(place), value.span)
         return None
     assert isinstance(nanoseconds, int)
     if least is not None and nanoseconds < least:
-        checker.report(
-            "E504", f"{what} must be {'zero or more' if least == 0 else 'more than zero'}", value.span
-        )
+        checker.report(problems.DurationTooShort(place, least == 0), value.span)
         return None
     if most is not None and nanoseconds > most:
-        hint = f"write -{value.span.text}" if isinstance(value, Literal) else None
-        checker.report("E504", f"{what} must lie in the past: it is negative", value.span, hint)
+        constant = value.span.text if isinstance(value, Literal) else None
+        checker.report(problems.DurationInFuture(place, constant), value.span)
         return None
     return nanoseconds
 
@@ -283,7 +266,7 @@ def _at(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Val
     message = _message(checker, "at", written, arguments, 2)
     if message is None or not _is_data(checker, "at", message):
         return None
-    offset = constant_duration(checker, "the second argument of `at`", arguments[1], None, 0)
+    offset = constant_duration(checker, "at", arguments[1], None, 0)
     if offset is None:
         return None
     return amola.At(message, Literal(offset, DURATION, arguments[1].span), message.type, written.span)
@@ -294,10 +277,10 @@ def _mean(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> V
     if message is None or not _is_data(checker, "mean", message):
         return None
     if not is_number(message.type):
-        kind = "a message" if message.type.kind is Kind.MESSAGE else a(message.type)
-        wrong_form(checker, "mean", message.span, f"`mean` wants a number, not {kind}")
+        kind = "message" if message.type.kind is Kind.MESSAGE else str(message.type)
+        checker.report(problems.OtherKind("mean", FORMS["mean"], "number", kind), message.span)
         return None
-    window = constant_duration(checker, "the second argument of `mean`", arguments[1], 1, None)
+    window = constant_duration(checker, "mean", arguments[1], 1, None)
     if window is None:
         return None
     return amola.Mean(message, Literal(window, DURATION, arguments[1].span), DOUBLE, written.span)
@@ -310,7 +293,7 @@ def timer(checker: Checker, written: tree.Call, name: str, count: int) -> str | 
     first = written.arguments[0]
     while isinstance(first, tree.Parenthesised):
         first = first.inner
-    found = only_name(checker, name, first, "a timer")
+    found = only_name(checker, name, first, "timer")
     return None if found is None else found.text
 
 
@@ -328,15 +311,10 @@ def assignable(checker: Checker, value: Value, expected: Type) -> bool:
     if fits(kind, expected):
         return True
     if expected == INT and kind == DOUBLE:
-        hint = "round it: `floor`, `ceil` and `round` of `import math` give an int"
-        checker.report("E506", "a double does not fit an int", value.span, hint)
+        checker.report(DoubleForInt(), value.span)
         return False
-    wanted = None
-    if expected == DURATION and is_number(kind):
-        wanted = "a duration has a unit: 200ms, 1.5s, 2min"
-    elif expected.kind is Kind.ENUM:
-        wanted = f"a constant of `{expected}` is wanted"
-    elif expected.element is not None and fits(kind, expected.element):
-        wanted = f"write `[{value.span.text}]`"
-    checker.report("E500", f"{a(expected)} is wanted here, not {a(kind)}", value.span, wanted)
+    fits_in_list = expected.element is not None and fits(kind, expected.element)
+    listed = f"[{value.span.text}]" if fits_in_list else None
+    problem = OtherTypeWanted(str(expected), str(kind), expected.kind is Kind.ENUM, listed)
+    checker.report(problem, value.span)
     return False

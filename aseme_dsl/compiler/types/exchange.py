@@ -8,13 +8,20 @@ from dataclasses import replace
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Fill, Value
 from aseme_dsl.amola.messages import AGENT, Kind, Type
-from aseme_dsl.compiler.names.checker import Checker, a
+from aseme_dsl.compiler.names.checker import Checker
 from aseme_dsl.compiler.names.paths import member_path, through_optional
 from aseme_dsl.compiler.names.scope import Party, Taken
 from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD, PERFORMATIVES, reserved
-from aseme_dsl.compiler.read.names import listed, unknown, unknown_performative
+from aseme_dsl.compiler.read.names import unknown, unknown_performative
 from aseme_dsl.compiler.types.calls import assignable
 from aseme_dsl.diagnostics import Related, closest
+from aseme_dsl.diagnostics.problems import talk as problems
+from aseme_dsl.diagnostics.problems.absences import NoPartner, NotListed, Verb
+from aseme_dsl.diagnostics.problems.expressions.paths import (
+    InnerMessageFilled,
+    MemberFilledTwice,
+    OptionalAssigned,
+)
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -37,14 +44,11 @@ def lost(checker: Checker, written: tree.Lost) -> amola.Lost | None:
     """`lost contractor c`: E205."""
     scope, name = checker.scope, written.participant
     if scope.participant is None:
-        hint = "write it in the `control` of a participant of an `aip`"
-        checker.report("E205", "who is lost is a participant of a protocol", written.span, hint)
+        checker.report(problems.ExchangeOutsideProtocol("lost"), written.span)
         return None
     if name.text not in scope.parties:
         if not scope.symbols.is_excused(name.text):
-            checker.diagnostics.append(
-                unknown("E205", "the protocol has no participant", name, scope.parties)
-            )
+            checker.diagnostics.append(unknown(NoPartner, name, scope.parties))
         return None
     return amola.Lost(name.text, written.span, written.name.text if written.name is not None else "")
 
@@ -71,17 +75,11 @@ def taken_by(checker: Checker, written: tree.TransitionExpression) -> Taken | No
                 continue
             if other.name == taken.name:
                 taken = replace(taken, message="", lost=False)  # nothing is known of it
-        checker.report(
-            "E530",
-            f"`{first.name}` would not be there when this has happened",
-            item.span,
-            "write it as a line of its own, or give all the same name for the same type of message",
-            (Related(first.span, f"`{first.name}` is named here"),),
-        )
+        related = (Related(first.span, f"`{first.name}` is named here"),)
+        checker.report(problems.NotAlwaysBound(first.name.text, on_when=False), item.span, related)
         return taken
     if written.when:
-        hint = "write the condition as a line of its own"
-        checker.report("E530", f"`{first.name}` would not be there on `when`", first.span, hint)
+        checker.report(problems.NotAlwaysBound(first.name.text, on_when=True), first.span)
     _check_name(checker, first.name)
     return taken
 
@@ -97,24 +95,24 @@ def _check_name(checker: Checker, name: tree.Name) -> None:
     scope, symbols = checker.scope, checker.scope.symbols
     reason = reserved(name.text)
     if name.text in scope.variables:
-        reason = "a variable has this name"
+        reason = "variable"
     elif name.text in scope.lets:
-        reason = "a let has this name"
+        reason = "let"
     elif name.text in scope.parties:
-        reason = "a participant has this name"
+        reason = "participant"
     elif symbols.enum(name.text) is not None:
-        reason = "an enum has this name"
+        reason = "enum"
     elif symbols.topic(name.text) is not None:
-        reason = "a topic has this name"
+        reason = "topic"
     if reason is not None:
-        checker.report("E226", f"what is taken cannot be called `{name}`", name.span, reason)
+        checker.report(problems.BoundNameTaken(name.text, reason), name.span)
 
 
 def check_use(checker: Checker, taken: Taken | None, typed: amola.TransitionExpression) -> None:
     """W551 for a name that neither the condition nor the actions use, of which nothing is left out."""
     if taken is None or not taken.name or checker.diagnostics or amola.taken_message(typed):
         return
-    checker.report("W551", f"nothing uses `{taken.name}` here", taken.span, "use it, or leave the name out")
+    checker.report(problems.BoundNameUnused(taken.name), taken.span)
 
 
 # ---- sending -----------------------------------------------------------------------------------
@@ -139,8 +137,7 @@ def send(checker: Checker, written: tree.Send, value: Typed) -> amola.Send | Non
         if to is None or not fits:
             return None
         if written.excepts:
-            hint = "`except` is said of a participant"
-            checker.report("E531", "one agent has no exceptions", written.excepts[0].span, hint)
+            checker.report(problems.ExceptOfOneAgent(), written.excepts[0].span)
             return None
     excepts = [_agent(checker, item, value) for item in written.excepts]
     fills = None
@@ -174,10 +171,8 @@ def _agent(checker: Checker, written: tree.Expression, value: Typed) -> Value | 
     found = value(checker, written)
     if found is None or found.type == AGENT:
         return found
-    hint = "an agent is a variable of type `agent`, or the sender of what was taken: `sender(b)`"
-    if isinstance(found, amola.Bound) and not found.path:
-        hint = f"write `sender({found.name})`"
-    checker.report("E531", f"an agent is wanted here, not {a(found.type)}", written.span, hint)
+    bound = found.name if isinstance(found, amola.Bound) and not found.path else None
+    checker.report(problems.NotAnAgent(str(found.type), bound), written.span)
     return None
 
 
@@ -195,18 +190,14 @@ def fill(checker: Checker, message: str, written: Sequence[tree.Fill], value: Ty
         path, kind = target
         earlier = first.setdefault(path, item.target.span)
         if earlier is not item.target.span:
-            problem = f"`{item.target.text}` is filled twice"
             related = (Related(earlier, "the first time"),)
-            checker.report("E225", problem, item.target.span, "leave one of them out", related)
+            checker.report(MemberFilledTwice(item.target.text), item.target.span, related)
             sound = False
         elif kind.kind is Kind.MESSAGE:
-            hint = "fill its members one by one: `" + f"{item.target.text}.member = …`"
-            checker.report("E507", f"`{item.target.text}` is a message inside the message", item.span, hint)
+            checker.report(InnerMessageFilled(item.target.text), item.span)
             sound = False
         elif (optional := through_optional(checker, message, path)) is not None:
-            hint = "an activity can send the message with it"
-            problem = f"`{optional}` is optional and not there in a new message"
-            checker.report("E507", problem, item.target.span, hint)
+            checker.report(OptionalAssigned(optional, is_sent=True), item.target.span)
             sound = False
         elif not assignable(checker, given, kind):
             sound = False
@@ -230,18 +221,16 @@ def _is_exchanged(
         checker.diagnostics.append(unknown_performative(performative))
         return False
     if scope.participant is None:
-        what = "sent" if sending else "received"
-        hint = "write it in the `control` of a participant of an `aip`"
-        problem = f"an agent message is {what} by a participant of a protocol"
-        checker.report("E205", problem, performative.span.to((other or message).span), hint)
+        outside = problems.ExchangeOutsideProtocol("sent" if sending else "received")
+        checker.report(outside, performative.span.to((other or message).span))
         return False
     if other is not None and other.text not in scope.parties:
         if not scope.symbols.is_excused(other.text):
-            pool, hint = set(scope.parties), f"there are {listed(sorted(scope.parties))}"
+            pool = set(scope.parties)
             if sending:
                 pool |= {name for name, (_, kind) in scope.variables.items() if kind == AGENT}
                 pool |= {name for name, let in scope.lets.items() if let.value and let.value.type == AGENT}
-            checker.diagnostics.append(unknown("E205", "the protocol has no participant", other, pool, hint))
+            checker.diagnostics.append(unknown(NoPartner, other, pool, tuple(sorted(scope.parties))))
         return False
     if scope.symbols.is_excused(message.text) and scope.symbols.message(message.text) is None:
         return False
@@ -251,12 +240,11 @@ def _is_exchanged(
             checker, performative, message
         )
     peer = scope.parties[other.text]
-    mine, theirs = ("sends", "receives") if sending else ("receives", "sends")
-    if not _lists(checker, own, mine, performative, message):
+    if not _lists(checker, own, "sends" if sending else "receives", performative, message):
         return False
     if not sending and is_answered(performative.text, message.text, [item.message for item in own.sends]):
         return True
-    return _lists(checker, peer, theirs, performative, message)
+    return _lists(checker, peer, "receives" if sending else "sends", performative, message)
 
 
 def is_answered(performative: str, message: str, sent: Collection[str]) -> bool:
@@ -267,7 +255,7 @@ def is_answered(performative: str, message: str, sent: Collection[str]) -> bool:
     return performative == NOT_UNDERSTOOD and message in sent
 
 
-def _lists(checker: Checker, party: Party, verb: str, performative: tree.Name, message: tree.Name) -> bool:
+def _lists(checker: Checker, party: Party, verb: Verb, performative: tree.Name, message: tree.Name) -> bool:
     listed = party.sends if verb == "sends" else party.receives
     said = f"{performative} {message}"
     texts = [f"{item.performative} {item.message}" for item in listed]
@@ -275,21 +263,12 @@ def _lists(checker: Checker, party: Party, verb: str, performative: tree.Name, m
         return True
     if not party.wrong.isdisjoint((performative.text, message.text)):
         return False  # it may be what is wrong there
-    near = closest(said, texts)
-    if near is not None and near.split()[0] == performative.text:
-        checker.report(
-            "E511",
-            f"`{party.name}` does not list `{verb} {said}`",
-            message.span,
-            f"did you mean `{near.split()[1]}`?",
-            (Related(party.span, "the participant"),),
-            near.split()[1],
-        )
-        return False
-    hint = f"write `{verb} {said}` there" + (f"; it {verb} {', '.join(texts)}" if texts else "")
+    first, _, near = (closest(said, texts) or "").partition(" ")
+    close = near if first == performative.text else None
+    problem = NotListed(message.text, close, tuple(texts), party.name, verb, performative.text)
+    span = message.span if close is not None else performative.span.to(message.span)
     related = (Related(party.span, "the participant"),)
-    span = performative.span.to(message.span)
-    checker.report("E511", f"`{party.name}` does not list `{verb} {said}`", span, hint, related)
+    checker.report(problem, span, related, close)
     return False
 
 
@@ -300,9 +279,8 @@ def _somebody_receives(checker: Checker, performative: tree.Name, message: tree.
         return True
     if any(not party.wrong.isdisjoint(said) for party in parties):
         return False
-    problem = f"no participant of the protocol receives `{performative} {message}`"
-    hint = f"write `receives {performative} {message}` in the participant that shall get it"
-    checker.report("E532", problem, performative.span.to(message.span), hint)
+    problem = problems.NobodyReceives(performative.text, message.text)
+    checker.report(problem, performative.span.to(message.span))
     return False
 
 

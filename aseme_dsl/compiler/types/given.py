@@ -15,6 +15,9 @@ from aseme_dsl.compiler.read.builtins import reserved
 from aseme_dsl.compiler.read.names import declared_twice, unknown
 from aseme_dsl.compiler.types.typecheck import type_value
 from aseme_dsl.diagnostics import Diagnostic, Related, surely
+from aseme_dsl.diagnostics.problems.absences import NoType
+from aseme_dsl.diagnostics.problems.expressions import arguments as problems
+from aseme_dsl.diagnostics.problems.names import ReservedName
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -99,19 +102,17 @@ class _Work:
         if name == self.formulas.root:
             self.unsure.add(name)
             span = item.parameters[0].span.to(item.parameters[-1].span)
-            problem = f"`{name}` has parameters, and nothing gives them a value"
-            hint = "only a formula that another one names can be given something"
-            self.diagnostics.append(Diagnostic("E310", problem, span, hint=hint))
+            self.diagnostics.append(Diagnostic(problems.RootWithParameters(name), span))
         seen: dict[str, tree.Name] = {}
         for parameter in item.parameters:
             reason = reserved(parameter.name.text)
             if reason is not None:
-                problem = f"a parameter cannot be called `{parameter.name}`"
-                self.diagnostics.append(Diagnostic("E202", problem, parameter.name.span, hint=reason))
+                problem = ReservedName("parameter", parameter.name.text, reason)
+                self.diagnostics.append(Diagnostic(problem, parameter.name.span))
             first = seen.setdefault(parameter.name.text, parameter.name)
             if first is not parameter.name:
                 self.unsure.add(name)
-                self.diagnostics.append(declared_twice("the parameter", parameter.name, first.span))
+                self.diagnostics.append(declared_twice("parameter", parameter.name, first.span))
 
     def _said(self, formula: str, parameter: tree.FormulaParameter) -> Type | None:
         if parameter.type is None:
@@ -121,7 +122,7 @@ class _Work:
         if kind is None:
             self.unsure.add(formula)
             if not symbols.is_excused(parameter.type.text):
-                found = unknown("E200", "there is no type", parameter.type, symbols.type_names)
+                found = unknown(NoType, parameter.type, symbols.type_names)
                 self.diagnostics.append(found)
         return kind
 
@@ -162,22 +163,15 @@ class _Work:
             if name == self.formulas.root:
                 return None
             if parameter.type is None and not self._depends_on_unsure(item, text):
-                problem = f"the type of the parameter `{text}` is not known"
-                hint = f"it is passed on to no activity that says it: write `{name}({text} : …)`"
-                self.diagnostics.append(Diagnostic("E308", problem, parameter.name.span, hint=hint))
+                untyped = problems.UntypedParameter(name, text)
+                self.diagnostics.append(Diagnostic(untyped, parameter.name.span))
             return None
         for kind, span in self._passed_on(item, text, known):
             if kind != first[0] and parameter.type is None:
                 self.unsure.add(name)
-                self.diagnostics.append(
-                    Diagnostic(
-                        "E309",
-                        f"`{text}` is passed on as {first[0]} and as {kind}",
-                        span,
-                        (Related(first[1], f"as {first[0]}"),),
-                        hint="it can be one of them only",
-                    )
-                )
+                related = (Related(first[1], f"as {first[0]}"),)
+                two_types = problems.ParameterOfTwoTypes(text, str(first[0]), str(kind))
+                self.diagnostics.append(Diagnostic(two_types, span, related))
                 return None
         return first[0]
 
@@ -196,7 +190,7 @@ class _Work:
         self, node: Formula, scope: Scope, parameters: Mapping[str, tuple[Parameter, ...]]
     ) -> tuple[Argument, ...]:
         """What a name is given, by parameter; nothing where something is wrong with that."""
-        wanted = self._parameters_of(node, parameters)
+        wanted = self._wordsof(node, parameters)
         if wanted is None:
             return ()
         if len(wanted) != len(node.arguments):
@@ -211,7 +205,7 @@ class _Work:
                 found.append(Argument(parameter.name, value))
         return tuple(found) if len(found) == len(wanted) else ()
 
-    def _parameters_of(
+    def _wordsof(
         self, node: Formula, parameters: Mapping[str, tuple[Parameter, ...]]
     ) -> Sequence[Parameter] | None:
         """What a name wants; None, reported if need be, where that is not known."""
@@ -225,18 +219,9 @@ class _Work:
             return None
         if form is None and node.arguments:
             near = surely(node.name, (*symbols.activities, *parameters))
-            types = ", ".join(f"{_word(a.text, n)} : …" for n, a in enumerate(node.arguments, 1))
-            hint = f"say so among the `activities`: `{node.name}({types})`"
-            if near is not None:
-                hint = f"did you mean `{near}`?"
-            self.diagnostics.append(
-                Diagnostic(
-                    "E523",
-                    f"the activity `{node.name}` is given something, and nothing says that it has parameters",
-                    node.span,
-                    hint=f"{hint}; one after the other is `{_in_sequence(node)}`" if near is None else hint,
-                )
-            )
+            words = tuple(_word(a.text, n) for n, a in enumerate(node.arguments, 1))
+            problem = problems.GivenWithoutParameters(node.name, near, words, _in_sequence(node))
+            self.diagnostics.append(Diagnostic(problem, node.span))
             return None
         return form.parameters if form is not None else ()
 
@@ -248,24 +233,16 @@ class _Work:
             related = (Related(formula.name.span, "the formula"),)
         elif form is not None:
             related = (Related(form.span, "what is said of it"),)
-        count = len(wanted)
-        takes = f"takes {count} argument{'s' if count != 1 else ''}" if count else "takes no arguments"
-        listed = ", ".join(map(str, wanted))
-        hint = f"write `{node.name}(…)`, with {listed}" if count else f"write `{_in_sequence(node)}`"
-        number = len(node.arguments) or "none"
-        self.diagnostics.append(
-            Diagnostic("E523", f"`{node.name}` {takes}, not {number}", node.span, related, hint=hint)
-            if count
-            else Diagnostic("E523", f"`{node.name}` {takes}", node.span, related, hint=hint)
+        problem = problems.WrongNumberGiven(
+            node.name, tuple(map(str, wanted)), len(node.arguments), _in_sequence(node)
         )
+        self.diagnostics.append(Diagnostic(problem, node.span, related))
 
     def _is_lasting(self, value: Value) -> bool:
         """Whether what it reads is still there when the state is entered: a signal may be used up (E524)."""
         for part in walk(value):
             if isinstance(part, Member) and part.channel.comm is Comm.SIGNAL:
-                hint = "keep what it says in a variable on the way: `/ goal = …`"
-                problem = f"the signal `{part.channel}` may be used up when the state is entered"
-                self.diagnostics.append(Diagnostic("E524", problem, value.span, hint=hint))
+                self.diagnostics.append(Diagnostic(problems.SignalGiven(str(part.channel)), value.span))
                 return False
         return True
 

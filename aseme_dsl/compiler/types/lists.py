@@ -7,11 +7,15 @@ from collections.abc import Sequence
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.messages import DOUBLE, INT, Kind, Type, list_of
-from aseme_dsl.compiler.names.checker import Checker, a, is_number
+from aseme_dsl.compiler.names.checker import Checker, is_number
 from aseme_dsl.compiler.names.paths import member_path, unnamed
+from aseme_dsl.compiler.read.builtins import FORMS
 from aseme_dsl.compiler.read.constants import NotConstant, fold
-from aseme_dsl.compiler.types.calls import fits, is_given, wrong_form
+from aseme_dsl.compiler.types.calls import fits, is_given
 from aseme_dsl.diagnostics import Related
+from aseme_dsl.diagnostics.problems.expressions import values as problems
+from aseme_dsl.diagnostics.problems.expressions.arguments import ListOfMessages, OtherKind, OtherThanElements
+from aseme_dsl.diagnostics.wording import a
 from aseme_dsl.grammar.text import tree
 
 
@@ -22,12 +26,11 @@ def literal(checker: Checker, written: tree.List, elements: Sequence[Value]) -> 
     first = elements[0]
     for item in elements:
         if item.type.kind is Kind.LIST:
-            checker.report("E536", "a list does not hold lists", item.span, "write its elements")
+            checker.report(problems.ListInList(), item.span)
             return None
         if item.type != first.type and not (is_number(item.type) and is_number(first.type)):
-            problem = f"the elements of a list are of one type: {a(first.type)}, not {a(item.type)}"
-            related = (Related(first.span, f"{a(first.type)}"),)
-            checker.report("E536", problem, item.span, related=related)
+            related = (Related(first.span, a(first.type)),)
+            checker.report(problems.MixedList(str(first.type), str(item.type)), item.span, related)
             return None
     kind = DOUBLE if any(item.type == DOUBLE for item in elements) else first.type
     return amola.ListValue(tuple(elements), list_of(kind), written.span)
@@ -37,24 +40,19 @@ def is_empty(checker: Checker, value: Value | None) -> bool:
     """Whether it is `[]` where nothing says of what (E536)."""
     found = value is not None and value.type == list_of(None)
     if found and value is not None:
-        hint = "`[]` stands where a repeated member is filled: `items = []`"
-        checker.report("E536", "nothing says what this list would hold", value.span, hint)
+        checker.report(problems.EmptyList(), value.span)
     return found
 
 
 def element(checker: Checker, written: tree.Element, whole: Value, index: Value) -> Value | None:
     """`list[index]`, and what follows: E535, E501, W552."""
     if whole.type.kind is not Kind.LIST:
-        problem = f"`{written.list.span.text}` is {a(whole.type)}: only a list has elements"
-        hint = "a repeated member of a message is a list, and so is `[a, b]`"
-        checker.report("E535", problem, written.span, hint)
+        checker.report(problems.ElementOfOther(written.list.span.text, str(whole.type)), written.span)
         return None
     if is_empty(checker, whole):
         return None
     if index.type != INT:
-        hint = "round it: `floor`, `ceil` and `round` of `import math` give an int"
-        problem = f"an element is chosen by an int, not by {a(index.type)}"
-        checker.report("E535", problem, index.span, hint if index.type == DOUBLE else None)
+        checker.report(problems.IndexNotInt(str(index.type)), index.span)
         return None
     assert whole.type.element is not None
     found = member_path(checker, whole.type.element, (), written.members)
@@ -74,11 +72,9 @@ def _warn(checker: Checker, whole: Value, index: Value) -> None:
     written = unnamed(whole)
     count = len(written.elements) if isinstance(written, amola.ListValue) else None
     if number < 0:
-        hint = "the first element is 0; the last one of `x` is `x[size(x) - 1]`"
-        checker.report("W552", f"there is no element {number}: this is always absent", index.span, hint)
+        checker.report(problems.NoElement(number, None), index.span)
     elif count is not None and number >= count:
-        hint = f"the last one is {count - 1}: the first is 0"
-        checker.report("W552", f"there is no element {number}: this is always absent", index.span, hint)
+        checker.report(problems.NoElement(number, count - 1), index.span)
 
 
 def size(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
@@ -96,12 +92,12 @@ def contains(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -
     kind: Type | None = whole.type.element
     assert kind is not None
     if kind.kind is Kind.MESSAGE:
-        problem = f"the list holds messages (`{kind}`), which cannot be compared"
-        wrong_form(checker, "contains", wanted.span, problem)
+        of_messages = ListOfMessages("contains", FORMS["contains"], str(kind))
+        checker.report(of_messages, wanted.span)
         return None
     if not fits(wanted.type, kind):
-        problem = f"the list holds values of type {kind}: {a(wanted.type)} is not among them"
-        wrong_form(checker, "contains", wanted.span, problem)
+        other = OtherThanElements("contains", FORMS["contains"], str(kind), str(wanted.type))
+        checker.report(other, wanted.span)
         return None
     return amola.Contains(whole, wanted, written.span)
 
@@ -112,8 +108,8 @@ def _is_of_list(
     if not is_given(checker, name, written, count):
         return False
     if arguments[0].type.kind is not Kind.LIST:
-        problem = f"`{name}` wants a list, not {a(arguments[0].type)}"
-        wrong_form(checker, name, arguments[0].span, problem)
+        no_list = OtherKind(name, FORMS[name], "list", str(arguments[0].type))
+        checker.report(no_list, arguments[0].span)
         return False
     return not is_empty(checker, arguments[0])
 

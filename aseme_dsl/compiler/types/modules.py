@@ -11,6 +11,8 @@ from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.read.names import declared_twice
 from aseme_dsl.compiler.types.activities import type_activity
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems import activities as problems
+from aseme_dsl.diagnostics.problems.names import NoTarget
 from aseme_dsl.grammar.text import tree
 
 _TARGET = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*:[A-Za-z_]\w*", re.ASCII)
@@ -27,54 +29,25 @@ def read_modules(
         name = item.name
         first = found.setdefault(name.text, item)
         if first is not item:
-            diagnostics.append(declared_twice("the module", name, first.name.span))
+            diagnostics.append(declared_twice("module", name, first.name.span))
             continue
-        statement, problems = type_activity(item.activity, scope)
-        diagnostics += problems
+        statement, wrong = type_activity(item.activity, scope)
+        diagnostics += wrong
         if item.activity.every is None and not is_damaged:
-            diagnostics.append(
-                Diagnostic(
-                    "E218",
-                    f"the module `{name}` has no period",
-                    name.span,
-                    hint=f"say how often it runs: `{name} every 33ms`",
-                )
-            )
+            diagnostics.append(Diagnostic(problems.NoPeriod(name.text), name.span))
         elif item.activity.every is not None and item.activity.every.nanoseconds <= 0:
-            diagnostics.append(
-                Diagnostic(
-                    "E218",
-                    f"the period of the module `{name}` is no time at all",
-                    item.activity.every.span,
-                    hint="a module runs every so often: `every 33ms`",
-                )
-            )
+            diagnostics.append(Diagnostic(problems.PeriodNotPositive(name.text), item.activity.every.span))
         for word, place in (
             ("within", item.activity.within),
             ("ends", item.activity.ends[0] if item.activity.ends else None),
         ):
             if place is not None:
-                problem = f"the module `{name}` does not end: it has no `{word}`"
-                diagnostics.append(Diagnostic("E522", problem, place.span, hint="leave it out"))
+                diagnostics.append(Diagnostic(problems.ModuleEnds(name.text, word), place.span))
         if item.activity.simulated is not None:
-            diagnostics.append(
-                Diagnostic(
-                    "E545",
-                    f"the module `{name}` cannot be simulated: nothing says what it would do",
-                    item.activity.simulated,
-                    hint="leave the module out as long as it has no code",
-                )
-            )
+            diagnostics.append(Diagnostic(problems.ModuleSimulated(name.text), item.activity.simulated))
         target = item.target.text if item.target is not None else ""
         if item.target is not None and not _TARGET.fullmatch(target):
-            diagnostics.append(
-                Diagnostic(
-                    "E214",
-                    f"`{target}` does not say where the Python class is",
-                    item.target.span,
-                    hint='write "module:Class", or leave it out: then it is found by the module\'s name',
-                )
-            )
+            diagnostics.append(Diagnostic(NoTarget("class", target), item.target.span))
         modules.append(Module(statement, target))
     return tuple(modules), tuple(diagnostics)
 
@@ -87,13 +60,8 @@ def also_activities(
         for item in written:
             node = used.get(item.name.text)
             if node is not None:
-                yield Diagnostic(
-                    "E219",
-                    f"`{item.name}` is a module here, and an activity of a formula",
-                    item.name.span,
-                    (Related(node.span, "the activity"),),
-                    hint="a module runs by itself: give one of them another name",
-                )
+                related = (Related(node.span, "the activity"),)
+                yield Diagnostic(problems.ModuleIsActivity(item.name.text), item.name.span, related)
 
 
 __all__ = ["also_activities", "read_modules"]

@@ -7,9 +7,11 @@ from aseme_dsl.amola.expression import Literal, Value
 from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.compiler.names.checker import Checker
 from aseme_dsl.compiler.names.symbols import ActivityForm
-from aseme_dsl.compiler.read.names import listed, unknown
+from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.compiler.types.calls import is_given, only_name
 from aseme_dsl.diagnostics import Related, surely
+from aseme_dsl.diagnostics.problems.expressions import values as problems
+from aseme_dsl.diagnostics.problems.expressions.absences import NoActivityWithOutcomes, NoOutcome, NoOutcomes
 from aseme_dsl.grammar.text import tree
 
 
@@ -31,8 +33,7 @@ def compare_outcome(checker: Checker, written: tree.Binary) -> Value | None:
     kind = Type(Kind.OUTCOME, activity.name)
     constant = _constant(checker, activity, kind, other)
     if written.operator not in ("==", "!="):
-        problem = f"outcomes are compared with `==` or `!=`, not with `{written.operator}`"
-        checker.report("E521", problem, written.operator_span)
+        checker.report(problems.OutcomeOrdered(written.operator), written.operator_span)
         return None
     if constant is None:
         return None
@@ -46,13 +47,8 @@ def alone(checker: Checker, written: tree.Call) -> None:
     """`outcome(…)` that is not compared (E521), or asks for nothing that has outcomes (E520)."""
     activity = _activity(checker, written)
     if activity is not None:
-        problem = "an outcome is no value of its own: it is compared with a name"
-        hint = f"write `{written.span.text} == {activity.ends[0]}`; `{activity.name}` ends {_ways(activity)}"
-        checker.report("E521", problem, written.span, hint)
-
-
-def _ways(activity: ActivityForm) -> str:
-    return listed(activity.ends, "or")
+        problem = problems.OutcomeAlone(written.span.text, activity.name, activity.ends)
+        checker.report(problem, written.span)
 
 
 def _asked(written: tree.Expression) -> tree.Call | None:
@@ -67,7 +63,7 @@ def _activity(checker: Checker, written: tree.Call) -> ActivityForm | None:
     symbols = checker.scope.symbols
     if not is_given(checker, "outcome", written, 1):
         return None
-    name = only_name(checker, "outcome", written.arguments[0], "an activity")
+    name = only_name(checker, "outcome", written.arguments[0], "activity")
     if name is None:
         return None
     found = symbols.activities.get(name.text)
@@ -76,13 +72,11 @@ def _activity(checker: Checker, written: tree.Call) -> ActivityForm | None:
     if symbols.is_excused(name.text):
         return None
     with_outcomes = [item.name for item in symbols.activities.values() if item.ends]
-    hint = f"say them among the `activities` of a role: `{name} ends done, failed`"
     if found is not None and surely(name.text, with_outcomes) is None:
         related = (Related(found.span, "what is said of it"),)
-        checker.report("E520", f"the activity `{name}` has no outcomes", name.span, hint, related)
+        checker.report(NoOutcomes(name.text, None, tuple(with_outcomes)), name.span, related)
     else:
-        what = "no activity has outcomes and is called"
-        checker.diagnostics.append(unknown("E520", what, name, with_outcomes, hint))
+        checker.diagnostics.append(unknown(NoActivityWithOutcomes, name, with_outcomes))
     return None
 
 
@@ -93,19 +87,15 @@ def _constant(
     while isinstance(written, tree.Parenthesised):
         written = written.inner
     if isinstance(written, tree.Text) and written.text in activity.ends:
-        problem = "an outcome is written without quotes"
-        checker.report("E520", problem, written.span, f"write `{written.text}`", fix=written.text)
+        checker.report(problems.OutcomeInQuotes(written.text), written.span, fix=written.text)
         return None
     if not isinstance(written, tree.Path) or len(written.segments) != 1:
-        hint = f"`{activity.name}` ends {_ways(activity)}"
-        checker.report("E521", "an outcome is compared with a name only", written.span, hint)
+        checker.report(problems.OutcomeComparedWithValue(activity.name, activity.ends), written.span)
         return None
     name = written.segments[0]
     if name.text in activity.ends:
         return Literal(name.text, kind, name.span)
-    hint = f"it ends {_ways(activity)}"
-    found = unknown("E520", f"`{activity.name}` does not end", name, activity.ends, hint)
-    checker.diagnostics.append(found)
+    checker.diagnostics.append(unknown(NoOutcome, name, activity.ends, activity.name, activity.ends))
     return None
 
 

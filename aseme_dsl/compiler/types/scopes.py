@@ -15,6 +15,11 @@ from aseme_dsl.compiler.read.builtins import OTHER_SPELLINGS, PERFORMATIVES, res
 from aseme_dsl.compiler.read.names import declared_twice, unknown, unknown_performative
 from aseme_dsl.compiler.types.typecheck import constant, measure, paths_in, type_value
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.absences import NoMessage, NoType
+from aseme_dsl.diagnostics.problems.expressions.paths import LetInItself
+from aseme_dsl.diagnostics.problems.expressions.values import NoTypeOfVariable
+from aseme_dsl.diagnostics.problems.names import ReservedName
+from aseme_dsl.diagnostics.problems.talk import InitialAgent
 from aseme_dsl.grammar.text import tree
 
 
@@ -60,7 +65,7 @@ def protocol_scopes(
     first: dict[str, tree.Participant] = {}
     for item in protocol.participants:
         if first.setdefault(item.name.text, item) is not item:
-            diagnostics.append(declared_twice("the participant", item.name, first[item.name.text].name.span))
+            diagnostics.append(declared_twice("participant", item.name, first[item.name.text].name.span))
     parties: dict[str, Party] = {}
     for name, item in first.items():
         sends, wrong = _messages(item.sends, outer)
@@ -105,13 +110,11 @@ def type_variables(
         name = item.name
         reason = reserved(name.text)
         if reason is None and taken_as_member(name.text):
-            reason = f"`{name}` means something else in the generated Python"
+            reason = "generated"
         if reason is not None:
-            diagnostics.append(
-                Diagnostic("E202", f"a variable cannot be called `{name}`", name.span, hint=reason)
-            )
+            diagnostics.append(Diagnostic(ReservedName("variable", name.text, reason), name.span))
         if name.text in found:
-            diagnostics.append(declared_twice("the variable", name, found[name.text].span))
+            diagnostics.append(declared_twice("variable", name, found[name.text].span))
             continue
         kind, wrong = _variable_type(item.type, scope)
         diagnostics += wrong
@@ -121,9 +124,7 @@ def type_variables(
             continue
         initial = default_value(kind, scope)
         if item.initial is not None and kind == AGENT:
-            hint = "it is set when a message has come: `/ best = sender(b)`"
-            problem = "a variable of type agent has no initial value"
-            diagnostics.append(Diagnostic("E534", problem, item.initial.span, hint=hint))
+            diagnostics.append(Diagnostic(InitialAgent(), item.initial.span))
         elif item.initial is not None:
             written, problems = constant(item.initial, kind, scope)
             diagnostics += problems
@@ -145,14 +146,11 @@ def _variable_type(name: tree.Name, scope: Scope) -> tuple[Type | None, tuple[Di
         if scope.symbols.is_excused(name.text):
             return None, ()
         other = OTHER_SPELLINGS.get(name.text)
-        hint = f"it is called `{other}` here" if other else None
         if other:
-            return None, (Diagnostic("E200", f"there is no type `{name}`", name.span, hint=hint, fix=other),)
-        return None, (unknown("E200", "there is no type", name, set(usable) - {"bytes"}),)
+            return None, (Diagnostic(NoType(name.text, None, (), spelling=other), name.span, fix=other),)
+        return None, (unknown(NoType, name, set(usable) - {"bytes"}),)
     if kind == BYTES or kind.kind is Kind.MESSAGE:
-        what = "a message" if kind.kind is Kind.MESSAGE else "bytes"
-        hint = "a variable is a bool, int, double, string, duration, agent or an enum"
-        return None, (Diagnostic("E500", f"a variable cannot hold {what}", name.span, hint=hint),)
+        return None, (Diagnostic(NoTypeOfVariable(kind.kind is Kind.MESSAGE), name.span),)
     return kind, ()
 
 
@@ -185,12 +183,12 @@ def _messages(
         if scope.symbols.message(message.text) is None:
             if not scope.symbols.is_excused(message.text):
                 pool = [one.name for one in scope.symbols.messages]
-                diagnostics.append(unknown("E502", "there is no message", message, pool))
+                diagnostics.append(unknown(NoMessage, message, pool))
             continue
         key = (performative.text, message.text)
         if key in found:
             called = tree.Name(f"{performative} {message}", item.span)
-            diagnostics.append(declared_twice("the message", called, found[key].span))
+            diagnostics.append(declared_twice("message", called, found[key].span))
             continue
         found[key] = AgentMessage(performative.text, message.text, item.span)
     return tuple(found.values()), tuple(diagnostics)
@@ -216,15 +214,13 @@ def with_lets(outer: Scope, lets: Sequence[tree.Let]) -> tuple[Scope, tuple[Diag
     for item in lets:
         first = written.setdefault(item.name.text, item)
         if first is not item:
-            diagnostics.append(declared_twice("the let", item.name, first.name.span))
+            diagnostics.append(declared_twice("let", item.name, first.name.span))
             continue
         reason = reserved(item.name.text)
         if item.name.text in outer.variables:
-            reason = "a variable has this name"
+            reason = "variable"
         if reason is not None:
-            diagnostics.append(
-                Diagnostic("E202", f"a let cannot be called `{item.name}`", item.name.span, hint=reason)
-            )
+            diagnostics.append(Diagnostic(ReservedName("let", item.name.text, reason), item.name.span))
     order, circles = _in_order(written)
     in_circle = {item.name.text for circle, _ in circles for item in circle}
     diagnostics += [_circle(circle, use) for circle, use in circles]
@@ -275,7 +271,6 @@ def _in_order(written: Mapping[str, tree.Let]) -> tuple[list[tree.Let], list[_Ci
 
 
 def _circle(circle: Sequence[tree.Let], use: tree.Name) -> Diagnostic:
-    names = " → ".join(item.name.text for item in (*circle, circle[0]))
+    path = tuple(item.name.text for item in (*circle, circle[0]))
     related = (Related(use.span, "the circle closes here"),)
-    hint = "a `let` stands for an expression; a value that changes is a variable (`var`)"
-    return Diagnostic("E510", f"a `let` refers to itself: {names}", circle[0].name.span, related, hint=hint)
+    return Diagnostic(LetInItself(path), circle[0].name.span, related)

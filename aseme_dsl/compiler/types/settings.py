@@ -14,6 +14,10 @@ from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.compiler.types.typecheck import type_value
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.absences import NoVariableOfRole
+from aseme_dsl.diagnostics.problems.expressions.paths import SettingNotConstant
+from aseme_dsl.diagnostics.problems.expressions.values import NotComputed
+from aseme_dsl.diagnostics.problems.names import SetTwice
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -51,16 +55,12 @@ def _line(
         name = item.name
         if first.setdefault(name.text, name) is not name:
             related = (Related(first[name.text].span, "first set here"),)
-            found.append(
-                Diagnostic("E610", f"`{name}` is set twice", name.span, related, hint="leave one out")
-            )
+            found.append(Diagnostic(SetTwice(name.text), name.span, related))
             continue
         variable = variables.get(name.text)
         if variable is None:
             if not top.symbols.is_excused(name.text):
-                hint = None if variables else f"declare it in the role: `var {name} : …`"
-                what = f"the role `{line.role}` has no variable"
-                found.append(unknown("E611", what, name, variables, hint))
+                found.append(unknown(NoVariableOfRole, name, variables, line.role.text))
             continue
         value, problems = type_value(item.value, top, variable.type)
         found += problems
@@ -76,12 +76,10 @@ def _settled(agent: Agent, values: Iterable[tuple[str, Value, Type]], found: lis
         try:
             constant = fold(substituted(value, {INSTANCE: number}))
         except NotConstant as problem:
-            hint = "write a constant; it may be computed from `index`"
-            message = "what is set in an agent must be a constant"
-            found.append(Diagnostic("E514", message, problem.value.span, hint=hint))
+            found.append(Diagnostic(SettingNotConstant(), problem.value.span))
             continue
         except ArithmeticError as problem:
-            found.append(Diagnostic("E516", f"the value cannot be computed: {problem}", value.span))
+            found.append(Diagnostic(NotComputed(str(problem)), value.span))
             continue
         if kind == DOUBLE:
             assert not isinstance(constant, str)

@@ -16,6 +16,8 @@ from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.compiler.types.calls import is_given, only_name
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.expressions.absences import NoStateAsked
+from aseme_dsl.diagnostics.problems.expressions.paths import CountOfSeveral, NeverDone, StateAskedInAction
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -24,7 +26,7 @@ def state_value(checker: Checker, question: str, written: tree.Call) -> StateVal
     """`in(chase)`: of which states it asks is known only in a chart."""
     if not is_given(checker, question, written, 1):
         return None
-    name = only_name(checker, question, written.arguments[0], "a formula or an activity")
+    name = only_name(checker, question, written.arguments[0], "state")
     if name is None:
         return None
     kind = INT if question == "count" else BOOL
@@ -68,32 +70,16 @@ def _each_question(chart: Statechart) -> Iterator[tuple[str, StateValue, bool]]:
 def _problem(chart: Statechart, source: str, value: StateValue, in_condition: bool) -> Diagnostic | None:
     found = states_meant(chart, source, value.state)
     if value.question != "count" and not in_condition:
-        return Diagnostic(
-            "E433",
-            f"`{value.question}` is asked in conditions: while actions run, states are left and entered",
-            value.span,
-            hint="ask it in the condition, in two lines if need be",
-        )
+        return Diagnostic(StateAskedInAction(value.question), value.span)
     if not found:
         names = {node.name for node in chart.nodes if _has_name(node)}
-        hint = "ask for a formula, an activity or a played participant of this role"
-        return unknown("E430", f"{chart.name} has no state", tree.Name(value.state, value.named), names, hint)
+        return unknown(NoStateAsked, tree.Name(value.state, value.named), names, chart.name)
     if value.question == "count" and len(found) > 1:
-        return Diagnostic(
-            "E431",
-            f"`{cut(value.state)}` stands in {len(found)} places here, and each has its own count",
-            value.span,
-            tuple(Related(node.span, f"{node.label}") for node in found[:5]),
-            hint="give one of them a formula with a name of its own, and count that",
-        )
+        related = tuple(Related(node.span, f"{node.label}") for node in found[:5])
+        return Diagnostic(CountOfSeveral(cut(value.state), len(found)), value.span, related)
     if value.question == "done" and not any(_completes(chart, node) for node in found):
-        return Diagnostic(
-            "W435",
-            f"`{cut(value.state)}` never completes, so that this is never true",
-            value.span,
-            (Related(found[0].span, f"`{cut(value.state)}`"),),
-            hint="ask `in(…)`, or let it end",
-        )
+        name = cut(value.state)
+        return Diagnostic(NeverDone(name), value.span, (Related(found[0].span, f"`{name}`"),))
     return None
 
 

@@ -21,12 +21,16 @@ from aseme_dsl.compiler.types.calls import (
     constant_duration,
     function_name,
     timer,
-    wrong_form,
 )
 from aseme_dsl.compiler.types.operators import COMPARISONS, arithmetic, compare, is_condition, negate
 from aseme_dsl.compiler.types.outcome_values import alone, compare_outcome, is_about_outcome
 from aseme_dsl.compiler.types.state_values import state_value
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
+from aseme_dsl.diagnostics.problems.expressions import paths as problems
+from aseme_dsl.diagnostics.problems.expressions import values
+from aseme_dsl.diagnostics.problems.expressions.absences import NoAction
+from aseme_dsl.diagnostics.problems.expressions.arguments import DurationNotComputed, TimerAsValue
+from aseme_dsl.diagnostics.problems.talk import EventWithoutMessage
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -57,10 +61,10 @@ def type_expression(
     condition = None
     if written.condition is not None:
         value = _whole(checker, written.condition)
-        if is_condition(checker, value, "a condition") and _is_decided(checker, value):
+        if is_condition(checker, value, None) and _is_decided(checker, value):
             condition = value
     elif written.when:
-        checker.report("E505", "`when` needs a condition", written.span, "write `when [condition]`")
+        checker.report(values.WhenWithoutCondition(), written.span)
     made = [tuple(_actions(checker, action)) for action in written.actions]
     typed = amola.TransitionExpression(
         tuple(event for event in events if event is not None),
@@ -85,9 +89,7 @@ def _is_decided(checker: Checker, value: Value | None) -> bool:
     """Whether a condition is left to chance (E526): it would be another one each time it is looked at."""
     drawn = None if value is None else next((v for v in walk(value) if isinstance(v, amola.Random)), None)
     if drawn is not None:
-        hint = "draw it in an action on the way, `/ chance = random()`, and ask for the variable"
-        problem = "a condition is looked at many times: `random()` would be another number each time"
-        checker.report("E526", problem, drawn.span, hint)
+        checker.report(values.RandomInCondition(), drawn.span)
     return drawn is None
 
 
@@ -118,13 +120,11 @@ def constant(
     try:
         result = fold(value)
     except NotConstant as problem:
-        hint = "this is known only at run time: assign it in an action"
-        checker.report("E514", "an initial value must be a constant", problem.value.span, hint)
+        checker.report(problems.InitialNotConstant(), problem.value.span)
         return None, tuple(checker.diagnostics)
     except ArithmeticError as problem:
-        fits = isinstance(problem, OverflowError) and expected == INT
-        larger = "a double can be larger" if fits else None
-        checker.report("E516", f"the value cannot be computed: {problem}", value.span, larger)
+        has_larger = isinstance(problem, OverflowError) and expected == INT
+        checker.report(values.NotComputed(str(problem), has_larger), value.span)
         return None, tuple(checker.diagnostics)
     if expected == DOUBLE:
         assert not isinstance(result, str)
@@ -187,12 +187,10 @@ def _whole(checker: Checker, written: tree.Expression) -> Value | None:
         return None
     height, size = measure(value, checker.scope)
     if height > DEEPEST:
-        problem = f"the expression is nested {height} deep, with its lets written out; {DEEPEST} is the limit"
-        checker.report("E103", problem, written.span)
+        checker.report(problems.NestedTooDeep(height, DEEPEST), written.span)
         return None
     if size > MOST_PARTS:
-        problem = f"the expression has {size} parts, with its lets written out; {MOST_PARTS} is the limit"
-        checker.report("E304", problem, written.span)
+        checker.report(problems.TooManyParts(size, MOST_PARTS), written.span)
         return None
     return value
 
@@ -205,7 +203,7 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
     while isinstance(written, tree.Parenthesised):
         written = written.inner
     if depth > DEEPEST:
-        checker.report("E103", f"an expression is not nested more than {DEEPEST} deep", written.span)
+        checker.report(problems.NestedTooDeep(None, DEEPEST), written.span)
         return None
     match written:
         case tree.Number(value=number, span=span):
@@ -246,10 +244,7 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
             return typed(checker, written, left, right)
         case tree.Logic(operator=operator):
             parts = [_value(checker, part, depth + 1) for part in written.operands]
-            fits = [
-                is_condition(checker, part, f"an operand of `{operator}`") and _is_drawn_once(checker, part)
-                for part in parts
-            ]
+            fits = [is_condition(checker, part, operator) and _is_drawn_once(checker, part) for part in parts]
             if not all(fits):
                 return None
             return amola.Logic(operator, tuple(part for part in parts if part is not None), written.span)
@@ -259,16 +254,14 @@ def _is_drawn_once(checker: Checker, value: Value | None) -> bool:
     """Whether a part of a logic expression, which may be asked twice, is not left to chance (E526)."""
     drawn = None if value is None else next((v for v in walk(value) if isinstance(v, amola.Random)), None)
     if drawn is not None:
-        problem = "`random()` is not drawn in `&&`, `||` and `!`"
-        checker.report("E526", problem, drawn.span, "keep it in a variable first: `/ chance = random(); …`")
+        checker.report(values.RandomInLogic(), drawn.span)
     return drawn is None
 
 
 def _checked(checker: Checker, literal: Literal) -> Value | None:
     """A number that fits where it is kept: 64 bits."""
     if isinstance(literal.value, int) and literal.value > LARGEST_INT:
-        hint = "the longest duration is 292 years" if literal.type == DURATION else "a double can be larger"
-        checker.report("E516", f"{literal.span.text} does not fit 64 bits", literal.span, hint)
+        checker.report(values.TooLarge(literal.span.text, literal.type == DURATION), literal.span)
         return None
     return literal
 
@@ -279,7 +272,7 @@ def _unary(checker: Checker, written: tree.Unary, depth: int) -> Value | None:
         return None
     if written.operator != "!":
         return negate(checker, written, operand)
-    fits = is_condition(checker, operand, "the operand of `!`") and _is_drawn_once(checker, operand)
+    fits = is_condition(checker, operand, "!") and _is_drawn_once(checker, operand)
     return amola.Not(operand, written.span) if fits else None
 
 
@@ -289,7 +282,7 @@ def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
         found = timer(checker, written, name, 1)
         return None if found is None else amola.Expired(found, written.span)
     if name == "start_timer":
-        wrong_form(checker, name, written.span, "`start_timer` is an action, not a value")
+        checker.report(TimerAsValue(name, FORMS[name]), written.span)
         return None
     if name == "outcome" and not checker.scope.symbols.overloads(name):
         alone(checker, written)
@@ -318,7 +311,7 @@ def _event(checker: Checker, written: tree.Event) -> amola.Event | None:
             value = _whole(checker, duration)
             if value is None:
                 return None
-            nanoseconds = constant_duration(checker, "the time of `after`", value, 0, None)
+            nanoseconds = constant_duration(checker, "after", value, 0, None)
             return None if nanoseconds is None else amola.After(nanoseconds, span)
         case tree.Received():
             return exchange.received(checker, written)
@@ -328,17 +321,14 @@ def _event(checker: Checker, written: tree.Event) -> amola.Event | None:
             if name.text == "error":
                 return amola.Failed(span)
             if name.text in PERFORMATIVES:
-                hint = f"an agent message is `{name} Message from participant`"
-                checker.report("E512", f"the message of `{name}` is missing", span, hint)
+                checker.report(EventWithoutMessage(name.text), span)
                 return None
             if name.text in checker.scope.lets or name.text in checker.scope.variables:
-                hint = f"write `[{name}]`; a name without brackets is an event that an activity raises"
-                checker.report("E517", f"`{name}` is a value, not an event", span, hint, fix=f"[{name}]")
+                checker.report(problems.ValueAsEvent(name.text), span, fix=f"[{name}]")
                 return None
             near = surely(name.text, (*checker.scope.lets, *checker.scope.variables))
             if near is not None:
-                hint = f"if the value `{near}` is meant, write `[{near}]`"
-                checker.report("W424", f"`{name}` is an event that an activity has to raise", span, hint)
+                checker.report(problems.EventLikeValue(name.text, near), span)
             return amola.Raised(name.text, span)
 
 
@@ -392,8 +382,7 @@ def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
             if value is None:
                 return None
             compares = isinstance(value, amola.Compare) and value.operator == "=="
-            hint = "`=` assigns" if compares else "assign it to a variable, or remove it"
-            checker.report("W500", "the value is computed and dropped", span, hint)
+            checker.report(problems.ValueDropped(compares), span)
             return amola.Evaluate(value, span)
 
 
@@ -411,15 +400,13 @@ def _is_misspelt_action(checker: Checker, written: tree.Expression) -> bool:
     if first.text in ACTIONS:
         if not isinstance(written, tree.Call):
             return False
-        alone = first.text == "read_messages"
-        hint = f"write `{first}`" if alone else f"write `{first}.topic.class.Message`"
-        problem = f"`{first}` is written without parentheses"
-        checker.report("E102", problem, written.span, hint, fix=first.text if alone else None)
+        fix = first.text if first.text == "read_messages" else None
+        checker.report(problems.ActionCalled(first.text), written.span, fix=fix)
         return True
     near = closest(first.text, ACTIONS)
     if near is None or closest(first.text, (*known, near)) != near:
         return False
-    checker.diagnostics.append(unknown("E200", "there is no action", first, ACTIONS))
+    checker.diagnostics.append(unknown(NoAction, first, ACTIONS))
     return True
 
 
@@ -431,16 +418,16 @@ def _start_timer(checker: Checker, written: tree.Call, span: Span) -> amola.Acti
     if duration is None:
         return None
     if duration.type != DURATION:
-        constant_duration(checker, "the time of `start_timer`", duration, None, None)
+        constant_duration(checker, "start_timer", duration, None, None)
         return None
     try:
         fold(duration)
     except NotConstant:
         return amola.StartTimer(found, duration, span)
     except ArithmeticError:
-        checker.report("E516", "the time of `start_timer` cannot be computed", duration.span)
+        checker.report(DurationNotComputed("start_timer"), duration.span)
         return None
-    if constant_duration(checker, "the time of `start_timer`", duration, 0, None) is None:
+    if constant_duration(checker, "start_timer", duration, 0, None) is None:
         return None
     return amola.StartTimer(found, duration, span)
 
@@ -451,12 +438,10 @@ def _publish(checker: Checker, path: tree.Path, span: Span) -> amola.Action | No
         return None
     host, channel, used = found
     if host is not None:
-        hint = f"write `write_messages.{channel}`; what was assigned with `{host}.` goes to {host} alone"
-        checker.report("E502", "`write_messages` names no host", path.segments[0].span, hint)
+        checker.report(problems.PublishedForHost(host, str(channel)), path.segments[0].span)
         return None
     if len(path.segments) > used:
-        hint = f"write `write_messages.{channel}`; members are assigned before it"
-        checker.report("E502", "`write_messages` names no member", path.segments[used].span, hint)
+        checker.report(problems.MemberPublished(str(channel)), path.segments[used].span)
         return None
     return amola.Publish(channel, span)
 
@@ -467,9 +452,7 @@ def _assign(checker: Checker, written: tree.Assign) -> amola.Action | None:
     if target is None or value is None or not assignable(checker, value, target.type):
         return None
     if isinstance(value, amola.VariableValue) and target == replace(value, span=target.span):
-        checker.report(
-            "W500", f"`{target.name}` is given the value that it has", written.span, "leave it out"
-        )
+        checker.report(problems.AssignedItself(target.name), written.span)
     return amola.Assign(target, value, written.span)
 
 
@@ -478,8 +461,7 @@ def _target(checker: Checker, path: tree.Path) -> amola.VariableValue | amola.Me
     first = path.segments[0]
     scope = checker.scope
     if first.text in scope.parameters:
-        hint = "it stands for what the formula is given"
-        checker.report("E507", f"`{first}` is a parameter: nothing can be written to it", path.span, hint)
+        checker.report(problems.ParameterAssigned(first.text), path.span)
         return None
     if first.text in scope.variables:
         target = value_of_path(checker, path)
@@ -487,11 +469,10 @@ def _target(checker: Checker, path: tree.Path) -> amola.VariableValue | amola.Me
         return target
     if first.text in scope.lets:
         related = (Related(scope.lets[first.text].span, "declared here"),)
-        hint = "a variable (`var`) can be assigned to"
-        checker.report("E507", f"`{first}` is a let: it has no value of its own", path.span, hint, related)
+        checker.report(problems.LetAssigned(first.text), path.span, related)
         return None
     if scope.symbols.enum(first.text) is not None:
-        checker.report("E507", f"`{path.text}` is a constant", path.span)
+        checker.report(problems.ConstantAssigned(path.text), path.span)
         return None
     if len(path.segments) == 1:
         value_of_path(checker, path)
@@ -500,12 +481,10 @@ def _target(checker: Checker, path: tree.Path) -> amola.VariableValue | amola.Me
     if member is None:
         return None
     if member.type.kind is Kind.MESSAGE:
-        what = "a whole message" if not member.path else "a message inside a message"
-        checker.report("E507", f"{what} is not assigned to", path.span, "assign to its members one by one")
+        checker.report(problems.MessageAssigned(bool(member.path)), path.span)
         return None
     optional = through_optional(checker, member.channel.message, member.path)
     if optional is not None:
-        hint = "an activity can publish the message with it"
-        checker.report("E507", f"`{optional}` is optional and not there in a new message", path.span, hint)
+        checker.report(problems.OptionalAssigned(optional, is_sent=False), path.span)
         return None
     return member

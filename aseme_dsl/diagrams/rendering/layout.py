@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from aseme_dsl.diagrams.look.drawing import Drawing
-from aseme_dsl.diagrams.rendering import pdf, svg
+from aseme_dsl.diagrams.rendering import svg
 
 TIME_LIMIT = 10.0
 """How long one run of Graphviz may take, in seconds."""
@@ -21,7 +21,10 @@ TIME_LIMIT = 10.0
 FORMATS = ("svg", "png", "pdf", "dot")
 
 _PURE = "graphviz-pure"
-"""The program of the package of that name, which writes no PDF."""
+"""The program of the package of that name, which writes no PDF.
+
+To do it with svglib and reportlab instead takes 45 MB, and a font with Greek letters that nobody can rely on.
+"""
 
 _ATTEMPTS: Sequence[tuple[str, ...]] = ((), ("-Gnewrank=true",))
 """Graphviz' own ranking lays clusters out better; the new one survives where that breaks down."""
@@ -63,18 +66,28 @@ def program() -> str:
     return found
 
 
+def writes_pdf() -> bool:
+    """Whether the Graphviz to use does; raises GraphvizMissing if there is none."""
+    return not Path(program()).name.startswith(_PURE)
+
+
 def render(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> bytes:
     """The drawing as `svg`, `png`, `pdf` or `dot`, complete.
 
     Whatever the format, the SVG of the same layout has been compared with what the drawing must show. Raises
-    DrawingFailed where no attempt gave a complete picture, GraphvizMissing (which is one) without Graphviz,
-    and ValueError for another format.
+    DrawingFailed where no attempt gave a complete picture or Graphviz does not write the format,
+    GraphvizMissing (which is one) without Graphviz, and ValueError for another format.
     """
     if format not in FORMATS:
         raise ValueError(f"{format!r} is not one of {', '.join(FORMATS)}")
     if format == "dot":
         return drawing.dot.encode()
     graphviz = program()
+    if format == "pdf" and not writes_pdf():
+        raise DrawingFailed(
+            f"{_PURE} writes no PDF: install Graphviz so that `dot` is on the PATH (Debian and Ubuntu: "
+            "`apt install graphviz`); SVG and PNG files can be written without it"
+        )
     reasons: list[str] = []
     for flags in _ATTEMPTS:
         try:
@@ -83,23 +96,10 @@ def render(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> 
                 raise _Flawed("; ".join(faults[:3]) + (f" and {len(faults) - 3} more" if faults[3:] else ""))
             if format == "svg":
                 return picture
-            if format == "pdf" and Path(graphviz).name.startswith(_PURE):
-                return _own_pdf(drawing, picture)
             return _run([graphviz, f"-T{format}", *flags], drawing.dot, time_limit)
         except _Flawed as flaw:
             reasons.append(str(flaw))
     raise DrawingFailed(f"{drawing.name} could not be drawn: {' / then '.join(dict.fromkeys(reasons))}")
-
-
-def _own_pdf(drawing: Drawing, picture: bytes) -> bytes:
-    try:
-        return pdf.from_svg(picture)
-    except UnicodeEncodeError as error:
-        character = error.object[error.start]
-        raise DrawingFailed(
-            f"{drawing.name} has the character {character!r}, which needs Graphviz' own `dot` for a PDF "
-            "(Debian and Ubuntu: `apt install graphviz`); SVG and PNG can be drawn without"
-        ) from None
 
 
 def _run(command: Sequence[str], text: str, time_limit: float) -> bytes:

@@ -1,7 +1,7 @@
 """Constructs: what the words and signs of the language mean, from the table of its reference.
 
-The table is docs/language/constructs.md, which a wheel carries as `aseme_dsl/_constructs.md`. A test sees to
-it that no word and no operator is missing there.
+The table is docs/reference/language/constructs.md, which a wheel carries as
+`aseme_dsl/_constructs.md`. A test sees to it that no word and no operator is missing there.
 """
 
 from __future__ import annotations
@@ -47,7 +47,8 @@ class Construct:
 def constructs() -> tuple[Construct, ...]:
     """All rows of the table."""
     package = Path(__file__).resolve().parents[2]
-    places = (package / "_constructs.md", package.parent / "docs" / "language" / "constructs.md")
+    in_checkout = package.parent / "docs" / "reference" / "language" / "constructs.md"
+    places = (package / "_constructs.md", in_checkout)
     found: list[Construct] = []
     section = ""
     for line in outside.read_text(next(filter(Path.is_file, places))).splitlines():

@@ -80,8 +80,8 @@ def problems(
             span = item.span
             if span is None or program.place_of(item) != path or (span.start > end or span.end < start):
                 continue
-            if (item.code, span.start, item.message) not in seen:
-                seen.add((item.code, span.start, item.message))
+            if (item.problem, span.start) not in seen:
+                seen.add((item.problem, span.start))
                 yield program, item
 
 

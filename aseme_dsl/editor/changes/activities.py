@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from aseme_dsl.diagnostics import Diagnostic, Edit
+from aseme_dsl.diagnostics.problems.python.code import CodeNamedOtherwise, NoCode
 from aseme_dsl.editor.answers.navigation import PythonFolders
 from aseme_dsl.editor.changes.rewriting import Refused, piece_at
 from aseme_dsl.editor.files.index import Kind
@@ -75,16 +76,10 @@ def _module_at(view: View, offset: int) -> str | None:
 
 
 def lacks_file(view: View, problem: Diagnostic, folders: PythonFolders) -> str | None:
-    """The activity or module that E543 is about, if to write its file mends it.
-
-    It does not where the name is a participant's: then the role has to play it.
-    """
-    system = view.program.inspection.analysis.system
-    if problem.code != "E543" or problem.span is None or system is None:
+    """The activity or module without code, if to write its file mends the problem."""
+    if problem.span is None or not isinstance(problem.problem, NoCode | CodeNamedOtherwise):
         return None
-    name = lacks_class(view, problem.span.start, folders)
-    participants = {part.name for aip in system.aips for part in aip.participants}
-    return None if name in participants else name
+    return lacks_class(view, problem.span.start, folders)
 
 
 def activity_class(view: View, offset: int, folders: PythonFolders) -> tuple[Path, str]:

@@ -7,10 +7,10 @@ from collections.abc import Container, Iterator, Sequence
 from aseme_dsl.amola.liveness import ungrouped
 from aseme_dsl.amola.operators import Template
 from aseme_dsl.compiler.formula.formula_to_statechart import Way
-from aseme_dsl.compiler.formula.holes import HOLE
 from aseme_dsl.compiler.formula.staying import STAYING
 from aseme_dsl.compiler.formula.terms import Terms, way, ways
 from aseme_dsl.diagnostics import Edit
+from aseme_dsl.diagnostics.problems.syntax.entries import Hole
 from aseme_dsl.editor.changes.inline import formula_at
 from aseme_dsl.editor.changes.moving import said
 from aseme_dsl.editor.changes.rewriting import (
@@ -69,7 +69,7 @@ def missing_lines(view: View, offset: int) -> tuple[Edit, ...]:
     return result
 
 
-_ALLOWED = frozenset((HOLE, "W403", "W410", "W411", "W412", "W420", "N712"))
+_ALLOWED = frozenset((Hole.code, "W403", "W410", "W411", "W412", "W420", "N712"))
 """What may be said of conditions that are still to be written."""
 
 

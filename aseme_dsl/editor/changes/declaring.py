@@ -13,6 +13,17 @@ from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.types.scopes import protocol_scopes, role_scope
 from aseme_dsl.compiler.types.typecheck import type_value
 from aseme_dsl.diagnostics import Diagnostic, Edit
+from aseme_dsl.diagnostics.problems.absences import NoMessage, NotListed, NoTopic
+from aseme_dsl.diagnostics.problems.expressions.absences import (
+    NoBeginning,
+    NoConstant,
+    NoMember,
+    NoMessageOfTopic,
+    NotCarried,
+    NoVariable,
+    NoVariableOrLet,
+)
+from aseme_dsl.diagnostics.problems.expressions.paths import OtherClass
 from aseme_dsl.editor.changes.rewriting import Piece, Refused, piece_at
 from aseme_dsl.editor.files.known import nodes
 from aseme_dsl.editor.files.view import View
@@ -30,19 +41,19 @@ def declarations(view: View, item: Diagnostic) -> Iterator[Declaration]:
     """What could be declared so that a name is known."""
     if item.span is None:
         return
-    match item.code:
-        case "E200":
+    match item.problem:
+        case NoVariable() | NoVariableOrLet():
             yield from _variable(view, item.span)
-        case "E501":
+        case NoMember():
             yield from _field(view, item.span)
-        case "E502":
+        case NoBeginning() | NoTopic() | NoMessage() | NoMessageOfTopic() | NotCarried():
             yield from _channel(view, item.span)
             yield from _message(view, item.span)
-        case "E503":
+        case OtherClass():
             yield from _channel(view, item.span)
-        case "E508":
+        case NoConstant():
             yield from _constant(view, item.span)
-        case "E511":
+        case NotListed():
             yield from _exchange(view, item.span)
 
 

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from aseme_dsl.amola.operators import INFIX, Operator
-from aseme_dsl.compiler.formula.holes import HOLE
 from aseme_dsl.compiler.read.allow import OWN
 from aseme_dsl.compiler.read.missing import Missing, insertions
 from aseme_dsl.diagnostics import CODES, Diagnostic, Edit, Severity
+from aseme_dsl.diagnostics.problems.syntax.entries import OperatorToChoose
 from aseme_dsl.editor.changes.declaring import declarations
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.source import Span
@@ -53,14 +53,11 @@ def mending(item: Diagnostic) -> Iterator[Fix]:
 
 def _operators(item: Diagnostic) -> Iterator[Fix]:
     """What may stand where an operator is still to be chosen."""
-    if item.code != HOLE or item.span is None:
-        return
-    start, end = item.span.start, item.span.end
-    if item.span.source.text[start - 1 : start] == "[":  # a condition
+    if not isinstance(item.problem, OperatorToChoose) or item.span is None:
         return
     for operator in INFIX:
         if operator is not Operator.HOLE:
-            edit = Edit(Span(item.span.source, start, end), operator.value)
+            edit = Edit(item.span, operator.value)
             yield Fix(f"Write `{operator}`: {operator.row.meaning}", (edit,))
 
 
@@ -87,8 +84,7 @@ def _cut(text: str) -> str:
 def _skeleton(view: View, item: Diagnostic) -> tuple[Edit, ...] | None:
     """The edits that write what a note says is missing."""
     for missing in view.program.inspection.analysis.missing:
-        note = missing.note
-        if (note.code, note.message) != (item.code, item.message):
+        if missing.note.problem != item.problem:
             continue
         inside = view.program.whole(missing.inside) if missing.inside is not None else None
         edits = tuple(Edit(view.program.whole(edit.span), edit.text) for edit in missing.edits)

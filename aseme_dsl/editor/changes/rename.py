@@ -10,6 +10,7 @@ from pathlib import Path
 from aseme_dsl.compiler.names.usecases import folded
 from aseme_dsl.compiler.read.pieces import InPieces, finished
 from aseme_dsl.diagnostics import Diagnostic, Edit
+from aseme_dsl.diagnostics.problems.syntax.entries import NotReadInTime
 from aseme_dsl.editor.changes.renamed_code import Code, Unreadable, renamed_code
 from aseme_dsl.editor.files.index import Kind, Occurrence, Symbol
 from aseme_dsl.editor.files.program import Program, errors_in_texts
@@ -85,7 +86,7 @@ def renaming(
     if name == found.symbol.name:
         return Renaming({})
     programs = yield from _programs(workspace, view, found.symbol)
-    if any(item.code == "E116" for program in programs for item in program.diagnostics):
+    if any(isinstance(item.problem, NotReadInTime) for program in programs for item in program.diagnostics):
         return Refused("a declaration was not read in time (E116): what it uses is not known")
     names = {symbol: new for program in programs for symbol, new in _together(program, found.symbol, name)}
     for program in programs:

@@ -20,6 +20,7 @@ from aseme_dsl.compiler.read.load import Read
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces, finished
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
+from aseme_dsl.diagnostics.problems.files import NoSystem
 from aseme_dsl.editor.files.carrying import Carry, carry
 from aseme_dsl.editor.files.index import Occurrence, Symbol, World, occurrences
 from aseme_dsl.editor.files.program import Indexer, Program
@@ -272,7 +273,7 @@ class Workspace:
             suppressed += allowed
         is_root = self._header(root).is_system and not analysis.is_library
         if not is_root:
-            diagnostics = tuple(item for item in diagnostics if item.code != "E008")
+            diagnostics = tuple(item for item in diagnostics if not isinstance(item.problem, NoSystem))
         indexer = self._indexer(memory, inspection)
 
         def tried(texts: Mapping[str, str]) -> Analysis:

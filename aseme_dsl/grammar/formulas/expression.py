@@ -9,17 +9,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import TypeVar
 
 from aseme_dsl.amola.expression import Literal, value_text
 from aseme_dsl.amola.liveness import Argument
 from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, STRING
-from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
+from aseme_dsl.diagnostics import Diagnostic, Edit, Problem, Related, closest, surely
+from aseme_dsl.diagnostics.problems.syntax import characters
+from aseme_dsl.diagnostics.problems.syntax import formulas as problems
+from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
 from aseme_dsl.grammar.formulas.filling import apart
 from aseme_dsl.grammar.formulas.words import RESERVED, Malformed, is_hyphen
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.grammar.text.lexer import HOLE, UNITS, shown
+from aseme_dsl.grammar.text.lexer import HOLE, UNITS
 from aseme_dsl.grammar.text.recovery import BLOCKS
 from aseme_dsl.grammar.text.token import Token, token
 from aseme_dsl.source import Source, Span
@@ -61,17 +63,8 @@ Made = TypeVar("Made", bound=tree.Expression)
 _BEGINS_NO_ACTION = ("", ";", "/", "]", ")", "[", ",", "=", ".")
 _ARE_NO_ACTION = ("else", "when", "and", "or")
 
-_MEANT = {
-    "&": ("&&", "'&&' is and"),
-    "|": ("||", "'||' is or"),
-    "=": ("==", "write '==' to compare"),
-    "and": ("&&", "write && for and"),
-    "or": ("||", "write || for or"),
-    "^": (None, "there is no power; multiply, or call a function"),
-    "?": (None, "there is no '? :'; use two transitions, or a function"),
-    ",": (None, None),
-    "->": (None, None),
-}
+_MEANT = {"&": "&&", "|": "||", "=": "==", "and": "&&", "or": "||", "^": None, "?": None}
+"""Operators of other languages, with what they mean."""
 
 
 def read_expression(source: Source, tokens: Sequence[Token]) -> tree.Expression:
@@ -83,7 +76,7 @@ def read_expression(source: Source, tokens: Sequence[Token]) -> tree.Expression:
     reader = _Reader(source, tokens)
     expression = reader.expression()
     if reader.index < len(tokens):
-        raise reader.unexpected("an operator")
+        raise reader.unexpected(Wanted.OPERATOR)
     return expression
 
 
@@ -215,17 +208,15 @@ class _Reader:
         if self.next == text:
             return self.take()
         if opener is not None and self.index == len(self.tokens):
-            raise self.unexpected(f"'{text}'", related=(self._still_open(opener),))
-        raise self.unexpected(
-            f"an operator or '{text}'", related=(self._still_open(opener),) if opener else ()
-        )
+            raise self.unexpected(text, related=(self._still_open(opener),))
+        raise self.unexpected(Wanted.OPERATOR, text, related=(self._still_open(opener),) if opener else ())
 
-    def need_name(self, what: str) -> tree.Name:
+    def need_name(self, wanted: Wanted) -> tree.Name:
         if self.index == len(self.tokens) or not _is_name(self.next) or self.next in RESERVED:
-            raise self.unexpected(what)
+            raise self.unexpected(wanted)
         taken = self.tokens[self.index]
         if "." in taken:
-            raise self.error("E102", f"expected {what}, found {shown(taken)}", taken)
+            raise self.error(problems.UnexpectedInExpression((wanted,), None, taken), taken)
         self.index += 1
         return tree.Name(str(taken), self.span(taken))
 
@@ -248,9 +239,7 @@ class _Reader:
             word = self.take()
             otherwise = True
             if self.next == "[":
-                raise self.error(
-                    "E102", "'else' stands for a condition: it cannot have one", word, hint="leave 'else' out"
-                )
+                raise self.error(problems.ElseWithCondition(), word)
         elif self.next not in ("[", "/"):
             while True:
                 if self.next == "when":
@@ -267,9 +256,7 @@ class _Reader:
             self.need("]", opener)
         elif when:
             raise (
-                self._bare_condition(self.index)
-                if _is_name(self.next)
-                else self.unexpected("'[' and a condition")
+                self._bare_condition(self.index) if _is_name(self.next) else self.unexpected(Wanted.CONDITION)
             )
         if self.next == "/":
             self.take()
@@ -295,17 +282,12 @@ class _Reader:
         if not _is_name(self.next) or self.next in RESERVED:
             if start == 0:
                 raise self._bare_condition(0)
-            raise self.unexpected("an event")
+            raise self.unexpected(Wanted.EVENT)
         first = self.take()
         following = self.next
         if first in ("send", "read_messages") or first.startswith("write_messages"):
-            raise self.error(
-                "E102",
-                f"{shown(first)} is an action: '/' is missing before it",
-                first,
-                "write / before actions",
-                f"/ {first}" if start == 0 else None,
-            )
+            fix = f"/ {first}" if start == 0 else None
+            raise self.error(problems.ActionWithoutSlash(first), first, fix)
         if first in _LATER_VERBS and (
             following == "(" or (_is_name(following) and following not in RESERVED)
         ):
@@ -317,8 +299,7 @@ class _Reader:
             return tree.After(duration, self.since(first.start))
         if first == "if" and following == "[":
             between = Edit(Span(self.source, first.start, self.tokens[self.index].start), "")
-            found = self.error("E102", "a condition stands in '[' and ']', without 'if'", first)
-            raise Malformed(replace(found.diagnostic, edits=(between,)))
+            raise self.error(problems.ConditionWithIf(None), first, edits=(between,))
         if (
             following
             and _is_name(following)
@@ -331,20 +312,19 @@ class _Reader:
             if first == "lost":
                 return self._lost(first)
             self.index -= 1
-            performative = self.need_name("a performative")
-            message = self.need_name("a message")
+            performative = self.need_name(Wanted.PERFORMATIVE)
+            message = self.need_name(Wanted.MESSAGE)
             name = None
             if _is_name(self.next) and self.tokens[self.index + 1 : self.index + 2] == ["from"]:
-                name = self.need_name("a name for the message")
+                name = self.need_name(Wanted.MESSAGE_NAME)
             if self.next != "from":
                 raise self._no_from()
             self.take()
-            participant = self.need_name("the participant that sends the message")
+            participant = self.need_name(Wanted.SENDING_PARTICIPANT)
             if self.next == "as" and name is None and self.index + 1 < len(self.tokens):
                 called = self.tokens[self.index + 1]
-                hint = f"write {performative} {message} {called} from {participant}"
-                word = self.tokens[self.index]
-                raise self.error("E102", "the name of a message stands before 'from'", word, hint)
+                problem = problems.NameBehindFrom(performative.text, message.text, called, participant.text)
+                raise self.error(problem, self.tokens[self.index])
             return tree.Received(performative, message, participant, self.since(first.start), name)
         if (
             "." in first
@@ -356,17 +336,17 @@ class _Reader:
 
     def _lost(self, word: Token) -> tree.Lost:
         if self.next == "from":
-            raise self.unexpected("a participant")
-        participant = self.need_name("a participant")
+            raise self.unexpected(Wanted.PARTICIPANT)
+        participant = self.need_name(Wanted.PARTICIPANT)
         name = None
         if _is_name(self.next) and self.next not in RESERVED:
-            name = self.need_name("a name for the agent")
+            name = self.need_name(Wanted.AGENT_NAME)
         return tree.Lost(participant, name, self.since(word.start))
 
     def action(self) -> tree.Action:
         self._check_content()
         if self.next[:1] in _BEGINS_NO_ACTION or self.next in _ARE_NO_ACTION:
-            raise self.unexpected("an action")
+            raise self.unexpected(Wanted.ACTION)
         first = self.tokens[self.index]
         following = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else ""
         if first == "send" and following and _is_name(following):
@@ -379,12 +359,7 @@ class _Reader:
             path = read_path(self.source, first)
             self.take()
             if not dot:
-                raise self.error(
-                    "E102",
-                    "expected '.topic.commType.Message' after 'write_messages'",
-                    first,
-                    hint="write_messages.team.state.Assignment",
-                )
+                raise self.error(problems.PublishWithoutChannel(), first)
             topic = tree.Path(path.segments[1:], path.segments[1].span.to(path.span))
             fills = self.fills() if self.next == "{" else None
             return tree.Publish(topic, self.since(first.start), fills)
@@ -393,23 +368,23 @@ class _Reader:
             return tree.Evaluate(expression, self.since(first.start))
         equals = self.take()
         if not isinstance(expression, tree.Path):
-            raise self.error("E102", "only a variable or a member of a message can stand left of '='", equals)
+            raise self.error(problems.NotAssignable(), equals)
         value = self.expression()
         return tree.Assign(expression, value, self.since(first.start))
 
     def send(self) -> tree.Send:
         start = self.take().start
-        performative = self.need_name("a performative")
-        message = self.need_name("a message")
+        performative = self.need_name(Wanted.PERFORMATIVE)
+        message = self.need_name(Wanted.MESSAGE)
         fills = self.fills() if self.next == "{" else None
         if self.next != "to":
-            raise self.unexpected("'to' and a participant")
+            raise self.unexpected(Wanted.RECEIVER)
         self.take()
         participant, receiver = None, None
         if self.index + 1 < len(self.tokens) and self.tokens[self.index + 1] in ("(", "["):
             receiver = self.value()
         else:
-            participant = self.need_name("the participant that receives the message")
+            participant = self.need_name(Wanted.RECEIVING_PARTICIPANT)
         excepts: list[tree.Expression] = []
         if self.next == "except":
             self.take()
@@ -427,20 +402,18 @@ class _Reader:
         found: list[tree.Fill] = []
         while self.next != "}":
             if self.index == len(self.tokens) or not _is_name(self.next) or self.next in RESERVED:
-                raise self.unexpected("a member of the message or '}'", (self._still_open(opener),))
+                raise self.unexpected(Wanted.MEMBER, "}", related=(self._still_open(opener),))
             name = self.take()
             if self.next != "=":
                 at = self.tokens[min(self.index, len(self.tokens) - 1)]
-                raise self.error(
-                    "E102", f"expected '=' after {shown(name)}, found {shown(at)}", at, f"write {name} = …"
-                )
+                raise self.error(problems.MemberWithoutValue(("=",), name, at), at)
             self.take()
             value = self.expression()
             found.append(tree.Fill(read_path(self.source, name), value, self.since(name.start)))
             if self.next in (",", ";"):
                 self.take()
             elif self.next != "}":
-                raise self.unexpected("an operator, ',' or '}'", (self._still_open(opener),))
+                raise self.unexpected(Wanted.OPERATOR, ",", "}", related=(self._still_open(opener),))
         self.take()
         return tuple(found)
 
@@ -454,18 +427,17 @@ class _Reader:
             return
         place = Span(self.source, self.tokens[-1].start if is_last else start, found.end())
         if found["kind"] and not found["message"]:
-            message = f"expected a message after {shown(found['kind'])}, found '{{'"
-            raise Malformed(Diagnostic("E102", message, place, hint="send inform Done { … } to …"))
+            raise Malformed(
+                Diagnostic(problems.SendWithoutMessage((Wanted.MESSAGE,), found["kind"], "{"), place)
+            )
         colon = _COLON.match(text, found.end())
         if colon is not None:
             at = Span(self.source, colon.end() - 1, colon.end())
-            message, hint = "a member is filled with '='", "write = for :"
-            raise Malformed(Diagnostic("E102", message, place, hint=hint, edits=(Edit(at, " ="),)))
+            raise Malformed(Diagnostic(problems.MemberWithColon(), place, edits=(Edit(at, " ="),)))
         end = _UNCLOSED.match(text, found.end())
         if end is not None:
             at = Span(self.source, end.end(1), end.end(1))
-            message = f"expected '}}' after {shown(end[1])}"
-            raise Malformed(Diagnostic("E102", message, place, hint="write '}'", edits=(Edit(at, " }"),)))
+            raise Malformed(Diagnostic(problems.ContentNotClosed(end[1]), place, edits=(Edit(at, " }"),)))
 
     # ---- expressions ---------------------------------------------------------------------------
 
@@ -529,7 +501,7 @@ class _Reader:
             if self.next == "." and self.index + 1 < len(self.tokens):
                 self.take()
                 if not _is_name(self.next):
-                    raise self.unexpected("a member of the element")
+                    raise self.unexpected(Wanted.ELEMENT_MEMBER)
                 members = read_path(self.source, self.take()).segments
             made = tree.Element(found, index, members, self.since(found.span.start))
             found = self.grown(made, found, index)
@@ -545,14 +517,14 @@ class _Reader:
                 self.take()
                 elements.append(self.expression())
         if self.next != "]":
-            raise self.unexpected("an operator, ',' or ']'", related=(self._still_open(opener),))
+            raise self.unexpected(Wanted.OPERATOR, ",", "]", related=(self._still_open(opener),))
         self.take()
         return self.grown(tree.List(tuple(elements), self.since(opener.start)), *elements)
 
     def whole(self) -> tree.Expression:
         """A value without what stands in `[ ]` behind it."""
         if self.index == len(self.tokens):
-            raise self.unexpected("a value")
+            raise self.unexpected(Wanted.VALUE)
         first = self.tokens[self.index]
         initial = first[0]
         if initial.isdigit():
@@ -568,7 +540,7 @@ class _Reader:
             self.need(")", first)
             return self.grown(tree.Parenthesised(inner, self.since(first.start)), inner)
         if not _is_name(first) or first in ("and", "or", "else", "when"):
-            raise self.unexpected("a value")
+            raise self.unexpected(Wanted.VALUE)
         self.index += 1
         if first == "true" or first == "false":
             return tree.Truth(first == "true", self.span(first))
@@ -583,33 +555,27 @@ class _Reader:
                 self.take()
                 arguments.append(self.expression())
         if self.next != ")":
-            raise self.unexpected("an operator, ',' or ')'", related=(self._still_open(opener),))
+            raise self.unexpected(Wanted.OPERATOR, ",", ")", related=(self._still_open(opener),))
         self.take()
         return self.grown(tree.Call(path, tuple(arguments), self.since(first.start)), *arguments)
 
     def number(self, text: Token) -> tree.Number | tree.Duration:
         found = _NUMBER.fullmatch(text)
         if found is None:
-            raise self.error("E108", f"{shown(text)} is not a number: it has more than one point", text)
+            raise self.error(characters.TwoPointsInNumber(text), text)
         whole, fraction, unit = found[1], found[2] or "", found[3]
         if len(whole) > _LONGEST_NUMBER or len(fraction) > 100:
-            raise self.error("E108", f"{shown(text)} has too many digits", text)
+            raise self.error(characters.TooManyDigits(text), text)
         if unit:
             nanoseconds, rest = divmod(int(whole + fraction) * UNITS[unit], 10 ** len(fraction))
             if rest:
-                raise self.error("E108", f"{shown(text)} is not a whole number of nanoseconds", text)
+                raise self.error(characters.PartOfNanosecond(text), text)
             return tree.Duration(nanoseconds, self.span(text))
         if self.next in UNITS:
             following = self.tokens[self.index]
-            raise Malformed(
-                Diagnostic(
-                    "E108",
-                    f"a blank between the number {text} and its unit {following!s}",
-                    Span(self.source, text.start, following.end),
-                    hint=f"write {text}{following}",
-                    fix=f"{text}{following}",
-                )
-            )
+            span = Span(self.source, text.start, following.end)
+            problem = characters.BlankBeforeUnit(text, following)
+            raise Malformed(Diagnostic(problem, span, fix=f"{text}{following}"))
         return tree.Number(float(text) if fraction else int(whole), self.span(text))
 
     def grown(self, made: Made, *parts: tree.Expression) -> Made:
@@ -624,60 +590,50 @@ class _Reader:
 
     def error(
         self,
-        code: str,
-        message: str,
+        problem: Problem,
         at: Token,
-        hint: str | None = None,
         fix: str | None = None,
         related: tuple[Related, ...] = (),
+        edits: tuple[Edit, ...] = (),
     ) -> Malformed:
-        return Malformed(Diagnostic(code, message, self.span(at), related, hint, fix))
+        return Malformed(Diagnostic(problem, self.span(at), related, fix, edits=edits))
 
-    def unexpected(self, wanted: str, related: tuple[Related, ...] = ()) -> Malformed:
+    def unexpected(self, *wanted: Wanted | str, related: tuple[Related, ...] = ()) -> Malformed:
+        """Something else stands here than one of `wanted`, of which strings are words of the language."""
         if self.index == len(self.tokens):
             last = self.tokens[-1]
-            return self.error(
-                "E102",
-                f"expected {wanted} after {shown(last)}, but the expression ends",
-                last,
-                related=related,
-            )
+            return self.error(problems.UnexpectedInExpression(wanted, last, None), last, related=related)
         found = self.tokens[self.index]
         previous = self.tokens[self.index - 1] if self.index else None
-        hint: str | None = None
-        fix: str | None = None
-        meant = None if found in RESERVED else _MEANT.get(found.lower())
-        if meant is not None and previous is not None:
-            fix, hint = meant
-        if found == "=" and previous is not None:
-            after_it = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else ""
-            if after_it in ("<", ">") or previous in ("<", ">", "==", "!="):
-                hint, fix = "comparisons are written < <= > >= == !=", None
-        if previous == "after" and found[:1].isdigit():
-            hint = f"write after({found})"
-        if found == "or" and previous == "]":
-            hint = (
-                "the condition stands behind all events; where it is for one of them, write an entry for each"
-            )
-        elif found in RESERVED:
-            hint = f"{shown(found)} cannot be a name here"
+        if previous is None:
+            kind = problems.ReservedWord if found in RESERVED else problems.UnexpectedInExpression
+            return self.error(kind(wanted, None, found), found, related=related)
+        problem, fix = self._unexpected_after(previous, found, wanted)
+        return self.error(problem, found, fix, related)
+
+    def _unexpected_after(
+        self, previous: Token, found: Token, wanted: tuple[Wanted | str, ...]
+    ) -> tuple[Problem, str | None]:
+        """What may be meant by the next token, and what to write instead."""
         following = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else None
-        if (
-            found == "-"
-            and previous is not None
-            and following is not None
-            and is_hyphen(previous, found, following)
-        ):
-            hint, fix = f"names are written with '_': {previous}_{following}", "_"
-        if _is_name(found) and previous is not None and found in UNITS and previous[0].isdigit():
-            hint = f"write {previous}{found} without a blank"
+        if found == "=" and (following in ("<", ">") or previous in ("<", ">", "==", "!=")):
+            return problems.ComparisonOfOthers(wanted, previous, found), None
+        if previous == "after" and found[:1].isdigit():
+            return problems.AfterWithoutParentheses(wanted, previous, found), None
+        if found == "or" and previous == "]":
+            return problems.ConditionOfOneEvent(wanted, previous, found), None
+        if found in RESERVED:
+            return problems.ReservedWord(wanted, previous, found), None
+        if found == "-" and following is not None and is_hyphen(previous, found, following):
+            return problems.HyphenInOperandName(wanted, previous, found, rest=following), "_"
+        if found in UNITS and previous[0].isdigit():
+            return problems.BlankBeforeUnitOfEvent(wanted, previous, found), None
         name = re.compile(r"\s+([A-Za-z_]\w*)").match(self.source.text, found.end)
-        if found in BUILT_IN and previous is not None and name is not None:
-            hint = f"write var {name[1]} : {found}"
-        after = f" after {shown(previous)}" if previous is not None else ""
-        return self.error(
-            "E102", f"expected {wanted}{after}, found {shown(found)}", found, hint, fix, related
-        )
+        if found in BUILT_IN and name is not None:
+            return problems.TypeBeforeName(wanted, previous, found, name=name[1]), None
+        if found.lower() in _MEANT:
+            return problems.OperatorOfOtherLanguages(wanted, previous, found), _MEANT[found.lower()]
+        return problems.UnexpectedInExpression(wanted, previous, found), None
 
     def _still_open(self, opener: Token) -> Related:
         return Related(self.span(opener), f"this '{opener}' is still open")
@@ -686,12 +642,7 @@ class _Reader:
         return Malformed(self._deep(self.span(at)))
 
     def _deep(self, span: Span) -> Diagnostic:
-        return Diagnostic(
-            "E103",
-            f"this expression is nested more than {DEEPEST} deep",
-            span,
-            hint="give a part of it a name: let NAME = …",
-        )
+        return Diagnostic(characters.ExpressionTooDeep(DEEPEST), span)
 
     def _negated(self, negation: tree.Unary, operator: Token, binding: int) -> Malformed:
         """Parentheses around a comparison are right however it is read: `(!a) == b` is `!(a == b)`."""
@@ -707,29 +658,20 @@ class _Reader:
                 start = negation.operand.span.start
                 opened = Edit(Span(self.source, start, start), "(")
                 edits = (opened, Edit(Span(self.source, end, end), ")"))
-        found = self.error(
-            "E107",
-            f"'!' before {shown(operator)} can be read in two ways",
-            operator,
-            hint=f"write !({inner} {operator} …) or (!{inner}) {operator} …",
-            related=(Related(Span(self.source, negation.span.start, negation.span.start + 1), "this '!'"),),
-        )
-        return Malformed(replace(found.diagnostic, edits=edits))
+        sign = Span(self.source, negation.span.start, negation.span.start + 1)
+        problem = problems.NegatedComparison(inner, operator)
+        return self.error(problem, operator, related=(Related(sign, "this '!'"),), edits=edits)
 
     def _chained(self, left: tree.Expression, operator: Token) -> Malformed:
         assert isinstance(left, tree.Binary)
         middle = left.right.span.text
-        found = self.error(
-            "E107",
-            f"comparisons do not chain: {shown(left.operator)} and {shown(operator)} need parentheses",
-            operator,
-            hint=f"write {left.span.text} && {middle} {operator} …" if len(left.span.text) < 60 else None,
-            related=(Related(left.operator_span, "the first comparison"),),
+        problem = problems.ChainedComparisons(left.span.text, middle, left.operator, operator)
+        edits: tuple[Edit, ...] = ()
+        if any({left.operator, operator} <= chain for chain in _CHAINS):
+            edits = (Edit(Span(self.source, operator.start, operator.start), f"&& {middle} "),)
+        return self.error(
+            problem, operator, related=(Related(left.operator_span, "the first comparison"),), edits=edits
         )
-        if not any({left.operator, operator} <= chain for chain in _CHAINS):
-            return found
-        between = Edit(Span(self.source, operator.start, operator.start), f"&& {middle} ")
-        return Malformed(replace(found.diagnostic, edits=(between,)))
 
     def _no_colon(self, verb: Token) -> Malformed:
         """`on work [c]`: a control line of its own, if it had a colon."""
@@ -745,32 +687,24 @@ class _Reader:
             self.take()
         last = self.tokens[self.index - 1]
         found = self.tokens[self.index] if self.index < len(self.tokens) else None
-        rest = "" if found is None else f", found {shown(found)}"
-        hint = f"write {verb} TERM : event [condition] / actions"
-        if verb == "resume":
-            hint = "write resume TERM :"
-        elif verb == "exit":
-            hint = "write exit TERM : / actions"
-        return self.error("E102", f"expected ':' after {shown(last)}{rest}", last, hint)
+        return self.error(problems.EntryWithoutColon(verb, last, found), last)
 
     def _no_from(self) -> Malformed:
         if self.index == len(self.tokens):
-            return self.unexpected("'from' and a participant")
+            return self.unexpected(Wanted.SENDER)
         found = self.tokens[self.index]
         if _is_name(found) and closest(found, ("from",)):
-            return self.error(
-                "E102", f"expected 'from', found {shown(found)}", found, "did you mean 'from'?", "from"
-            )
-        return self.unexpected("'from' and a participant")
+            return self.error(problems.MisspeltFrom(("from",), None, found), found, "from")
+        return self.unexpected(Wanted.SENDER)
 
     def _if(self, word: Token) -> Malformed:
         """`if low` of other languages."""
         found = self._bare_condition(self.index).diagnostic
         if found.fix is None or found.span is None:
-            return self.error("E102", "a condition stands in '[' and ']', without 'if'", word)
+            return self.error(problems.ConditionWithIf(None), word)
         span = Span(self.source, word.start, found.span.end)
-        message = "a condition stands in '[' and ']', without 'if'"
-        return Malformed(replace(found, message=message, span=span))
+        bare = found.problem.condition if isinstance(found.problem, problems.BareCondition) else None
+        return Malformed(Diagnostic(problems.ConditionWithIf(bare), span, fix=found.fix))
 
     def _bare_condition(self, start: int) -> Malformed:
         first = self.tokens[start]
@@ -784,20 +718,11 @@ class _Reader:
             condition = self.tokens[start:]
         if condition and (_is_name(first) or first in ("!", "(", "-") or first[0].isdigit()):
             if condition[-1] == "]":
-                return self.error("E102", f"'[' is missing before {shown(first)}", first, fix=f"[{first}")
+                return self.error(problems.BracketMissingBefore(first), first, f"[{first}")
             last = condition[-1]
             span = Span(self.source, first.start, last.end)
-            bracketed = f"[{span.text}]"
-            return Malformed(
-                Diagnostic(
-                    "E102",
-                    "a condition stands in '[' and ']'",
-                    span,
-                    hint=f"write {bracketed}" if len(bracketed) < 60 and "\n" not in bracketed else None,
-                    fix=bracketed,
-                )
-            )
-        return self.error("E102", f"expected an event, '[' or '/', found {shown(first)}", first)
+            return Malformed(Diagnostic(problems.BareCondition(span.text), span, fix=f"[{span.text}]"))
+        return self.error(problems.UnexpectedInExpression((Wanted.EVENT, "[", "/"), None, first), first)
 
     def _is_last_event(self, index: int) -> bool:
         """Whether a plain name ends the expression that the file declares as no value."""
@@ -809,16 +734,28 @@ class _Reader:
     def _event_after(self, word: Token, event: Token) -> Malformed:
         """`when stop` or `on stop`, as other languages write the event `stop`."""
         span = Span(self.source, word.start, event.end)
-        hint = f"write {event}; a condition stands in '[' and ']'"
-        message = f"an event is written without {shown(word)}"
-        return Malformed(Diagnostic("E102", message, span, hint=hint, fix=str(event)))
+        return Malformed(Diagnostic(problems.EventBehindWord(word, event), span, fix=str(event)))
 
     def _after_transition(self, has_actions: bool, has_condition: bool) -> Malformed:
-        found = self._after_parts(has_actions, has_condition)
+        wanted = Wanted.END_OF_EVENTS
+        if has_actions:
+            wanted = Wanted.END_OF_ACTIONS
+        elif has_condition:
+            wanted = Wanted.END_OF_CONDITION
         verb = self._misspelt_verb()
-        if verb is None:
-            return found
-        return Malformed(replace(found.diagnostic, hint=f"did you mean `{verb}`?", fix=verb))
+        if verb is not None:
+            previous, word = self.tokens[self.index - 1], self.tokens[self.index]
+            problem = problems.UnexpectedInExpression((wanted,), previous, word, verb)
+            return self.error(problem, word, verb)
+        if wanted is Wanted.END_OF_EVENTS and self.next == "=":
+            return self._assignment_without_slash()
+        return self.unexpected(wanted)
+
+    def _assignment_without_slash(self) -> Malformed:
+        start = self.tokens[0].start
+        slash = Edit(Span(self.source, start, start), "/ ")
+        edits = (slash,) if self.index == 1 else ()
+        return self.error(problems.AssignmentWithoutSlash(), self.tokens[self.index], edits=edits)
 
     def _misspelt_verb(self) -> str | None:
         """The verb for which the next token is misspelt, where it begins a line."""
@@ -830,23 +767,6 @@ class _Reader:
             return None
         verbs = BLOCKS["JunkControl"].words
         return None if word in verbs else surely(word, verbs)
-
-    def _after_parts(self, has_actions: bool, has_condition: bool) -> Malformed:
-        if has_actions:
-            return self.unexpected("';' and an action, or the end of the entry,")
-        if has_condition:
-            return self.unexpected("'/' and an action, or the end of the entry,")
-        if self.next == "=":
-            at = self.tokens[self.index]
-            found = self.error(
-                "E102", "an assignment is an action: '/' is missing before it", at, "write / before actions"
-            )
-            if self.index > 1:
-                return found
-            start = self.tokens[0].start
-            slash = Edit(Span(self.source, start, start), "/ ")
-            return Malformed(replace(found.diagnostic, edits=(slash,)))
-        return self.unexpected("'[', '/' or the end of the entry")
 
 
 def _is_name(text: str) -> bool:

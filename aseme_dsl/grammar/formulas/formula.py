@@ -17,10 +17,16 @@ from aseme_dsl.amola.operators import (
     Operator,
     parts,
 )
-from aseme_dsl.diagnostics import Diagnostic, Edit, Related
+from aseme_dsl.diagnostics import Diagnostic, Edit, Problem, Related
+from aseme_dsl.diagnostics.problems.syntax import formulas as problems
+from aseme_dsl.diagnostics.problems.syntax.characters import (
+    FormulaTooDeep,
+    ReservedOperand,
+    TooManyInstances,
+)
+from aseme_dsl.diagnostics.problems.syntax.entries import Signs, Wanted
 from aseme_dsl.grammar.formulas.expression import read_arguments
 from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED, Malformed, is_hyphen, is_name
-from aseme_dsl.grammar.text.lexer import shown
 from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Source, Span
 
@@ -32,11 +38,12 @@ _POSTFIX = {parts(sign)[0]: (parts(sign), operator) for sign, operator in POSTFI
 
 _CLOSES = {opening: closing[0] for opening, (_, closing) in BRACKETS.items()}
 
-_OPERATORS = ", ".join(f"'{item}' {item.row.meaning}" for item in USUAL).replace(" ", " is ", 1)
-_MEANT = {sign: f"write '{meant}' for {meant.row.meaning}" for sign, meant in MISTAKEN.items()} | {
-    ">": f"write '[>' for one that cuts the other short, '.' for {Operator.SEQUENCE.row.meaning}",
-    "=": "is a name missing before '='?",
+_USUAL = tuple((item.value, item.row.meaning) for item in USUAL)
+_MEANT: dict[str, Signs] = {sign: ((meant.value, meant.row.meaning),) for sign, meant in MISTAKEN.items()} | {
+    ">": (("[>", "one that cuts the other short"), (".", Operator.SEQUENCE.row.meaning)),
+    "=": (),
 }
+"""What signs that are no operators may stand for."""
 
 _IN_EXPRESSIONS = ("*", "+", ".", "?")
 _FORMULA_ONLY = frozenset((*INFIX_SIGNS, *_POSTFIX, "]", ";", "->")) - {*_IN_EXPRESSIONS}
@@ -94,7 +101,7 @@ class _Reader:
                     self.groups.append(group)
                 elif is_name(token):
                     if token in RESERVED or token in BUILT_IN_TYPES:
-                        raise self._error("E106", f"{shown(token)} cannot be an activity or formula", token)
+                        raise self._error(ReservedOperand(token), token)
                     closing_at = self._end_of_arguments(index)
                     group.operands.append((self._named(index, closing_at), 1))
                     operand_expected = False
@@ -168,9 +175,7 @@ class _Reader:
             return Formula(Operator.NAME, (), self._span(token), name=str(token))
         if closing == index + 2:
             span = self._to(token.end, self.tokens[closing])
-            hint = f"without arguments it is written `{token}`"
-            message = "there is nothing between the parentheses"
-            raise Malformed(Diagnostic("E101", message, span, hint=hint, edits=(Edit(span, ""),)))
+            raise Malformed(Diagnostic(problems.EmptyArguments(token), span, edits=(Edit(span, ""),)))
         arguments = read_arguments(self.source, self.tokens[index + 1 : closing + 1])
         span = self._to(token.start, self.tokens[closing])
         return Formula(Operator.NAME, (), span, name=str(token), arguments=arguments)
@@ -257,94 +262,65 @@ class _Reader:
 
     def _fits(self, count: Token) -> bool:
         if len(count) > 9:
-            raise self._error("E108", f"{shown(count)} instances are too many", count)
+            raise self._error(TooManyInstances(count), count)
         return True
 
     # ---- what can be wrong ---------------------------------------------------------------------
 
     def _error(
-        self,
-        code: str,
-        message: str,
-        token: Token,
-        hint: str | None = None,
-        related: tuple[Related, ...] = (),
-        fix: str | None = None,
+        self, problem: Problem, token: Token, related: tuple[Related, ...] = (), fix: str | None = None
     ) -> Malformed:
-        return Malformed(Diagnostic(code, message, self._span(token), related, hint, fix))
+        return Malformed(Diagnostic(problem, self._span(token), related, fix))
 
     def _too_deep(self, token: Token) -> Malformed:
-        return self._error(
-            "E103",
-            f"this formula is nested more than {self.deepest} deep",
-            token,
-            hint="give a part of it a name: NAME = …",
-        )
+        return self._error(FormulaTooDeep(self.deepest), token)
 
     def _no_operand(self, index: int) -> Malformed:
         tokens = self.tokens
         previous = tokens[index - 1] if index else None
-        wanted = "an activity, '(' or '['"
+        wanted = (Wanted.ACTIVITY, "(", "[")
         if previous is None and not tokens:
             raise AssertionError("the grammar lets no formula be empty")
         if index == len(tokens):
             assert previous is not None
-            hint = "write [A] for an option" if previous == "?" else None
-            return self._error(
-                "E101", f"expected {wanted} after {shown(previous)}, but the formula ends", previous, hint
-            )
+            at_end = problems.OptionAsInPatterns if previous == "?" else problems.UnexpectedInFormula
+            return self._error(at_end(wanted, previous, None), previous)
         token = tokens[index]
-        after = f" after {shown(previous)}" if previous is not None else ""
-        hint = None
+        kind = problems.UnexpectedInFormula
         if previous == "?":
-            hint = "write [A] for an option; '?' stands between two terms for an operator still to be chosen"
+            kind = problems.OptionAsInPatterns
         elif token in INFIX_SIGNS and previous is not None and previous in INFIX_SIGNS:
-            hint = "one of the two operators is too much, or a name is missing between them"
+            kind = problems.TwoOperators
         elif token in (")", "]") and previous in ("(", "["):
-            hint = "put an activity between the brackets"
+            kind = problems.EmptyBrackets
         elif token in _MEANT and previous is None:
-            hint = _MEANT[token]
-        return self._error("E101", f"expected {wanted}{after}, found {shown(token)}", token, hint)
+            return self._error(problems.OperatorOfOthersFirst(wanted, None, token, _MEANT[token]), token)
+        return self._error(kind(wanted, previous, token), token)
 
     def _no_operator(self, index: int) -> Malformed:
         token = self.tokens[index]
         previous = self.tokens[index - 1]
         if token in (")", "]"):
-            opener = "(" if token == ")" else "["
-            return self._error(
-                "E101", f"{shown(token)} closes nothing: there is no '{opener}' before it", token
-            )
+            return self._error(problems.NothingOpened(token), token)
         if token == "[" and self.tokens[index + 1 : index + 2] == [">"]:
             both = Span(self.source, token.start, self.tokens[index + 1].end)
-            message = f"an operator is missing between {shown(previous)} and '['"
-            hint = "one that cuts the other short is written with '[>', without a blank"
-            raise Malformed(Diagnostic("E101", message, both, (), hint, "[>"))
+            return Malformed(Diagnostic(problems.BlankInInterrupt(previous), both, fix="[>"))
         if token == "[":
             before = str(previous) if is_name(previous) else "A"
-            return self._error(
-                "E101",
-                f"an operator is missing between {shown(previous)} and '['",
-                token,
-                hint=f"write '{before} . [{self._inside(index)}]' for an option that follows, "
-                f"'{before}[3]' for three instances",
-                fix=". [",
-            )
+            problem = problems.OperatorBeforeBracket(previous, before, self._inside(index))
+            return self._error(problem, token, fix=". [")
         if is_name(token) or token == "(":
-            hint = _OPERATORS
-            if "\n" in self.source.text[previous.end : token.start] and is_name(token):
-                hint += f"; a formula begins with 'NAME =': is '=' missing after {shown(token)}?"
-            return self._error(
-                "E101", f"an operator is missing between {shown(previous)} and {shown(token)}", token, hint
-            )
-        hint = _MEANT.get(token, _OPERATORS)
-        meant = MISTAKEN.get(token)
-        fix = meant.value if meant is not None else None
-        if fix == "." and token != "->" and self._is_among_others(index):
-            hint, fix = _OPERATORS, None
+            begins_formula = is_name(token) and "\n" in self.source.text[previous.end : token.start]
+            return self._error(problems.OperatorMissing(previous, token, _USUAL, begins_formula), token)
         following = self.tokens[index + 1] if index + 1 < len(self.tokens) else None
         if token == "-" and following is not None and is_hyphen(previous, token, following):
-            hint, fix = f"names are written with '_': {previous}_{following}", "_"
-        return self._error("E101", f"{shown(token)} is not an operator of formulas", token, hint, fix=fix)
+            return self._error(problems.HyphenInOperand(previous, following), token, fix="_")
+        meant = MISTAKEN.get(token)
+        doubtful = meant is Operator.SEQUENCE and token != "->" and self._is_among_others(index)
+        if token not in _MEANT or doubtful:
+            return self._error(problems.NoOperator(token, _USUAL), token)
+        fix = meant.value if meant is not None else None
+        return self._error(problems.OperatorOfOthers(token, _MEANT[token]), token, fix=fix)
 
     def _is_among_others(self, index: int) -> bool:
         """Whether another operator than '.' stands in the same brackets: then this may stand for it, too."""
@@ -368,31 +344,16 @@ class _Reader:
 
     def _wrong_bracket(self, token: Token, opener: Token) -> Malformed:
         if opener == "|":
-            return self._error(
-                "E101",
-                f"expected an activity before '|', or '|' and a number before {shown(token)}",
-                opener,
-                hint="three instances of A are written |A|3, or A[3]",
-            )
-        return self._error(
-            "E101",
-            f"expected '{_CLOSES[opener]}', found {shown(token)}",
-            token,
-            related=(Related(self._span(opener), f"this '{opener}' is still open"),),
-        )
+            return self._error(problems.BarsWithoutNumber(token), opener)
+        problem = problems.UnexpectedInFormula((_CLOSES[opener],), None, token)
+        return self._error(problem, token, self._still_open(opener))
 
     def _not_closed(self, opener: Token) -> Malformed:
         last = self.tokens[-1]
         if opener == "|":
-            return self._error(
-                "E101",
-                "expected an activity before '|'",
-                opener,
-                hint="three instances of A are written |A|3, or A[3]",
-            )
-        return self._error(
-            "E101",
-            f"expected '{_CLOSES[opener]}' after {shown(last)}, but the formula ends",
-            last,
-            related=(Related(self._span(opener), f"this '{opener}' is still open"),),
-        )
+            return self._error(problems.BarsWithoutNumber(None), opener)
+        problem = problems.UnexpectedInFormula((_CLOSES[opener],), last, None)
+        return self._error(problem, last, self._still_open(opener))
+
+    def _still_open(self, opener: Token) -> tuple[Related, ...]:
+        return (Related(self._span(opener), f"this '{opener}' is still open"),)

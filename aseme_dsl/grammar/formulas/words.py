@@ -15,7 +15,7 @@ class Malformed(Exception):
     """Carries the one diagnostic of a formula or expression."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
-        super().__init__(diagnostic.message)
+        super().__init__(diagnostic)
         self.diagnostic = diagnostic
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.syntax.entries import Hole
 from aseme_dsl.source import Source
 
 __all__ = ["Formatted", "format_source"]
@@ -38,7 +39,7 @@ def format_source(source: Source) -> Formatted:
     from aseme_dsl.grammar.parsing.parse import parse_with_leaves
 
     tree, comments, diagnostics = parse_with_leaves(source)
-    if any(item.code != "E109" for item in diagnostics):  # holes are laid out as operators are
+    if any(not isinstance(item.problem, Hole) for item in diagnostics):  # holes are laid out as operators are
         return Formatted(source, source.text, diagnostics)
     text = write_blocks(read_blocks(source, tree, comments))
     if _ends_lines_as_windows(source.text):

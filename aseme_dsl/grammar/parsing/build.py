@@ -7,7 +7,9 @@ from dataclasses import replace
 from typing import Any, TypeVar
 
 from aseme_dsl.amola.operators import USUAL
-from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics import Diagnostic, Problem, Related
+from aseme_dsl.diagnostics.problems.syntax import characters
+from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.grammar.formulas.expression import (
     Malformed,
     read_duration,
@@ -19,7 +21,7 @@ from aseme_dsl.grammar.formulas.expression import (
 from aseme_dsl.grammar.formulas.formula import read_formula
 from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.grammar.text.lexer import HOLE, PLACEHOLDER, shown
+from aseme_dsl.grammar.text.lexer import HOLE, PLACEHOLDER
 from aseme_dsl.grammar.text.recovery import BLOCKS
 from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Source, Span
@@ -80,17 +82,15 @@ class _Builder:
         """A name that is used."""
         return tree.Name(str(text), Span(self.source, text.start, text.start + len(text)))
 
-    def new_name(self, text: Token, what: str, words: Sequence[str] = ()) -> tree.Name:
+    def new_name(self, text: Token, kind: str, words: Sequence[str] = ()) -> tree.Name:
         """A name that is declared, and is none of the words of its block nor of those that no name can be."""
-        return self.checked_name(text, what, (*RESERVED, *BUILT_IN_TYPES, *words))
+        return self.checked_name(text, kind, (*RESERVED, *BUILT_IN_TYPES, *words))
 
-    def checked_name(self, text: Token, what: str, words: Sequence[str]) -> tree.Name:
+    def checked_name(self, text: Token, kind: str, words: Sequence[str]) -> tree.Name:
         """A name that is declared, and is none of `words`; the compiler refuses what no name can be."""
         made = self.name(text)
         if text in words:
-            kind = "a type" if text in BUILT_IN_TYPES else "a word of the language here"
-            message = f"{shown(text)} cannot be the name of {what}: it is {kind}"
-            self.diagnostics.append(Diagnostic("E106", message, made.span, hint=f"{text}_ can"))
+            self.report(characters.WordAsName(made.text, kind, text in BUILT_IN_TYPES), made.span)
         return made
 
     def names(self, texts: Iterable[Token]) -> tuple[tree.Name, ...]:
@@ -99,7 +99,7 @@ class _Builder:
     def integer(self, text: Token) -> int | None:
         digits = text.replace(" ", "")
         if len(digits) > _LONGEST_INTEGER:
-            self.diagnostics.append(Diagnostic("E108", f"{shown(text)} has too many digits", self.spot(text)))
+            self.report(characters.TooManyDigits(str(text)), self.spot(text))
             return None
         return int("".join(text.split()))
 
@@ -120,12 +120,14 @@ class _Builder:
     def duration(self, text: Token) -> tree.Duration | None:
         return self.tried(lambda: read_duration(self.source, text))
 
-    def again(self, what: str, first: Span, second: Span) -> None:
-        self.diagnostics.append(
-            Diagnostic(
-                "E114", f"{what} is said twice", second, (Related(first, "first said here"),), "leave one out"
-            )
-        )
+    def again(self, clause: str | None, first: Span, second: Span) -> None:
+        """E114 for a clause that begins with the same word as one before it; a requirement has no word."""
+        self.report(problems.SaidTwice(clause), second, (Related(first, "first said here"),))
+
+    def report(
+        self, problem: Problem, span: Span, related: tuple[Related, ...] = (), fix: str | None = None
+    ) -> None:
+        self.diagnostics.append(Diagnostic(problem, span, related, fix))
 
     # ---- the file ------------------------------------------------------------------------------
 
@@ -134,19 +136,19 @@ class _Builder:
         return made
 
     def system(self, node: Any) -> tree.System:
-        return tree.System(self.new_name(node.name, "a system"), self.span(node))
+        return tree.System(self.new_name(node.name, "system"), self.span(node))
 
     def import_(self, node: Any) -> tree.Import:
         target = self.text(node.path) if node.path else self.name(node.library)
         return tree.Import(target, self.span(node))
 
     def let(self, node: Any, words: Sequence[str] = ()) -> tree.Let | None:
-        name = self.checked_name(node.name, "a let", words)
+        name = self.checked_name(node.name, "let", words)
         expression = self.tried(lambda: read_expression(self.source, node.tokens))
         return tree.Let(name, expression, self.span(node)) if expression is not None else None
 
     def var(self, node: Any, words: Sequence[str] = ()) -> tree.Var:
-        name = self.checked_name(node.name, "a variable", words)
+        name = self.checked_name(node.name, "variable", words)
         initial = self.tried(lambda: read_expression(self.source, node.tokens)) if node.tokens else None
         return tree.Var(name, self.name(node.type), initial, self.span(node))
 
@@ -162,7 +164,7 @@ class _Builder:
         return tree.Enum(name, self.all(constant, node.constants), self.span(node))
 
     def message(self, node: Any) -> tree.Message:
-        name = self.checked_name(node.name, "a message", COMM_TYPES)
+        name = self.checked_name(node.name, "message", COMM_TYPES)
 
         def field(entry: Any) -> tree.Field:
             number = self.integer(entry.number) if entry.number else None
@@ -180,9 +182,9 @@ class _Builder:
         name = self.name(node.name)
         under = self.name(node.under[0]) if node.under else None
         radio = self.integer_number(node.radio[0]) if node.radio else None
-        for what, given in (("'under'", node.under), ("'radio'", node.radio)):
+        for clause, given in (("under", node.under), ("radio", node.radio)):
             if len(given) > 1:
-                self.again(what, self.spot(given[0]), self.spot(given[1]))
+                self.again(clause, self.spot(given[0]), self.spot(given[1]))
         return tree.Topic(name, under, radio, self.all(self.topic_entry, node.entries), self.span(node))
 
     def topic_entry(self, node: Any) -> tree.TopicEntry:
@@ -193,13 +195,13 @@ class _Builder:
         for clause in node.clauses:
             match type(clause).__name__:
                 case "TopicFrom":
-                    said.check("'from'", self.span(clause))
+                    said.check("from", self.span(clause))
                     sources = self.names(clause.sources)
                 case "TopicEvery":
-                    said.check("'every'", self.span(clause))
+                    said.check("every", self.span(clause))
                     every = self.duration(clause.every)
                 case _:
-                    said.check(shown(clause.flag), self.span(clause))
+                    said.check(str(clause.flag), self.span(clause))
                     flags.add(str(clause.flag))
         return tree.TopicEntry(
             self.name(node.comm),
@@ -214,7 +216,7 @@ class _Builder:
     def function(self, node: Any) -> tree.Function:
         def parameter(entry: Any) -> tree.Parameter:
             return tree.Parameter(
-                self.name(entry.type), self.new_name(entry.name, "a parameter"), self.span(entry)
+                self.name(entry.type), self.new_name(entry.name, "parameter"), self.span(entry)
             )
 
         return tree.Function(
@@ -232,7 +234,7 @@ class _Builder:
 
     def actor(self, node: Any) -> tree.Actor:
         return tree.Actor(
-            self.new_name(node.name, "an actor", ("actor", "goal")),
+            self.new_name(node.name, "actor", ("actor", "goal")),
             self.all(self.goal, node.goals),
             self.span(node),
         )
@@ -243,13 +245,13 @@ class _Builder:
         said = _Once(self)
         for clause in node.clauses:
             if type(clause).__name__ == "Depends":
-                said.check("'depends on'", self.span(clause))
+                said.check("depends on", self.span(clause))
                 depends = self.names(clause.actors)
             else:
-                said.check("the requirement", self.span(clause))
+                said.check(None, self.span(clause))
                 requirements = self.text(clause.text)
         return tree.Goal(
-            self.new_name(node.name, "a goal", ("goal", "depends")), depends, requirements, self.span(node)
+            self.new_name(node.name, "goal", ("goal", "depends")), depends, requirements, self.span(node)
         )
 
     def suc(self, node: Any) -> tree.Suc:
@@ -261,7 +263,7 @@ class _Builder:
     def roles(self, node: Any) -> tree.Roles:
         type_ = self.name(node.type) if node.type else None
         return tree.Roles(
-            tuple(self.new_name(text, "a role", ("role", "usecase")) for text in node.names),
+            tuple(self.new_name(text, "role", ("role", "usecase")) for text in node.names),
             type_,
             self.span(node),
         )
@@ -273,19 +275,19 @@ class _Builder:
         for clause in node.clauses:
             match type(clause).__name__:
                 case "By":
-                    said.check("'by'", self.span(clause))
+                    said.check("by", self.span(clause))
                     lists["by"] = self.names(clause.roles)
                 case "Includes":
-                    said.check("'includes'", self.span(clause))
+                    said.check("includes", self.span(clause))
                     lists["includes"] = self.names(clause.usecases)
                 case "Realises":
-                    said.check("'realises'", self.span(clause))
+                    said.check("realises", self.span(clause))
                     lists["realises"] = self.names(clause.names)
                 case _:
-                    said.check("the requirement", self.span(clause))
+                    said.check(None, self.span(clause))
                     requirements = self.text(clause.text)
         return tree.UseCase(
-            self.new_name(node.name, "a use case", ("role", "usecase", "by", "includes", "realises")),
+            self.new_name(node.name, "use case", ("role", "usecase", "by", "includes", "realises")),
             lists.get("by", ()),
             lists.get("includes", ()),
             lists.get("realises", ()),
@@ -299,7 +301,7 @@ class _Builder:
         words = BLOCKS["JunkAip"].words
         kinds = _by_kind(node.entries)
         return tree.Aip(
-            self.new_name(node.name, "a protocol"),
+            self.new_name(node.name, "protocol"),
             self.all(self.participant, kinds["Participant"]),
             tuple(self.text(entry.text) for entry in kinds["Outcome"]),
             self.all(lambda entry: self.let(entry, words), kinds["Let"]),
@@ -313,7 +315,7 @@ class _Builder:
         kinds = _by_kind(node.entries)
         helpers = tuple(word for word in words if word != "process")
         return tree.Participant(
-            self.new_name(node.name, "a participant", BLOCKS["JunkAip"].words),
+            self.new_name(node.name, "participant", BLOCKS["JunkAip"].words),
             self.multiplicity(node) if node.least else None,
             tuple(self.text(entry.text) for entry in kinds["Engage"]),
             self.all(lambda entry: self.var(entry, words), kinds["Var"]),
@@ -338,9 +340,7 @@ class _Builder:
         end = node.most or node.least
         span = Span(self.source, node.least.start, end.end)
         if most is not None and (most < least or most == 0):
-            hint = f"write {most}..{least}" if most else "write 1, or a larger number"
-            message = f"no number of agents is from {least} to {most}"
-            self.diagnostics.append(Diagnostic("E115", message, span, hint=hint))
+            self.report(problems.EmptyMultiplicity(least, most), span)
             return None
         return tree.Multiplicity(least, most, span)
 
@@ -352,7 +352,7 @@ class _Builder:
         )
 
     def formula(self, node: Any, words: Sequence[str] = ()) -> tree.NamedFormula | None:
-        name = self.new_name(node.name, "a formula", words)
+        name = self.new_name(node.name, "formula", words)
         formula = self.tried(lambda: read_formula(self.source, node.tokens))
         parameters = self.all(self.formula_parameter, node.parameters)
         if formula is None:
@@ -366,17 +366,11 @@ class _Builder:
             if token == HOLE:
                 written = PLACEHOLDER.match(self.source.text, token.start)
                 end = written.end() if written is not None else token.end
-                self.diagnostics.append(
-                    Diagnostic(
-                        "E109",
-                        "an operator is still to be chosen here",
-                        Span(self.source, token.start, end),
-                        hint="write " + ", ".join(f"`{item}` for {item.row.meaning}" for item in USUAL),
-                    )
-                )
+                usual = tuple((item.value, item.row.meaning) for item in USUAL)
+                self.report(problems.OperatorToChoose(usual), Span(self.source, token.start, end))
 
     def formula_parameter(self, node: Any) -> tree.FormulaParameter:
-        name = self.new_name(node.name, "a parameter")
+        name = self.new_name(node.name, "parameter")
         return tree.FormulaParameter(name, self.name(node.type) if node.type else None, self.span(node))
 
     def clause(self, node: Any) -> tree.Clause:
@@ -442,12 +436,7 @@ class _Builder:
         place = Span(self.source, end - 1, end)
         written = self.tried(lambda: read_transition(self.source, node.tokens, place))
         if written is not None and isinstance(written.condition, tree.Hole):
-            hint = "write when this transition is taken, or `else` instead of the brackets"
-            self.diagnostics.append(
-                Diagnostic(
-                    "E109", "a condition is still to be written here", written.condition.span, hint=hint
-                )
-            )
+            self.report(problems.ConditionToWrite(), written.condition.span)
         return written
 
     # ---- roles ---------------------------------------------------------------------------------
@@ -456,7 +445,7 @@ class _Builder:
         words = BLOCKS["JunkSrm"].words
         kinds = _by_kind(node.entries)
         return tree.Srm(
-            self.new_name(node.name, "a role"),
+            self.new_name(node.name, "role"),
             tuple(self.plays(part) for entry in kinds["Plays"] for part in entry.parts),
             self.all(self.capability, kinds["Capability"]),
             self.all(lambda entry: self.var(entry, words), kinds["Var"]),
@@ -475,7 +464,7 @@ class _Builder:
         return tree.Plays(
             self.name(node.protocol),
             self.name(node.participant),
-            self.new_name(node.alias, "a participant", ("with",)) if node.alias else None,
+            self.new_name(node.alias, "participant", ("with",)) if node.alias else None,
             tuple(
                 tree.Binding(self.name(item.abstract), self.name(item.own), self.span(item))
                 for item in node.bindings
@@ -486,7 +475,7 @@ class _Builder:
     def capability(self, node: Any) -> tree.Capability:
         description = self.text(node.description) if node.description else None
         return tree.Capability(
-            self.new_name(node.name, "a capability"),
+            self.new_name(node.name, "capability"),
             description,
             self.names(node.activities),
             self.span(node),
@@ -504,21 +493,21 @@ class _Builder:
         for clause in node.clauses:
             match type(clause).__name__:
                 case "Every":
-                    said.check("'every'", self.span(clause))
+                    said.check("every", self.span(clause))
                     durations["every"] = self.duration(clause.duration)
                 case "Takes":
-                    said.check("'takes'", self.span(clause))
+                    said.check("takes", self.span(clause))
                     durations["takes"] = self.duration(clause.duration)
                 case "Simulated":
-                    said.check("'simulated'", self.span(clause))
+                    said.check("simulated", self.span(clause))
                     simulated = self.span(clause)
                 case "Within":
-                    said.check("'within'", self.span(clause))
+                    said.check("within", self.span(clause))
                     durations["within"] = self.duration(clause.duration)
                 case "Ends":
                     ends += self.names(clause.outcomes)
                 case "As":
-                    said.check("'as'", self.span(clause))
+                    said.check("as", self.span(clause))
                     kind = self.name(clause.kind)
                 case "Uses":
                     uses += self.names(clause.functionalities)
@@ -527,7 +516,7 @@ class _Builder:
                 case _:
                     writes += [read_path(self.source, path) for path in clause.paths]
         return tree.Activity(
-            self.new_name(node.name, "an activity"),
+            self.new_name(node.name, "activity"),
             uses,
             durations.get("every"),
             durations.get("takes"),
@@ -542,7 +531,7 @@ class _Builder:
         )
 
     def activity_parameter(self, node: Any) -> tree.ActivityParameter:
-        name = self.new_name(node.name, "a parameter")
+        name = self.new_name(node.name, "parameter")
         return tree.ActivityParameter(name, self.name(node.type), self.span(node))
 
     def module(self, node: Any) -> tree.Module:
@@ -563,10 +552,10 @@ class _Builder:
         said = _Once(self)
         for entry in node.entries:
             if not isinstance(entry, str):
-                said.check(shown(entry.kind), self.span(entry))
+                said.check(str(entry.kind), self.span(entry))
                 texts[str(entry.kind)] = self.text(entry.text)
         return tree.Functionality(
-            self.new_name(node.name, "a functionality"),
+            self.new_name(node.name, "functionality"),
             texts.get("technology"),
             texts.get("permissions"),
             texts.get("environment"),
@@ -580,7 +569,7 @@ class _Builder:
         words = BLOCKS["JunkChart"].words
         kinds = _by_kind(node.entries)
         return tree.Statechart(
-            self.new_name(node.name, "a statechart"),
+            self.new_name(node.name, "statechart"),
             self.all(lambda entry: self.var(entry, words), kinds["Var"]),
             self.all(lambda entry: self.let(entry, words), kinds["Let"]),
             self.all(self.chart_node, kinds["ChartNode"]),
@@ -616,12 +605,12 @@ class _Builder:
 
     def team(self, node: Any) -> tree.Team:
         return tree.Team(
-            self.new_name(node.name, "a team"), self.all(self.agents, node.entries), self.span(node)
+            self.new_name(node.name, "team"), self.all(self.agents, node.entries), self.span(node)
         )
 
     def agents(self, node: Any) -> tree.TeamAgents:
         names = tuple(
-            (self.new_name(item.name, "an agent"), self.range(item) if item.least else None)
+            (self.new_name(item.name, "agent"), self.range(item) if item.least else None)
             for item in node.names
         )
         settings = self.all(self.setting, node.settings)
@@ -637,9 +626,7 @@ class _Builder:
             return None
         if most < least:
             span = Span(self.source, node.least.start, node.most.end)
-            message = f"no agents are numbered from {least} to {most}"
-            hint = f"write {most}..{least}"
-            self.diagnostics.append(Diagnostic("E115", message, span, hint=hint, fix=f"{most}..{least}"))
+            self.report(problems.EmptyRange(least, most), span, fix=f"{most}..{least}")
             return None
         return least, most
 
@@ -680,12 +667,12 @@ class _Once:
 
     def __init__(self, builder: _Builder) -> None:
         self.builder = builder
-        self.said: dict[str, Span] = {}
+        self.said: dict[str | None, Span] = {}
 
-    def check(self, what: str, span: Span) -> None:
-        first = self.said.setdefault(what, span)
+    def check(self, clause: str | None, span: Span) -> None:
+        first = self.said.setdefault(clause, span)
         if first is not span:
-            self.builder.again(what, first, span)
+            self.builder.again(clause, first, span)
 
 
 class _Kinds(dict[str, list[Any]]):

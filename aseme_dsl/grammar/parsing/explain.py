@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from aseme_dsl.amola.messages import BUILT_IN
 from aseme_dsl.amola.operators import BRACKETS, INFIX_SIGNS
-from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
+from aseme_dsl.diagnostics import Diagnostic, Problem, Related, closest, surely
+from aseme_dsl.diagnostics.problems.syntax import characters
+from aseme_dsl.diagnostics.problems.syntax import entries as problems
+from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
 from aseme_dsl.grammar.parsing.terminals import Mistake
-from aseme_dsl.grammar.text.lexer import UNITS, Lexed, shown
+from aseme_dsl.grammar.text.lexer import UNITS, Lexed
 from aseme_dsl.grammar.text.recovery import BLOCKS, begins_declaration
 from aseme_dsl.source import Span
 
@@ -40,44 +41,47 @@ _OTHER_WORDS = {
 }
 """What declarations begin with elsewhere, and here."""
 
-_PHRASES = {
-    "Name": "a name",
-    "EntryName": "a name",
-    "SystemName": "a name",
-    "RoleName": "a role",
-    "OutcomeName": "a name",
-    "IncludedName": "a role",
-    "ActName": "a name",
-    "ActivityName": "an activity",
-    "NodeName": "a name",
-    "Path": "a name",
-    "Text": "a text in double quotes",
-    "Integer": "a whole number",
-    "SignedInteger": "a whole number",
-    "Most": "a whole number or '*'",
-    "Count": "a number",
-    "Duration": "a duration (as 200ms)",
-    "Label": "a label (as 0.2.1)",
-    "FormulaToken": "a formula",
-    "ProcessToken": "a formula",
-    "TermToken": "a term of the formula",
-    "ExpressionToken": "an expression",
-    "SettingToken": "a value",
-} | dict.fromkeys(("ControlToken", "Separator", "Word", "FieldLabel", "Reach"), "")
-"""What a terminal is called, by the name of its rule; what goes without saying is empty."""
+_TERMINALS = {
+    "Name": Wanted.NAME,
+    "EntryName": Wanted.NAME,
+    "SystemName": Wanted.NAME,
+    "RoleName": Wanted.ROLE,
+    "OutcomeName": Wanted.NAME,
+    "IncludedName": Wanted.ROLE,
+    "ActName": Wanted.NAME,
+    "ActivityName": Wanted.ACTIVITY,
+    "NodeName": Wanted.NAME,
+    "Path": Wanted.NAME,
+    "Text": Wanted.TEXT,
+    "Integer": Wanted.INTEGER,
+    "SignedInteger": Wanted.INTEGER,
+    "Most": Wanted.MOST,
+    "Count": Wanted.COUNT,
+    "Duration": Wanted.DURATION,
+    "Label": Wanted.LABEL,
+    "FormulaToken": Wanted.FORMULA,
+    "ProcessToken": Wanted.FORMULA,
+    "TermToken": Wanted.TERM,
+    "ExpressionToken": Wanted.EXPRESSION,
+    "SettingToken": Wanted.VALUE,
+}
+"""What a terminal is, by the name of its rule."""
 
-_ENTRIES = {
-    "JunkDeclaration": "a declaration",
-    "JunkConstant": "a constant or '}'",
-    "JunkField": "a field (as 'double x') or '}'",
-    "JunkFormula": "a formula (as 'NAME = A . B') or '}'",
-    "JunkActivity": "an activity or '}'",
-    "JunkAgents": "an agent (as 'robot1 : player') or '}'",
+_UNSAID = ("ControlToken", "Separator", "Word", "FieldLabel", "Reach")
+"""Terminals that go without saying."""
+
+_ENTRIES: dict[str, tuple[Wanted | str, ...]] = {
+    "JunkDeclaration": (Wanted.DECLARATION,),
+    "JunkConstant": (Wanted.CONSTANT, "}"),
+    "JunkField": (Wanted.FIELD, "}"),
+    "JunkFormula": (Wanted.FORMULA_ENTRY, "}"),
+    "JunkActivity": (Wanted.ACTIVITY, "}"),
+    "JunkAgents": (Wanted.AGENT, "}"),
 }
 """What a block holds, where its words do not say it."""
 
 
-_BEGINNINGS = ("'abstract'", "a name", "an activity", "a label (as 0.2.1)")
+_BEGINNINGS = ("abstract", Wanted.NAME, Wanted.ACTIVITY, Wanted.LABEL)
 """What an entry may begin with, besides the words of its block."""
 
 
@@ -134,27 +138,22 @@ class _Explanation:
         continues = self.index > self.first or (
             0 < self.index < len(tokens) and not tokens.begins_line(self.index)
         )
-        after = f" after {shown(previous)}" if previous and continues else ""
+        after = previous if previous and continues else None
         if self.index >= len(tokens):
-            last = len(tokens) - 1
-            return Diagnostic("E100", f"expected {wanted}{after}, but the file ends", self._span(last))
-        message = f"expected {wanted}{after}, found {shown(found)}"
+            problem = problems.UnexpectedInFile(wanted, after, None)
+            return Diagnostic(problem, self._span(len(tokens) - 1))
         if tokens.begins_line(self.index) and self.index > self.first:
             # Something is missing at the end of a line, not wrong on the next one.
-            return Diagnostic("E100", message, self._span(self.index - 1), hint=self._no_expression(wanted))
-        hint = self._what_may_stand_here()
-        if found.isdigit() and self._expects("Duration"):
-            hint = f"a duration has a unit: {found}ms, {found}s or {found}min"
-        return Diagnostic("E100", message, self._span(self.index), hint=hint)
+            return Diagnostic(self._end_of_line(wanted, after, found), self._span(self.index - 1))
+        return Diagnostic(self._not_here(wanted, after, found), self._span(self.index))
 
     def not_closed(self) -> Diagnostic:
         """A `}` is missing."""
         tokens = self.tokens
         opener = tokens.at(self.mistake.opener if self.mistake.opener is not None else 0)
         place = min(self.index, len(tokens)) - 1
-        found = (
-            "but the file ends" if self.index >= len(tokens) else f"found {shown(tokens.word(self.index))}"
-        )
+        found = None if self.index >= len(tokens) else tokens.word(self.index)
+        kind = problems.BlockNotClosed
         # The block that lacks its `}` may be an inner one: then the outer one's `}` has closed it.
         for inner, closing in tokens.closing_with_missing.items():
             if (
@@ -163,11 +162,11 @@ class _Explanation:
                 and tokens.begins_line(closing)
                 and tokens.column(closing) == tokens.indentation(opener) < tokens.indentation(inner)
             ):
-                opener, place, found = inner, closing - 1, "found the '}' of a block around it"
+                opener, place, found = inner, closing - 1, "}"
+                kind = problems.InnerBlockNotClosed
                 break
         related = (Related(self._span(opener), "opened here"),)
-        message = f"expected '}}' that closes {self._header(opener)}, {found}"
-        return Diagnostic("E111", message, self._span(place), related, hint="write '}'")
+        return Diagnostic(kind(self._header(opener), found), self._span(place), related)
 
     def _closed_early(self, found: str) -> Diagnostic | None:
         """After a `}` too many, the rest of a block stands where declarations are expected."""
@@ -188,12 +187,10 @@ class _Explanation:
                 continue
             if not tokens.begins_line(closing) and closing + 1 != self.first:
                 continue
-            message = f"this '}}' closes {self._header(opener)} too early"
-            hint = "is it too much, or is a '{' missing before it?"
             related = (Related(self._span(opener), "opened here"),)
-            return Diagnostic("E112", message, self._span(closing), related, hint)
+            return Diagnostic(problems.BlockClosedEarly(self._header(opener)), self._span(closing), related)
         if found == "}":
-            return Diagnostic("E112", "this '}' closes nothing", self._span(self.index), hint="leave it out")
+            return Diagnostic(problems.NothingToClose(), self._span(self.index))
         return None
 
     def _name_on_the_next_line(self) -> Diagnostic | None:
@@ -203,8 +200,8 @@ class _Explanation:
         if taken < 1 or not tokens.begins_line(taken) or tokens.word(taken) not in self.words:
             return None
         before = tokens.word(taken - 1)
-        message = f"expected a name after {shown(before)}, found {shown(tokens.word(taken))}"
-        return Diagnostic("E100", message, self._span(taken - 1))
+        problem = problems.UnexpectedInFile((Wanted.NAME,), before, tokens.word(taken))
+        return Diagnostic(problem, self._span(taken - 1))
 
     def _misspelt(self) -> Diagnostic | None:
         tokens = self.tokens
@@ -220,9 +217,8 @@ class _Explanation:
                 continue
             meant = closest(word, candidates)
             if meant is not None:
-                message = f"{shown(word)} is no word of the language here"
-                hint = f"did you mean {shown(meant)}?"
-                return Diagnostic("E100", message, self._span(index), hint=hint, fix=surely(word, candidates))
+                problem = problems.MisspeltWord(word, meant)
+                return Diagnostic(problem, self._span(index), fix=surely(word, candidates))
         return None
 
     def _no_colon(self) -> Diagnostic | None:
@@ -247,11 +243,9 @@ class _Explanation:
                 break
             complete = word not in INFIX_SIGNS and word not in BRACKETS
         before = tokens.word(place - 1)
-        message = f"expected ':' after {shown(before)}, found {shown(tokens.word(place))}"
-        if place == len(tokens):
-            message = f"expected ':' after {shown(before)}, but the file ends"
-        hint = f"write {tokens.word(self.first)} TERM : event [condition] / actions"
-        return Diagnostic("E100", message, self._span(place - 1), hint=hint)
+        found = tokens.word(place) if place < len(tokens) else None
+        problem = problems.ControlWithoutColon((":",), before, found, tokens.word(self.first))
+        return Diagnostic(problem, self._span(place - 1))
 
     def _hyphen(self) -> Diagnostic | None:
         tokens = self.tokens
@@ -266,8 +260,7 @@ class _Explanation:
         if not joined:
             return None
         span = Span(self.lexed.source, tokens.starts[here - 1], tokens.ends[here + 1])
-        name = f"{before}_{after}"
-        return Diagnostic("E100", f"{shown(span.text)} is not a name", span, hint=f"write {name}", fix=name)
+        return Diagnostic(problems.HyphenInName(before, after), span, fix=f"{before}_{after}")
 
     def _other_word(self) -> Diagnostic | None:
         """What a declaration begins with in other languages, or in the speech of its users."""
@@ -275,16 +268,14 @@ class _Explanation:
         meant = _OTHER_WORDS.get(word)
         if self.mistake.kind != "JunkDeclaration" or self.index != self.first or meant is None:
             return None
-        message = f"{shown(word)} is no word of the language here"
-        return Diagnostic("E100", message, self._span(self.index), hint=f"write {shown(meant)}", fix=meant)
+        return Diagnostic(problems.WordOfOthers(word, meant), self._span(self.index), fix=meant)
 
     def _abstract_role(self) -> Diagnostic | None:
         """`abstract role base`: the word of the use cases for what is an `srm` here."""
         word = self.tokens.word(self.index)
         if self.tokens.word(self.index - 1) != "abstract" or _OTHER_WORDS.get(word) != "srm":
             return None
-        message = f"{shown(word)} is no word of the language here"
-        return Diagnostic("E100", message, self._span(self.index), hint="write 'srm'", fix="srm")
+        return Diagnostic(problems.WordOfOthers(word, "srm"), self._span(self.index), fix="srm")
 
     def _agents_by_number(self) -> Diagnostic | None:
         """`robot[2]` for two agents."""
@@ -292,50 +283,41 @@ class _Explanation:
         number = tokens.word(self.index - 1)
         if self.mistake.kind != "JunkAgents" or tokens.word(self.index) != "]" or not number.isdigit():
             return None
-        message = f"agents are counted from one number to another, as [1..{number}]"
-        span, several = self._span(self.index - 1), int(number) > 1
-        fix = f"1..{number}" if several else None
-        return Diagnostic("E100", message, span, hint=f"write [{fix}]" if fix else None, fix=fix)
+        fix = f"1..{number}" if int(number) > 1 else None
+        return Diagnostic(problems.AgentsByNumber(number, fix), self._span(self.index - 1), fix=fix)
 
     def _other_comment(self) -> Diagnostic | None:
         """`# …` of other languages."""
         if self.tokens.word(self.index) != "#":
             return None
-        message = "'#' does not begin a comment here"
-        return Diagnostic("E100", message, self._span(self.index), hint="comments begin with '//'", fix="//")
+        return Diagnostic(problems.CommentOfOthers(), self._span(self.index), fix="//")
 
     def _other_assignment(self) -> Diagnostic | None:
         """`int rounds = 0` for a variable of a role, `ann = waiter` and `with (limit = 2)` in a team."""
         tokens = self.tokens
         before, word, after = (tokens.word(self.index + step) for step in (-1, 0, 1))
         if self.mistake.kind == "JunkAgents" and word == "=" and self._expects_literal(":"):
-            message = f"expected ':' after {shown(before)}, found '='"
-            hint = f"write {before} : {after}" if after[:1].isalpha() else "write ':'"
-            return Diagnostic("E100", message, self._span(self.index), hint=hint, fix=":")
+            role = after if after[:1].isalpha() else None
+            problem = problems.AgentWithEquals((":",), before, word, role)
+            return Diagnostic(problem, self._span(self.index), fix=":")
         if self.mistake.kind == "JunkAgents" and word == "(" and before == "with":
-            message = "what is set in an agent stands behind 'with' without parentheses"
-            hint = "write with NAME = VALUE, NAME = VALUE"
-            return Diagnostic("E100", message, self._span(self.index), hint=hint)
+            return Diagnostic(problems.SettingsInParentheses(), self._span(self.index))
         if "var" in self.words and word in BUILT_IN and after[:1].isalpha() and self.index == self.first:
             value = tokens.word(self.index + 3)
-            initial = f" = {value}" if tokens.word(self.index + 2) == "=" and value else ""
-            message = f"expected 'var' before a variable, found {shown(word)}"
-            return Diagnostic(
-                "E100", message, self._span(self.index), hint=f"write var {after} : {word}{initial}"
-            )
+            initial = value if tokens.word(self.index + 2) == "=" and value else None
+            return Diagnostic(problems.VariableWithoutVar(word, after, initial), self._span(self.index))
         return None
 
     def _late_language(self) -> Diagnostic | None:
         if self.index != self.first or self.tokens.word(self.index) != "language":
             return None
-        return Diagnostic("E100", "'language' can only stand first in a file", self._span(self.index))
+        return Diagnostic(problems.LateLanguage(), self._span(self.index))
 
     def _blank_before_unit(self) -> Diagnostic:
         tokens = self.tokens
         number, unit = tokens.word(self.index), tokens.word(self.index + 1)
         span = Span(self.lexed.source, tokens.starts[self.index], tokens.ends[self.index + 1])
-        message = f"a blank between the number {number} and its unit {unit}"
-        return Diagnostic("E108", message, span, hint=f"write {number}{unit}", fix=number + unit)
+        return Diagnostic(characters.BlankBeforeUnit(number, unit), span, fix=number + unit)
 
     # ---- words and places ----------------------------------------------------------------------
 
@@ -355,39 +337,40 @@ class _Explanation:
             words += [*self.words, *self.clauses]
         return [word for word in dict.fromkeys(words) if word[:1].isalpha()]
 
-    def _wanted(self) -> str:
+    def _wanted(self) -> tuple[Wanted | str, ...]:
         """What may stand here; at the begin of an entry what the block holds, rather than a long list."""
-        phrases: list[str] = []
+        wanted: dict[Wanted | str, None] = {}
         for rule in self.mistake.expected:
             if rule.rule_name in _CHOICES:
-                phrases += [f"'{word}'" for word in _CHOICES[rule.rule_name]]
-            elif rule.rule_name in _PHRASES:
-                phrases.append(_PHRASES[rule.rule_name])
-            else:
-                phrases.append(f"'{rule.to_match}'")
-        phrases = [phrase for phrase in dict.fromkeys(phrases) if phrase]
+                wanted |= dict.fromkeys(_CHOICES[rule.rule_name])
+            elif rule.rule_name in _TERMINALS:
+                wanted[_TERMINALS[rule.rule_name]] = None
+            elif rule.rule_name not in _UNSAID:
+                wanted[str(rule.to_match)] = None
         if self.index > self.first or self.mistake.kind not in BLOCKS:
-            return _alternatives(phrases)
-        words = [f"'{word}'" for word in self.words]
-        more = [phrase for phrase in phrases if phrase not in words and phrase not in _BEGINNINGS]
+            return tuple(wanted)
+        more = [item for item in wanted if item not in self.words and item not in _BEGINNINGS]
         if more and self.index < len(self.tokens) and not self.tokens.begins_line(self.index):
-            return _alternatives([*more, "the next entry"])
-        return _ENTRIES.get(self.mistake.kind) or _alternatives([*words, "'}'"])
+            return (*more, Wanted.NEXT_ENTRY)
+        return _ENTRIES.get(self.mistake.kind) or (*self.words, "}")
 
-    def _no_expression(self, wanted: str) -> str | None:
-        """A transition by labels with nothing behind it: it has a colon nevertheless."""
-        if wanted != "':'" or self.tokens.word(self.index - 2) != "->":
-            return None
-        source, target = self.tokens.word(self.index - 3), self.tokens.word(self.index - 1)
-        return f"write '{source} -> {target} :' for one that waits for completion"
-
-    def _what_may_stand_here(self) -> str | None:
+    def _end_of_line(self, wanted: tuple[Wanted | str, ...], after: str | None, found: str) -> Problem:
+        """A transition by labels has a colon, even with nothing behind it."""
         tokens = self.tokens
-        if self.mistake.kind == "JunkDeclaration" and self.index == self.first:
-            if tokens.word(self.first - 2) == "import" and tokens.word(self.index) in (".", "/", "-"):
-                return "a path stands in double quotes"
-            return "declarations begin with " + _alternatives(list(self.words))
-        return None
+        if wanted != (":",) or tokens.word(self.index - 2) != "->":
+            return problems.UnexpectedInFile(wanted, after, found)
+        source, target = tokens.word(self.index - 3), tokens.word(self.index - 1)
+        return problems.LabelledWithoutColon(wanted, after, found, source, target)
+
+    def _not_here(self, wanted: tuple[Wanted | str, ...], after: str | None, found: str) -> Problem:
+        tokens = self.tokens
+        if found.isdigit() and self._expects("Duration"):
+            return problems.DurationWithoutUnit(wanted, after, found)
+        if self.mistake.kind != "JunkDeclaration" or self.index != self.first:
+            return problems.UnexpectedInFile(wanted, after, found)
+        if tokens.word(self.first - 2) == "import" and found in (".", "/", "-"):
+            return problems.PathWithoutQuotes(wanted, after, found)
+        return problems.NoDeclaration(wanted, after, found, self.words)
 
     def _span(self, index: int) -> Span:
         if not 0 <= index < len(self.tokens):
@@ -400,10 +383,4 @@ class _Explanation:
         first = opener
         while first > 0 and not tokens.begins_line(first) and tokens.word(first - 1) not in ("{", "}"):
             first -= 1
-        header = " ".join(self.lexed.text[tokens.starts[first] : tokens.starts[opener]].split())
-        return shown(header) if header else "the block"
-
-
-def _alternatives(phrases: Iterable[str]) -> str:
-    *all_but_last, last = list(phrases) or ["something else"]
-    return ", ".join(all_but_last) + " or " + last if all_but_last else last
+        return " ".join(self.lexed.text[tokens.starts[first] : tokens.starts[opener]].split())

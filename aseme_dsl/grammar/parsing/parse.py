@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from aseme_dsl.diagnostics import Diagnostic, in_order
+from aseme_dsl.diagnostics import Diagnostic, Problem, in_order
+from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.grammar.text.tree import Comment, File
 from aseme_dsl.source import Source
 
@@ -62,29 +63,32 @@ def _selected(
 
     The kinds are odd characters, mistakes in the structure, and mistakes inside formulas and expressions.
     """
-    comment = min((item.span.start for item in odd if item.code == "E110" and item.span), default=None)
+    comments = [item.span.start for item in odd if _is(item, problems.CommentNotClosed) and item.span]
+    comment = min(comments, default=None)
     if comment is not None:  # all that follows is part of it
         mistakes = [
-            item for item in mistakes if item.span and item.span.end < comment and item.code != "E111"
+            item
+            for item in mistakes
+            if item.span and item.span.end < comment and not _is(item, problems.BlockNotClosed)
         ]
     mistakes = _at_different_places(mistakes, {item.span.start for item in inside if item.span})
     first: dict[int, tuple[int, int]] = {}  # by line: the place and the kind of its first mistake
     kinds = list(enumerate((odd, mistakes, inside)))
     for kind, items in kinds:
         for item in items:
-            if item.span is not None and item.code not in _BRACES:
+            if item.span is not None and not _is(item, *_BRACES):
                 here = (item.span.start, kind)
                 first[item.span.line] = min(here, first.get(item.span.line, here))
     found = in_order(
         item
         for kind, items in kinds
         for item in items
-        if item.span is None or item.code in _BRACES or first[item.span.line][1] == kind
+        if item.span is None or _is(item, *_BRACES) or first[item.span.line][1] == kind
     )
     if len(found) <= MOST_MISTAKES:
         return found
     last = found[MOST_MISTAKES - 1]
-    note = Diagnostic("E113", f"only the first {MOST_MISTAKES} mistakes of the file are listed", last.span)
+    note = Diagnostic(problems.MoreMistakes(MOST_MISTAKES), last.span)
     return (*found[:MOST_MISTAKES], note)
 
 
@@ -94,11 +98,20 @@ def _at_different_places(mistakes: list[Diagnostic], taken: set[int]) -> list[Di
     kept: list[Diagnostic] = []
     for item in mistakes:
         start = item.span.start if item.span else -1
-        if start not in seen and not (item.code in _BRACES and start in taken):
+        if start not in seen and not (_is(item, *_BRACES) and start in taken):
             kept.append(item)
         seen.add(start)
     return kept
 
 
-_BRACES = ("E110", "E111", "E112")
+def _is(item: Diagnostic, *kinds: type[Problem]) -> bool:
+    return isinstance(item.problem, kinds)
+
+
+_BRACES = (
+    problems.CommentNotClosed,
+    problems.BlockNotClosed,
+    problems.BlockClosedEarly,
+    problems.NothingToClose,
+)
 """What is shown on a line though it may concern others."""

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 from itertools import count, pairwise
 
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
+from aseme_dsl.diagnostics.problems.syntax.entries import NotReadInTime
 from aseme_dsl.grammar.parsing.copies import moved
 from aseme_dsl.grammar.parsing.parse import MOST_MISTAKES, parse
 from aseme_dsl.grammar.text import tree
@@ -338,12 +339,8 @@ def _not_in_time(part: Source, begin: int, slow: TooSlow) -> Diagnostic:
     text = part.text[begin:]
     start = begin + len(text) - len(text.lstrip())
     line = part.text.find("\n", start)
-    return Diagnostic(
-        "E116",
-        f"this was not read, because that takes {slow}; what is known of it is older",
-        Span(part, start, line if line >= 0 else len(part.text)),
-        hint="it is read again when it is edited; please report the text",
-    )
+    span = Span(part, start, line if line >= 0 else len(part.text))
+    return Diagnostic(NotReadInTime(str(slow)), span)
 
 
 def _spans(diagnostics: Iterable[Diagnostic]) -> Iterator[Span]:

@@ -9,7 +9,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.amola.operators import INFIX_SIGNS, Operator
-from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics import Diagnostic, Problem
+from aseme_dsl.diagnostics.problems.syntax import characters
+from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.grammar.text.tree import Comment
 from aseme_dsl.source import Source, Span
 
@@ -166,23 +168,14 @@ def clean(source: Source) -> Lexed:
     return _Cleaner(source).run()
 
 
-def shown(text: str) -> str:
-    """Characters in quotes for a message; what cannot be printed by its number."""
-    if len(text) > 40:
-        text = text[:37] + "…"
-    return "'" + "".join(c if c.isprintable() else f"U+{ord(c):04X}" for c in text) + "'"
-
-
-def _wrong_unit(number: str, unit: str) -> tuple[str, str, str | None]:
-    """What is said of `6m` or `3sec`, with the hint, and the fix where it is certain."""
+def _wrong_unit(number: str, unit: str) -> tuple[Problem, str | None]:
+    """What is wrong with `6m` or `3sec`, and the fix where it is certain."""
     meant = next((known for known, others in OTHER_UNITS.items() if unit.lower() in (known, *others)), None)
     if meant is not None:
-        return f"{shown(unit)} is no unit of time", f"write {number}{meant}", f"{number}{meant}"
+        return characters.NoUnitOfTime(number, unit, meant), f"{number}{meant}"
     if unit in OTHER_TIMES:
-        return f"{shown(unit)} is no unit of time", "durations are written 200ms, 1.5s or 2min", None
-    also = f"; minutes are written {number}min" if unit in ("m", "M") else ""
-    hint = f"write {number}, and its unit in a comment{also}"
-    return f"numbers have no units: {shown(number + unit)}", hint, None
+        return characters.NoUnitOfTime(number, unit, None), None
+    return characters.NumberWithUnit(number, unit), None
 
 
 class _Cleaner:
@@ -230,19 +223,15 @@ class _Cleaner:
     def _span(self, start: int, end: int) -> Span:
         return Span(self.source, start, end)
 
-    def _report(
-        self, code: str, message: str, start: int, end: int, hint: str | None = None, fix: str | None = None
-    ) -> None:
-        self.diagnostics.append(Diagnostic(code, message, self._span(start, end), hint=hint, fix=fix))
+    def _report(self, problem: Problem, start: int, end: int, fix: str | None = None) -> None:
+        self.diagnostics.append(Diagnostic(problem, self._span(start, end), fix=fix))
 
     def _comment(self, text: str, start: int) -> None:
         self.comments.append(Comment(text.rstrip("\r"), self._span(start, start + len(text.rstrip("\r")))))
         self.replaced.append((start, _blank(text)))
 
     def _open_comment(self, text: str, start: int) -> int:
-        self._report(
-            "E110", "the comment that begins here is not closed", start, start + 2, "write '*/' at its end"
-        )
+        self._report(problems.CommentNotClosed(), start, start + 2)
         end = len(self.source.text)
         self.replaced.append((start, _blank(self.source.text[start:])))
         return end
@@ -253,27 +242,21 @@ class _Cleaner:
         for escape in _ESCAPE.finditer(text):
             if escape.group() not in ('\\"', "\\\\"):
                 begin = start + escape.start()
-                hint = "in a text, write '\\\\' for a backslash and '\\\"' for a quote"
-                self._report(
-                    "E105", f"{shown(escape.group())} means nothing in a text", begin, begin + 2, hint
-                )
+                self._report(characters.NoEscape(escape.group()), begin, begin + 2)
 
     def _open_text(self, text: str, start: int) -> int:
         text = _END_OF_LINE.sub("", text)  # braces at its end are rather those of a block
         end = start + len(text)
-        message = "the text that begins here is not closed on its line"
-        self._report("E104", message, start, end, "write '\"' at its end")
+        self._report(characters.TextNotClosed(), start, end)
         meant = " " if len(text) == 1 else '"' + _QUOTES.sub("_", text[1:-1]) + '"'
         self.replaced.append((start, meant))
         return end
 
     def _quoted(self, text: str, start: int) -> None:
         self._report(
-            "E105",
-            "a text stands in double quotes",
+            characters.TextInOtherQuotes(),
             start,
             start + len(text),
-            hint="write '\"' at both ends",
             fix='"' + text[1:-1].replace("\\", "\\\\").replace('"', '\\"') + '"',
         )
         self.replaced.append((start, '"' + _QUOTES.sub("_", text[1:-1]) + '"'))
@@ -284,11 +267,11 @@ class _Cleaner:
         end = start + len(text)
         unit = _NUMBER_AND_UNIT.fullmatch(text)
         if unit is not None:
-            message, hint, fix = _wrong_unit(unit[1], unit[2])
-            self._report("E108", message, start, end, hint, fix)
+            problem, fix = _wrong_unit(unit[1], unit[2])
+            self._report(problem, start, end, fix)
             self.replaced.append((start, "0" * (len(text) - 1) + "s"))
         else:
-            self._report("E108", f"{shown(text)} is neither a number nor a name", start, end)
+            self._report(characters.NeitherNumberNorName(text), start, end)
             self.replaced.append((start, "0" * len(text)))
 
     def _placeholder(self, text: str, start: int) -> None:
@@ -305,35 +288,21 @@ class _Cleaner:
             return
         end = start + len(text)
         meant = "".join(c if c.isascii() else "_" for c in text)
-        hint = "names consist of the letters A to Z and a to z, digits and '_'"
-        fix = None
-        if text[-1] == "Ω" and text[:-1].isascii():
-            meant = text[:-1] + "~"
-            hint = f"{shown(text)} is one name; write {shown(meant)} for {text[:-1]} forever"
-            fix = meant
-        self._report("E105", f"{shown(text)} is not a name of the language", start, end, hint, fix)
+        forever = text[:-1] if text[-1] == "Ω" and text[:-1].isascii() else None
+        if forever is not None:
+            meant = forever + "~"
+        fix = meant if forever is not None else None
+        self._report(characters.CharactersInName(text, forever), start, end, fix)
         self.replaced.append((start, meant))
 
     def _odd(self, text: str, start: int) -> int:
-        hint = None
         fix = None
         if text[0] in _MEANT:
             text = text[0]
             fix = _WRITTEN.get(text, _MEANT[text])
-            hint = f"write {fix}"
         elif text.isspace():
-            hint = "write an ordinary blank"
             fix = " "
-        what = "characters" if len(text) > 1 else "the character"
-        verb = "are" if len(text) > 1 else "is"
-        self._report(
-            "E105",
-            f"{what} {shown(text)} {verb} not part of the language",
-            start,
-            start + len(text),
-            hint,
-            fix,
-        )
+        self._report(characters.OddCharacters(text, fix), start, start + len(text), fix)
         self.replaced.append((start, _MEANT.get(text, " " * len(text))))
         return start + len(text)
 

@@ -13,13 +13,14 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics import NO_POLICY, Diagnostic, Policy, has_errors, in_order
+from aseme_dsl.diagnostics.problems.running import NotCompiled, NoTemplates
+from aseme_dsl.diagnostics.problems.writing import GraphvizNotThere, NotDrawn
 from aseme_dsl.project.building.counting import Count, amount
 from aseme_dsl.project.building.earlier import Earlier
-from aseme_dsl.project.files.inputs import STANDARD_INPUT
 from aseme_dsl.project.files.manifest import hash_of
 from aseme_dsl.project.files.write import DISK, Disk, Planned, Written, write
 from aseme_dsl.project.settings.configuration import Configuration
-from aseme_dsl.source import is_library_path
+from aseme_dsl.source import STANDARD_INPUT, is_library_path
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.statechart import Statechart
@@ -130,9 +131,8 @@ def build(
     from aseme_dsl.backends.backend import Refused
 
     if choice.templates is not None and not choice.templates.is_dir():
-        what = "is a file" if choice.templates.exists() else "does not exist"
-        message, hint = f"the folder of templates {what}", "name the folder that holds the templates"
-        problem = Diagnostic("E030", message, None, hint=hint, path=str(choice.templates))
+        missing = NoTemplates(choice.templates.exists())
+        problem = Diagnostic(missing, None, path=str(choice.templates))
         return Report(system.name, folder, diagnostics=(problem,))
     before = earlier or Earlier()
     known = before.known
@@ -171,8 +171,7 @@ def build(
         try:
             files += compiled(generated, partial(_tell, told, "compiling to machine code"))
         except NativeError as problem:
-            hint = "without --native it runs as Python"
-            diagnostics.append(Diagnostic("E322", str(problem), None, hint=hint, path=problem.path))
+            diagnostics.append(Diagnostic(NotCompiled(str(problem)), None, path=problem.path))
     problems = choice.policy.apply(diagnostics)
     if refused or has_errors(problems):
         return Report(system.name, folder, notes=tuple(notes), diagnostics=in_order(problems))
@@ -350,10 +349,9 @@ def _pictures(
         drawn = draw(drawing, "dot") if missing else made
         if isinstance(drawn, DrawingFailed):
             missing = isinstance(drawn, GraphvizMissing)
-            hint = f"{drawing.name}.dot has its text"
-            if missing:
-                hint = "the .dot files have their texts; `asemec doctor` says what is there"
-            diagnostics.append(Diagnostic("W003", str(drawn), None, hint=hint, path=f"{drawing.name}.svg"))
+            kind = GraphvizNotThere if missing else NotDrawn
+            problem = kind(str(drawn), drawing.name)
+            diagnostics.append(Diagnostic(problem, None, path=f"{drawing.name}.svg"))
             drawn = draw(drawing, "dot")
         notes += drawn.notes
         for name, content in drawn.files:

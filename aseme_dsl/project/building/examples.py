@@ -7,6 +7,7 @@ from pathlib import Path
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import Diagnostic, in_order
 from aseme_dsl.diagnostics.pages import Example
+from aseme_dsl.diagnostics.problems.files import NoSystem
 from aseme_dsl.project.building.project import options_of
 from aseme_dsl.project.settings.configuration import FILE, Configuration, configuration_of
 from aseme_dsl.source import Source
@@ -28,5 +29,9 @@ def diagnostics_of(example: Example) -> tuple[Diagnostic, ...]:
     root = next((file for file in example.files if file.language == "aseme"), None)
     if root is not None:
         analysis = analyse(Source(root.name, root.text), texts, options_of(configuration))
-        found += [item for item in analysis.diagnostics if not (analysis.is_library and item.code == "E008")]
+        found += [
+            item
+            for item in analysis.diagnostics
+            if not (analysis.is_library and isinstance(item.problem, NoSystem))
+        ]
     return in_order(found)

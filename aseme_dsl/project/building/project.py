@@ -12,7 +12,10 @@ from aseme_dsl.compiler import Options, analyse
 from aseme_dsl.compiler.checks.consequences import without_told
 from aseme_dsl.compiler.formula.holes import as_notes
 from aseme_dsl.compiler.phases import inspect_files
-from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
+from aseme_dsl.diagnostics import Diagnostic, Problem, Suppressed, has_errors, in_order
+from aseme_dsl.diagnostics.problems.files import NoSystem
+from aseme_dsl.diagnostics.problems.settings import NothingToAllow
+from aseme_dsl.diagnostics.problems.use import VariableNotRead
 from aseme_dsl.grammar.parsing.parts import NO_PARTS, Layout
 from aseme_dsl.project.code.function_code import check_configured, check_functions, function_files
 from aseme_dsl.project.files.inputs import Inputs
@@ -215,7 +218,7 @@ def without_read(
     look: Look = stamp_of,
 ) -> tuple[Diagnostic, ...]:
     """Without the notes on variables that nothing reads (N725), where the code of an activity does."""
-    if all(item.code != "N725" for item in diagnostics):
+    if not any(isinstance(item.problem, VariableNotRead) for item in diagnostics):
         return diagnostics
     folder = code_folder(configuration, activities)
     if folder is None or not folder.is_dir():
@@ -223,9 +226,11 @@ def without_read(
     from aseme_dsl.project.code.activity_code import variables_read
 
     read = variables_read(system, folder, configuration.folder, memory, look)
-    return tuple(
-        item for item in diagnostics if item.code != "N725" or item.span is None or item.span.text not in read
-    )
+
+    def is_read(problem: Problem) -> bool:
+        return isinstance(problem, VariableNotRead) and problem.variable in read
+
+    return tuple(item for item in diagnostics if not is_read(item.problem))
 
 
 def check(
@@ -243,7 +248,9 @@ def check(
         for root in inputs.roots
     ]
     for item in compiled:
-        found += [one for one in item.diagnostics if not (item.is_library and one.code == "E008")]
+        found += [
+            one for one in item.diagnostics if not (item.is_library and isinstance(one.problem, NoSystem))
+        ]
     seen = {os.path.realpath(path) for item in compiled for path in item.files}
     files = {path_of(root) for root in inputs.roots}
     files |= {item.span.source.path for item in found if item.span is not None}
@@ -252,7 +259,7 @@ def check(
         if os.path.realpath(path) not in seen:
             alone = compile_root(path, sources=sources, workshop=workshop)
             compiled.append(alone)
-            found += [item for item in alone.diagnostics if item.code != "E008"]
+            found += [item for item in alone.diagnostics if not isinstance(item.problem, NoSystem)]
     suppressed = once(item for other in compiled for item in other.suppressed)
     unchecked = sum(item.unchecked for item in compiled)
     diagnostics = as_notes(in_order(_without_used(found, suppressed)))
@@ -276,7 +283,7 @@ def _without_used(found: Sequence[Diagnostic], suppressed: Iterable[Suppressed])
     wrong = has_errors(found)
     for item in found:
         place = (item.span.source.path, item.span.start) if item.span is not None else None
-        if item.code != "W011" or not (wrong or place in used):
+        if not isinstance(item.problem, NothingToAllow) or not (wrong or place in used):
             yield item
 
 

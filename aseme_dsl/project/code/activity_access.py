@@ -4,21 +4,25 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.compiler.read.missing import in_block
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
+from aseme_dsl.diagnostics.problems.python.code import AccessNotDeclared, HistoryNotDeclared
 from aseme_dsl.runtime.time.clock import nanoseconds
 from aseme_dsl.source import Span, is_library_path
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.srm import Activity
 
+Clause = Literal["reads", "writes"]
+Place = Callable[[ast.expr | ast.stmt | ast.alias], Span]
+"""Where a node of the Python of activities stands in its file."""
 HISTORIES = ("history", "at", "interpolated", "mean")
-READS = ("read", "state", "latest", "age", "take", *HISTORIES)
+READS = ("read", "latest_message", "latest_sample", "age", "consume", *HISTORIES)
 BLOCKS = {"activity": "activities", "module": "modules"}
 """Where each is declared."""
 
@@ -113,16 +117,16 @@ def undeclared(
 
     `roles` are the places of the roles that perform the activity.
     """
-    lacking: dict[tuple[str, str], Access] = {}
+    lacking: dict[tuple[Clause, str], Access] = {}
     far: dict[str, Access] = {}
     histories = _histories(activity)
     for access in accesses:
         name = access.name
         match access.method:
-            case "variable":
+            case "get_variable":
                 if name not in own and name not in activity.reads_variables:
                     lacking.setdefault(("reads", name), access)
-            case "set":
+            case "set_variable":
                 if name not in own and name not in activity.writes_variables:
                     lacking.setdefault(("writes", name), access)
             case "publish":
@@ -144,27 +148,16 @@ def undeclared(
     for (clause, name), access in lacking.items():
         if clause == "reads" and name in far:
             continue
-        yield Diagnostic(
-            "E540",
-            f"`{activity.name}` {clause} `{name}` without declaring it",
-            access.span,
-            related,
-            hint=f"declare it: `{block} {{ {activity.name} {clause} {name} }}`",
-            edits=_edits(activity, what, clause, name, roles),
-        )
+        problem = AccessNotDeclared(activity.name, clause, name, block)
+        edits = _edits(activity, what, clause, name, roles)
+        yield Diagnostic(problem, access.span, related, edits=edits)
     for name, access in far.items():
         kept = histories.get(name, 0)
-        wanted = f"{name} for {'…' if access.back is None else duration_text(access.back)}"
-        said = f"declares {duration_text(kept)}" if kept else "declares no history of it"
-        how = "reads the history of" if access.back is None else f"looks back {duration_text(access.back)} at"
-        yield Diagnostic(
-            "E540",
-            f"`{activity.name}` {how} `{name}` and {said}",
-            access.span,
-            related,
-            hint=f"declare how far it looks back: `{block} {{ {activity.name} reads {wanted} }}`",
-            edits=() if access.back is None else _longer(activity, what, name, wanted, roles),
-        )
+        back = None if access.back is None else duration_text(access.back)
+        declared = duration_text(kept) if kept else None
+        edits = () if back is None else _longer(activity, what, name, f"{name} for {back}", roles)
+        far_back = HistoryNotDeclared(activity.name, name, back, declared, block)
+        yield Diagnostic(far_back, access.span, related, edits=edits)
 
 
 def _by_topic(activity: Activity, channel: str) -> bool:

@@ -18,9 +18,24 @@ from aseme_dsl import outside
 from aseme_dsl.amola.expression import Raised
 from aseme_dsl.amola.messages import Channel, Comm, Topic
 from aseme_dsl.amola.statechart import NodeType, Statechart
-from aseme_dsl.amola.system import System
+from aseme_dsl.amola.system import System, agent_names
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.diagnostics import CODES, Diagnostic, Related, Severity, Suppressed, closest
+from aseme_dsl.diagnostics.problems.python.code import (
+    NoClass,
+    NoExecute,
+    NoFileOfModule,
+    NotPython,
+    NotWrittenYet,
+)
+from aseme_dsl.diagnostics.problems.python.code_words import (
+    EventNotAwaited,
+    EventNotRaised,
+    NoAgentInCode,
+    NoChannel,
+    NoHistoryInCode,
+    NoVariableOfActivity,
+)
 from aseme_dsl.project.code.activity_access import (
     HISTORIES,
     READS,
@@ -54,7 +69,7 @@ if TYPE_CHECKING:
     from aseme_dsl.amola.srm import Activity
 
 _ALLOW = re.compile(r"(?:#|//)\s*asemec\s*:\s*allow\s*\((?P<codes>[^()]*)\)\s*(?P<reason>.*)")
-_VARIABLES = ("set", "variable")
+_VARIABLES = ("set_variable", "get_variable")
 _METHODS = (*READS, *_VARIABLES, "publish", "raise_event")
 
 
@@ -96,7 +111,7 @@ def check_code(
         found += check_files(system, folder, required, project, look)
     complete = True
     described: list[tuple[_Code, Activity, str, str]] = []
-    worded: list[tuple[_Code, System]] = []
+    of_words: list[tuple[_Code, System]] = []
     talks = _of_simulated(system)
     for piece in pieces:
         if piece.said.simulated:  # its code, which is to come, may raise any event
@@ -107,9 +122,8 @@ def check_code(
             complete = False
             found += code.problems if code is not None else ()
             if piece.is_missing and code is None:
-                message = f"the code of the module `{piece.said.name}` cannot be found"
-                message += f": there is no `{piece.target.partition(':')[0]}`"
-                found.append(Diagnostic("E546", message, piece.said.span))
+                problem = NoFileOfModule(piece.said.name, piece.target.partition(":")[0])
+                found.append(Diagnostic(problem, piece.said.span))
             continue
         if required is not None and piece.wanted in code.empty:
             found.append(_unwritten(code.read, piece.said, piece.wanted, piece.what))
@@ -118,7 +132,7 @@ def check_code(
         if is_written and piece.what == "activity":
             talks[piece.said.name] = code.talk
         described.append((code, piece.said, piece.wanted, piece.what))
-        worded.append((code, types if code.module.imports_messages else no_types))
+        of_words.append((code, types if code.module.imports_messages else no_types))
     known = {piece.path for piece in pieces}
     if any(code.problems for path, code in codes.items() if path not in known):
         needed = needed_by((code.read.source.path for code, *_ in described), folder, project, look)
@@ -128,7 +142,7 @@ def check_code(
     systems = systems_beside(system, required.neighbours if required is not None else ())
     checked = (
         memory.each(_problems_of, described, *world.inputs),
-        memory.each(_problems_of_words, worded, *world.inputs),
+        memory.each(_problems_of_words, of_words, *world.inputs),
         memory.each(_problems_of_helper, [(code,) for code in helpers], types, *world.inputs),
         memory.each(_problems_of_fields, [(code,) for code in read.values()], types, *world.inputs),
     )
@@ -174,8 +188,8 @@ def _unreadable(codes: Mapping[str, _Code], needed: Mapping[str, str]) -> Iterat
     for path, code in codes.items():
         user = needed.get(os.path.realpath(path))
         if user is not None:
-            for problem in code.problems:
-                yield replace(problem, message=f"{problem.message}; `{Path(user).name}` imports it")
+            for item in code.problems:
+                yield replace(item, problem=item.problem.but(imported_by=Path(user).name))
 
 
 def variables_read(
@@ -185,11 +199,12 @@ def variables_read(
     memory: Memory | None = None,
     look: Look = stamp_of,
 ) -> frozenset[str]:
-    """The variables that the Python in `folder` reads with `context.variable("name")`."""
+    """The variables that the Python in `folder` reads with `context.get_variable("name")`."""
     memory = memory or Memory()
     pieces = _pieces(system, folder, project, memory)
     codes = _codes(code_paths(pieces, folder), pieces, memory, look)
-    return frozenset(call.name for code in codes.values() for call in code.calls if call.method == "variable")
+    calls = (call for code in codes.values() for call in code.calls)
+    return frozenset(call.name for call in calls if call.method == "get_variable")
 
 
 def code_files(
@@ -352,7 +367,7 @@ class _World:
         return cls(
             memory.recall(_channels, memory.same("topics", system.topics)),
             frozenset(topic.name for topic in system.topics),
-            frozenset(agent.name for team in system.teams for agent in team.agents),
+            agent_names(system.teams, (chart.name for chart in system.iacs)),
             variables,
             of_participants,
             events,
@@ -436,7 +451,7 @@ class _Module:
     def imports_messages(self) -> bool:
         return "messages" in self.source.text
 
-    def span(self, node: ast.expr | ast.stmt) -> Span:
+    def span(self, node: ast.expr | ast.stmt | ast.alias) -> Span:
         """The place of a node: Python counts columns in bytes of UTF-8."""
         start = self._offset(node.lineno, node.col_offset)
         end = self._offset(node.end_lineno or node.lineno, node.end_col_offset or node.col_offset)
@@ -450,7 +465,7 @@ class _Module:
 
 @dataclass(frozen=True, slots=True)
 class _Call:
-    """`context.method("name", value, host="…")`, with the name's place; `host` is the sender's or None."""
+    """`context.method("name", value, sender="…")`, with the name's place; `host` is the sender's or None."""
 
     method: str
     name: str
@@ -513,7 +528,7 @@ def _code(name: str, stamp: Stamp, wanted: tuple[str, ...] = ()) -> _Code:
         start = source.line_start(line)
         span = Span(source, start, start + len(source.line(line)))
         reason = problem.msg if isinstance(problem, SyntaxError) else str(problem)
-        return _Code(None, (Diagnostic("E546", f"this is no Python: {reason}", span),))
+        return _Code(None, (Diagnostic(NotPython(reason), span),))
     constants = {
         target.id: node.value
         for node in tree.body
@@ -558,7 +573,7 @@ def _calls(module: _Module, contexts: frozenset[str]) -> _Calls:
         said = _text(module, first)
         if first is None or said is None:
             continue
-        host = named.get("host")
+        host = named.get("to" if node.func.attr == "publish" else "sender")
         sender = _text(module, host)
         from_host = (sender, module.span(host)) if host is not None and sender is not None else None
         value = node.args[1] if len(node.args) > 1 else named.get("message")
@@ -606,23 +621,17 @@ def _of_piece(
         start = Span(module.source, 0, 0)
         near = closest(wanted, [node.name for node in classes])
         yield Diagnostic(
-            "E546",
-            f"the code of the {what} `{activity.name}` has no class `{wanted}`",
+            NoClass(what, activity.name, wanted, near is not None),
             next((_named(module, node) for node in classes if node.name == near), start),
             (Related(activity.span, f"the {what}"),),
-            hint=f"did you mean `{wanted}`?" if near else f"write `class {wanted}:`",
         )
     for node in classes:
         methods = [item for item in node.body if isinstance(item, (ast.FunctionDef, ast.AsyncFunctionDef))]
         named = [item.name for item in methods if not item.name.startswith("_")]
         is_whole = not (node.bases or node.keywords or node.decorator_list)
         if node.name == wanted and is_whole and _says_something(node) and not _defines(node, "execute"):
-            article = "an" if what == "activity" else "a"
-            hint = f"is it `{named[0]}`?" if len(named) == 1 else f"`execute` is what {article} {what} does"
-            message = f"the class `{wanted}` has no method `execute`, so the {what} does nothing"
-            yield Diagnostic(
-                "E546", message, _named(module, node), (Related(activity.span, f"the {what}"),), hint=hint
-            )
+            problem = NoExecute(what, wanted, named[0] if len(named) == 1 else None)
+            yield Diagnostic(problem, _named(module, node), (Related(activity.span, f"the {what}"),))
         execute = next((item for item in methods if item.name == "execute"), None)
         if node.name == wanted and execute is not None:
             yield from wrong_outcomes(execute, activity, module.span, lambda item: _text(module, item))
@@ -641,11 +650,8 @@ def _of_piece(
 def _unwritten(module: _Module, said: Activity, wanted: str, what: str) -> Diagnostic:
     """N740 for a class that is as it was started."""
     node = next(item for item in module.tree.body if isinstance(item, ast.ClassDef) and item.name == wanted)
-    hint = "write its `execute`"
-    if what == "activity":
-        hint += f"; or delete the file and say `{as_simulated(said)}`"
-    message = f"the {what} `{said.name}` is not written yet: its `execute` does nothing"
-    return Diagnostic("N740", message, _named(module, node), (Related(said.span, f"the {what}"),), hint=hint)
+    problem = NotWrittenYet(what, said.name, as_simulated(said) if what == "activity" else None)
+    return Diagnostic(problem, _named(module, node), (Related(said.span, f"the {what}"),))
 
 
 def _says_something(node: ast.ClassDef) -> bool:
@@ -693,39 +699,27 @@ def _unknown(call: _Call, activity: Activity | None, world: _World) -> Iterator[
             near = closest(call.name, world.events)
             if near is not None or world.alone:
                 related = (Related(world.events[near], f"`{near}` is waited for here"),) if near else ()
-                hint = f"did you mean `{near}`?" if near else "let a transition wait for it, or leave it out"
-                message = f"no transition waits for the event `{call.name}`"
-                yield Diagnostic("W532", message, call.span, related, hint=hint)
+                yield Diagnostic(EventNotAwaited(call.name, near), call.span, related)
         return
     if call.method in _VARIABLES:
         own = world.variables.get(activity.name, frozenset()) if activity is not None else frozenset()
         if activity is not None and call.name not in own:
             near = closest(call.name, own)
             if near is not None or world.alone:
-                hint = f"did you mean `{near}`?" if near else f"declare it: `var {call.name} : …`"
-                message = f"no role that performs `{activity.name}` has a variable `{call.name}`"
-                yield Diagnostic("W530", message, call.span, hint=hint)
+                yield Diagnostic(NoVariableOfActivity(call.name, near, activity.name), call.span)
         return
     if call.name not in world.channels:
         near = closest(call.name, world.channels)
         if near is not None or world.alone or call.name.partition(".")[0] in world.topics:
-            yield Diagnostic(
-                "W530",
-                f"there is no channel `{call.name}`",
-                call.span,
-                hint=f"did you mean `{near}`?" if near else _channel_hint(call.name, world),
-            )
+            yield Diagnostic(NoChannel(call.name, near, _channels_of(call.name, world)), call.span)
         return
-    if call.host is not None and world.agents and call.host[0] not in world.agents:
+    if call.host is not None and call.host[0] not in world.agents:
         near = closest(call.host[0], world.agents)
         if near is not None or world.alone:
-            message = f"there is no agent `{call.host[0]}`"
-            yield Diagnostic("W530", message, call.host[1], hint=f"did you mean `{near}`?" if near else None)
+            yield Diagnostic(NoAgentInCode(call.host[0], near), call.host[1])
         return
     if call.method in HISTORIES and world.channels[call.name].comm is not Comm.DATA:
-        comm = world.channels[call.name].comm
-        message = f"only data has a history; `{call.name}` is a {comm}"
-        yield Diagnostic("W530", message, call.span)
+        yield Diagnostic(NoHistoryInCode(call.name, str(world.channels[call.name].comm)), call.span)
 
 
 def _never_raised(codes: Sequence[_Code], world: _World, memory: Memory) -> Iterator[Diagnostic]:
@@ -741,8 +735,7 @@ def _never_raised(codes: Sequence[_Code], world: _World, memory: Memory) -> Iter
     meant = {closest(name, world.events) for name in raised if name not in world.events}
     for name, span in world.events.items():
         if name not in raised and name not in meant:
-            hint = f'raise it in an activity: `context.raise_event("{name}")`'
-            yield Diagnostic("N726", f"no activity raises the event `{name}`", span, hint=hint)
+            yield Diagnostic(EventNotRaised(name), span)
 
 
 def _raised_by(code: _Code) -> frozenset[str] | None:
@@ -756,12 +749,10 @@ def _raised_by(code: _Code) -> frozenset[str] | None:
     return frozenset(call.name for call in code.calls if call.method == "raise_event")
 
 
-def _channel_hint(name: str, world: _World) -> str:
+def _channels_of(name: str, world: _World) -> tuple[str, ...]:
+    """The channels of the topic that a channel names."""
     topic = name.partition(".")[0]
-    own = [text for text in world.channels if text.partition(".")[0] == topic]
-    if own:
-        return f"`{topic}` has " + ", ".join(f"`{text}`" for text in own)
-    return "a channel is `topic.class.Message`, of a topic that the system declares"
+    return tuple(channel for channel in world.channels if channel.partition(".")[0] == topic)
 
 
 def _is_known(call: _Call, activity: Activity, world: _World) -> bool:

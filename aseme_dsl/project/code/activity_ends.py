@@ -7,12 +7,12 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
-from aseme_dsl.source import Span
+from aseme_dsl.diagnostics.problems.python.code_words import OutcomeNotOfActivity, OutcomeNotReturned
+from aseme_dsl.project.code.activity_access import Place
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.srm import Activity
 
-Place = Callable[[ast.expr | ast.stmt], Span]
 Text = Callable[[ast.expr], str | None]
 
 
@@ -22,27 +22,22 @@ def wrong_outcomes(
     """W530 for what `execute` returns and the activity does not end, as far as it is written there."""
     if not activity.ends:
         return
-    ways = " or ".join(f"`{name}`" for name in activity.ends)
+    unsaid = OutcomeNotReturned(activity.name, activity.ends)
     related = (Related(activity.span, "the activity"),)
     returns = list(_returns(execute))
     for item in returns:
         if item.value is None or (isinstance(item.value, ast.Constant) and item.value.value is None):
-            message = f"`{activity.name}` has to say how it ends: {ways}"
-            yield Diagnostic("W530", message, place(item), related, hint=f'return "{activity.ends[0]}", say')
+            yield Diagnostic(unsaid, place(item), related)
             continue
         for value in _values(item.value):
             said = text(value)
             if said is not None and said not in activity.ends:
-                near = closest(said, activity.ends)
-                hint = f"did you mean `{near}`?" if near else f"it ends {ways}"
-                yield Diagnostic(
-                    "W530", f"`{activity.name}` does not end `{said}`", place(value), related, hint=hint
+                problem = OutcomeNotOfActivity(
+                    activity.name, said, closest(said, activity.ends), activity.ends
                 )
+                yield Diagnostic(problem, place(value), related)
     if not returns and _comes_to_its_end(execute):
-        message = f"`{activity.name}` has to say how it ends: {ways}"
-        yield Diagnostic(
-            "W530", message, place(execute.body[-1]), related, hint=f'return "{activity.ends[0]}", say'
-        )
+        yield Diagnostic(unsaid, place(execute.body[-1]), related)
 
 
 def _returns(execute: ast.FunctionDef | ast.AsyncFunctionDef) -> Iterator[ast.Return]:

@@ -7,19 +7,20 @@ be a message: by an annotation, by the call that makes it, or by what the contex
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from aseme_dsl.amola.messages import Field, Kind, Message
 from aseme_dsl.backends.backend import message_modules
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics.problems.python.code_words import NoMemberRead, ValueOfOtherType
+from aseme_dsl.project.code.activity_access import Place
 from aseme_dsl.source import Span
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
 
-Place = Callable[[ast.expr | ast.stmt], Span]
 Text = Callable[[ast.expr | None], str | None]
 Function = ast.FunctionDef | ast.AsyncFunctionDef
 
@@ -78,28 +79,20 @@ def unfit_values(tree: ast.Module, system: System, place: Place) -> Iterator[Dia
 def _unfit(
     message: Message, field: Field, value: ast.expr, names: Mapping[str, str], place: Place
 ) -> Iterator[Diagnostic]:
-    wanted = f"{field.type}"
     related = (Related(field.span, "the member"),)
-    start = f"`{field.name}` of `{message.name}` is"
+    values: Sequence[ast.expr] = (value,)
+    what: Literal["member", "element", "elements"] = "member"
     if field.label == "repeated":
+        what = "elements"
         if isinstance(value, (ast.List, ast.Tuple)):
-            for item in value.elts:
-                said = _other(item, field, names)
-                if said is not None:
-                    problem = f"{start} repeated `{wanted}`, and this element is {said}"
-                    yield Diagnostic("W547", problem, place(item), related)
-            return
-        said = _other(value, None, names)
-        if said is not None:
-            hint = "give a tuple: `(first, second)`, `(only,)` or `()`"
-            problem = f"{start} repeated `{wanted}`, and this is {said}"
-            yield Diagnostic("W547", problem, place(value), related, hint=hint)
+            values, what = value.elts, "element"
+    elif field.label == "optional" and isinstance(value, ast.Constant) and value.value is None:
         return
-    if field.label == "optional" and isinstance(value, ast.Constant) and value.value is None:
-        return
-    said = _other(value, field, names)
-    if said is not None:
-        yield Diagnostic("W547", f"{start} `{wanted}`, and this is {said}", place(value), related)
+    for item in values:
+        found = _other(item, None if what == "elements" else field, names)
+        if found is not None:
+            problem = ValueOfOtherType(message.name, field.name, str(field.type), found, what)
+            yield Diagnostic(problem, place(item), related)
 
 
 _FITTING: Mapping[Kind, tuple[type, ...]] = {
@@ -115,33 +108,32 @@ _FITTING: Mapping[Kind, tuple[type, ...]] = {
 
 
 def _other(value: ast.expr, field: Field | None, names: Mapping[str, str]) -> str | None:
-    """What a value is, if it does not fit for sure; without a `field`, a tuple or list was wanted."""
+    """The type of a value, if it does not fit for sure; without a `field`, a tuple or list was wanted."""
     kind = None if field is None else field.type.kind
     fitting = () if kind is None else _FITTING.get(kind, ())
     match value:
         case ast.UnaryOp(op=ast.USub() | ast.UAdd(), operand=ast.Constant(value=int() | float())):
             return _other(value.operand, field, names)
         case ast.Constant(value=None):
-            return "`None`"
+            return "None"
         case ast.Constant(value=constant) if isinstance(constant, (bool, int, float, str, bytes)):
-            name = type(constant).__name__
-            return None if isinstance(constant, fitting) else f"{'an' if name == 'int' else 'a'} `{name}`"
+            return None if isinstance(constant, fitting) else type(constant).__name__
         case ast.JoinedStr():
-            return None if str in fitting else "a `str`"
+            return None if str in fitting else "str"
         case ast.List() | ast.Tuple() | ast.Dict() | ast.Set() if field is not None or not isinstance(
             value, (ast.List, ast.Tuple)
         ):
-            return f"a `{type(value).__name__.lower()}`"
+            return type(value).__name__.lower()
         case ast.Call(func=called) if dotted(called) in names:
             made = names[dotted(called)]
             if field is None or kind not in (Kind.MESSAGE, Kind.ENUM) or field.type.name != made:
-                return f"a `{made}`" if kind is not Kind.INT else None
+                return made if kind is not Kind.INT else None
         case ast.Attribute(value=owner) if dotted(owner) in names:
             made = names[dotted(owner)]
             if kind in (Kind.STRING, Kind.BYTES, Kind.MESSAGE) or (
                 kind is Kind.ENUM and field is not None and field.type.name != made
             ):
-                return f"a `{made}`"
+                return made
         case _:
             pass
     return None
@@ -192,17 +184,11 @@ def unknown_members(
             message = messages[owner.message]
             if message.field(node.attr) is None:
                 said.add(id(node))
-                near = closest(node.attr, [field.name for field in message.fields])
+                members = tuple(field.name for field in message.fields)
                 span = place(node)
                 span = Span(span.source, span.end - len(node.attr), span.end)
-                hint = f"did you mean `{near}`?" if near else _members(message)
-                related = (Related(message.span, "the message"),)
-                problem = f"`{message.name}` has no member `{node.attr}`"
-                yield Diagnostic("W530", problem, span, related, hint=hint)
-
-
-def _members(message: Message) -> str:
-    return "it has " + (", ".join(f"`{field.name}`" for field in message.fields) or "none")
+                problem = NoMemberRead(node.attr, closest(node.attr, members), message.name, members)
+                yield Diagnostic(problem, span, (Related(message.span, "the message"),))
 
 
 @dataclass(frozen=True, slots=True)
@@ -228,13 +214,13 @@ class _Calls:
             return None
         named = {item.arg: item.value for item in node.keywords}
         match node.func.attr:
-            case "read" | "state" | "take" | "at" | "latest" as method:
+            case "read" | "latest_message" | "consume" | "at" | "latest_sample" as method:
                 channel = self.text(node.args[0] if node.args else named.get("channel"))
                 message = self.readings.channels.get(channel or "")
                 if message is None or message not in self.messages:
                     return None
-                return _Known(message, "message" if method == "latest" else "")
-            case "receive" | "received":
+                return _Known(message, "message" if method == "latest_sample" else "")
+            case "receive" | "last_received":
                 message = self.text(node.args[1] if len(node.args) > 1 else named.get("message"))
                 if not self.readings.mails or message is None or message not in self.messages:
                     return None

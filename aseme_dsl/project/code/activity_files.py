@@ -18,8 +18,15 @@ from aseme_dsl import outside
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import names as names_in
 from aseme_dsl.amola.statechart import NodeType
-from aseme_dsl.compiler.checks.activity_use import how_to_play
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Problem, Related, closest
+from aseme_dsl.diagnostics.problems.python.code import (
+    CodeNamedOtherwise,
+    FileNotUsed,
+    FileOfSimulated,
+    NoCode,
+    NoCodeFolder,
+    NoCodeOfParticipant,
+)
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
 from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span, is_library_path
@@ -61,7 +68,8 @@ class Unplayed:
     `activities` are those that it would have then.
     """
 
-    hint: str
+    protocol: str
+    role: str
     place: Related
     activities: frozenset[str]
 
@@ -99,7 +107,8 @@ def wanted_files(system: System, folder: Path) -> tuple[Wanted, ...]:
 def _unplayed(role: str, aip: Aip, part: Participant) -> Unplayed:
     done = {node.name for item in part.formulas for node in names_in(item.formula)}
     return Unplayed(
-        how_to_play(aip.name, part.name, role),
+        aip.name,
+        role,
         Related(part.span, f"the participant of {aip.name}, which {role} does not play"),
         frozenset(done.difference(item.name for item in part.formulas)),
     )
@@ -111,19 +120,10 @@ def missing_folder(
     """E544: the folder is not there."""
     lacking = [item.said.name for item in wanted_files(system, folder) if not item.said.simulated]
     near = closest(folder.name, [path.name for path in _inside(folder.parent) if path.is_dir()])
-    if near is not None:
-        hint = f"did you mean `{near}`?"
-    elif lacking:
-        hint = f"{_scaffold(system)} starts it, with a file for each activity"
-    else:
-        hint = "leave it out: all activities are simulated"
-    if near is None and required.place is None:
-        hint += "; or say with `--activities` where it is"
-    elif near is None:
-        hint += "; or name another one, here or with `--activities`"
-    message = f"there is no folder `{_shown(str(folder), project)}` with the code of the activities"
+    scaffold = _scaffold(system) if lacking else None
+    problem = NoCodeFolder(_shown(str(folder), project), near, scaffold, required.place is None)
     path = None if required.place is not None else str(folder)
-    return (Diagnostic("E544", message, required.place, hint=hint, path=path),)
+    return (Diagnostic(problem, required.place, path=path),)
 
 
 def check_files(
@@ -159,29 +159,27 @@ def check_files(
     for item in wanted:
         is_helper = imported is not None and os.path.realpath(item.path) in imported
         if item.said.simulated and item.path in there and not is_helper:
-            message = f"`{item.said.name}` is simulated, so `{_shown(item.path, project)}` is not loaded"
-            hint = "leave out `simulated`, or delete the file"
-            place = _place(item)
-            found.append(Diagnostic("W542", message, place, _declared(item, place), hint=hint))
+            place, problem = _place(item), FileOfSimulated(item.said.name, _shown(item.path, project))
+            found.append(Diagnostic(problem, place, _declared(item, place)))
     return tuple(found)
 
 
 def _missing(item: Wanted, near: str | None, system: System, project: Path | None) -> Diagnostic:
     name, file = item.said.name, _shown(item.path, project)
     related: tuple[Related, ...] = ()
+    problem: Problem
     if item.unplayed is not None:
-        hint, related = item.unplayed.hint, (item.unplayed.place,)
+        related = (item.unplayed.place,)
+        problem = NoCodeOfParticipant(name, item.unplayed.protocol, item.unplayed.role, file)
     elif near is not None:
-        hint = f"did you mean `{_shown(near, project)}`? Rename it to `{Path(file).name}`"
-        if _is_of_class(near):
-            hint += f", and its class to `{class_name(name)}`"
-    elif item.what == "activity":
-        hint = f"{_scaffold(system)} starts the file; or let it be simulated: `{as_simulated(item.said)}`"
+        own_class = class_name(name) if _is_of_class(near) else None
+        there = _shown(near, project)
+        problem = CodeNamedOtherwise(item.what, name, file, there, Path(file).name, own_class)
     else:
-        hint = f"{_scaffold(system)} starts the file"
-    message = f"the {item.what} `{name}` has no code: there is no `{file}`"
+        simulated = as_simulated(item.said) if item.what == "activity" else None
+        problem = NoCode(item.what, name, file, _scaffold(system), simulated)
     place = _place(item)
-    return Diagnostic("E543", message, place, (*_declared(item, place), *related), hint=hint)
+    return Diagnostic(problem, place, (*_declared(item, place), *related))
 
 
 def as_simulated(said: Activity) -> str:
@@ -190,15 +188,14 @@ def as_simulated(said: Activity) -> str:
 
 
 def _unneeded(path: str, meant: Wanted | None, project: Path | None) -> Diagnostic:
-    hint = "delete it, or import it where it is needed"
+    rename = own_class = None
     related: tuple[Related, ...] = ()
     if meant is not None:
-        hint = f"did you mean `{Path(meant.path).name}`? Rename it"
-        if _is_of_class(path):
-            hint += f", and its class to `{class_name(meant.said.name)}`"
+        rename = Path(meant.path).name
+        own_class = class_name(meant.said.name) if _is_of_class(path) else None
         related = (Related(meant.said.span, f"the {meant.what} `{meant.said.name}`, which has no file"),)
-    message = f"no activity uses `{_shown(path, project)}`"
-    return Diagnostic("W541", message, _first_line(path), related, hint=hint, path=path)
+    problem = FileNotUsed(_shown(path, project), rename, own_class)
+    return Diagnostic(problem, _first_line(path), related, path=path)
 
 
 def _place(item: Wanted) -> Span:
@@ -212,8 +209,9 @@ def _declared(item: Wanted, place: Span) -> tuple[Related, ...]:
 
 
 def _scaffold(system: System) -> str:
+    """The name of the file of which `asemec scaffold` starts what is missing."""
     file = system.span.source.path if system.span is not None else "FILE"
-    return f"`asemec scaffold {Path(file).name}`"
+    return Path(file).name
 
 
 def _shown(path: str, project: Path | None) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics.problems.python import code_words as problems
 from aseme_dsl.source import Span
 
 if TYPE_CHECKING:
@@ -25,7 +26,6 @@ def wrong_parameters(
     taken = execute.args
     decorators = [item for item in execute.decorator_list if not _is_static(item)]
     before = 1 if len(decorators) < len(execute.decorator_list) else 2
-    code = "W530" if decorators else "E546"
     positional = [*taken.posonlyargs, *taken.args]
     without_default = positional[: len(positional) - len(taken.defaults)]
     wanted = [item.arg for item in without_default[before:]]
@@ -39,45 +39,30 @@ def wrong_parameters(
     where = place(execute)
     start = where.source.text.find("execute", where.start)
     name = Span(where.source, start, start + len("execute"))
-    signature = ", ".join([*["self", "context"][2 - before :], *given])
+    parameters = (*("self", "context")[2 - before :], *given)
     if len(positional) < before and taken.vararg is None and not decorators:
-        message = "`execute` takes no context, and is called with one"
-        yield Diagnostic("E546", message, name, related, hint=f"write `def execute({signature})`")
+        yield Diagnostic(problems.ExecuteTakesNoContext(parameters), name, related)
         return
     by_place = [
         item.arg
         for item in taken.posonlyargs[before:]
         if item.arg in given and (item.arg in wanted or taken.kwarg is None)
     ]
+    by_place_only = problems.PerhapsByPlaceOnly if decorators else problems.ByPlaceOnly
     for parameter in by_place:
-        message = f"`execute` takes `{parameter}` by its place only, and is called with it by its name"
-        yield Diagnostic(code, message, name, related, hint=f"write `def execute({signature})`, without `/`")
+        yield Diagnostic(by_place_only(parameter, parameters), name, related)
     missing = [] if taken.kwarg is not None else [item for item in given if item not in accepted]
     missing = [item for item in missing if item not in by_place]
     extra = [item for item in wanted if item not in given]
+    not_taken = problems.ParameterPerhapsNotTaken if decorators else problems.ParameterNotTaken
     for parameter in missing:
         near = closest(parameter, extra)
         if near is not None:
             extra.remove(near)
-        yield Diagnostic(
-            code,
-            f"`{activity.name}` is given `{parameter}`, which its `execute` does not take",
-            name,
-            related,
-            hint=f"did you mean `{parameter}` where it takes `{near}`?"
-            if near is not None
-            else f"write `def execute({signature})`",
-        )
+        yield Diagnostic(not_taken(activity.name, parameter, near, parameters), name, related)
+    not_given = problems.ParameterPerhapsNotGiven if decorators else problems.ParameterNotGiven
     for parameter in extra:
-        yield Diagnostic(
-            code,
-            f"`execute` takes `{parameter}`, which `{activity.name}` is not given",
-            name,
-            related,
-            hint=f"say so among the activities, `{activity.name}({parameter} : …)`, or leave it out"
-            if what == "activity"
-            else f"leave it out: a {what} is given nothing",
-        )
+        yield Diagnostic(not_given(what, activity.name, parameter), name, related)
 
 
 def _is_static(decorator: ast.expr) -> bool:

@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeGuard
 
 from aseme_dsl import outside
-from aseme_dsl.backends.backend import AGENTS
-from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.backends.backend import AGENTS, ROLE_MODULES
+from aseme_dsl.diagnostics import Diagnostic, Edit, closest
+from aseme_dsl.diagnostics.problems.python.code import (
+    NoGeneratedModule,
+    NoGeneratedSystem,
+    NoModuleOfPackage,
+    NoNameOfRuntime,
+)
+from aseme_dsl.project.code.activity_access import Place
+from aseme_dsl.project.code.renamed import NAMES
 from aseme_dsl.runtime.message.naming import class_name, usable
 from aseme_dsl.source import Span
 
@@ -33,7 +41,7 @@ def systems_beside(system: System, neighbours: Iterable[Path]) -> frozenset[str]
 
 
 def wrong_imports(
-    tree: ast.Module, system: System, systems: Collection[str], place: Callable[[ast.expr | ast.stmt], Span]
+    tree: ast.Module, system: System, systems: Collection[str], place: Place
 ) -> Iterator[Diagnostic]:
     """E546 for an import of what is generated for a system that there is not, as before it was renamed, of a
     module that is not generated, and of a module of `aseme_dsl` that there is not, as before it was moved.
@@ -52,12 +60,12 @@ def wrong_imports(
                 continue
             if backend == _OURS:
                 problem = _not_of_ours(parts[:-1] if is_name else parts, place(node))
+                if parts[:-1] == (_OURS, "runtime") and is_name and _not_of_ours(parts, place(node)):
+                    problem = _not_of_runtime(node, parts[-1], tree, place)
             elif name not in systems:
                 problem = Diagnostic(
-                    "E546",
-                    f"there is no generated module `{backend}.{name}`: the system is called `{system.name}`",
+                    NoGeneratedSystem(backend, name, system.name),
                     _place(place(node), parts[:2]),
-                    hint=f"did you mean `{backend}.{system.name}`?",
                     fix=system.name if len(systems) == 1 else None,
                 )
             elif name == system.name:
@@ -76,15 +84,33 @@ def _not_of_ours(parts: tuple[str, ...], whole: Span) -> Diagnostic | None:
         if not (folder / part).is_dir():
             found = [path.relative_to(folder) for path in folder.rglob(f"{part}.py")]
             now = ".".join(found[0].with_suffix("").parts) if len(found) == 1 else None
-            return Diagnostic(
-                "E546",
-                f"there is no module `{'.'.join(parts[:depth])}`",
-                _place(whole, parts[:depth]),
-                hint=f"it is `{'.'.join([*parts[: depth - 1], now])}` now" if now is not None else None,
-                fix=now,
-            )
+            moved = None if now is None else ".".join([*parts[: depth - 1], now])
+            problem = NoModuleOfPackage(".".join(parts[:depth]), moved)
+            return Diagnostic(problem, _place(whole, parts[:depth]), fix=now)
         folder /= part
     return None
+
+
+def _not_of_runtime(
+    node: ast.Import | ast.ImportFrom, name: str, tree: ast.Module, place: Place
+) -> Diagnostic | None:
+    """E546 for a name that the runtime does not have, with the changes that give it its new one."""
+    from aseme_dsl import runtime
+
+    if name in runtime.__all__:
+        return None
+    now = NAMES.get(name)
+    near = None if now is not None else closest(name, runtime.__all__)
+    imported = next(item for item in node.names if item.name == name)
+    whole = place(imported)
+    span = Span(whole.source, whole.start, whole.start + len(name))
+    used = [] if imported.asname is not None else [node for node in ast.walk(tree) if _is(node, name)]
+    edits = () if now is None else tuple(Edit(item, now) for item in (span, *map(place, used)))
+    return Diagnostic(NoNameOfRuntime(name, now, near), span, edits=edits)
+
+
+def _is(node: ast.AST, name: str) -> TypeGuard[ast.Name]:
+    return isinstance(node, ast.Name) and node.id == name
 
 
 def _not_generated(parts: tuple[str, ...], is_name: bool, system: System, whole: Span) -> Diagnostic | None:
@@ -100,25 +126,17 @@ def _not_generated(parts: tuple[str, ...], is_name: bool, system: System, whole:
         near = closest(part, there)
         may_be_name = is_name and depth == len(parts)
         if part not in there and not (may_be_name and (near is None or part in names)):
-            known = ", ".join(f"`{item}`" for item in there)
-            return Diagnostic(
-                "E546",
-                f"there is no generated module `{'.'.join(parts[:depth])}`",
-                _place(whole, parts[:depth]),
-                hint=f"did you mean `{near}`?" if near is not None else f"there is {known}",
-                fix=near,
-            )
+            problem = NoGeneratedModule(".".join(parts[:depth]), near, tuple(there))
+            return Diagnostic(problem, _place(whole, parts[:depth]), fix=near)
         if part not in roles:
             return None
-        there = list(_OF_ROLES[backend])
+        there = list(ROLE_MODULES[backend])
     return None
 
 
 _NAMES = ("SYSTEM", "SOURCE", "MODEL", "TEAM", "CHARTS", "AGENTS")
 """What the package of a system has beside the classes of its roles."""
 _CLASSES = ("Step", "Agent")
-_OF_ROLES = {"monas": ("plan", "step"), "jade_like": ("plan", "step", "agent", "behaviours")}
-"""The modules of a role."""
 
 
 def _place(whole: Span, parts: Iterable[str]) -> Span:

@@ -7,17 +7,17 @@ is given there.
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from aseme_dsl.backends.backend import message_modules
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.source import Span
+from aseme_dsl.diagnostics.problems.python.code_words import Found, PublishesOther
+from aseme_dsl.project.code.activity_access import Place
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
 
-Place = Callable[[ast.expr | ast.stmt], Span]
 Published = tuple[str, ast.expr]
 """A channel that there is, and what is published on it."""
 
@@ -34,11 +34,9 @@ def unfit_messages(
     for channel, value in published:
         wanted = channel.rpartition(".")[2]
         known = assigned.get(id(value)) if isinstance(value, ast.Name) else value
-        what = None if known is None else _said(known, wanted, names)
-        if what is not None:
-            message = f"`{channel}` carries `{wanted}`, and this is {what}"
-            hint = f"publish a `{wanted}`, or publish it on a channel that carries it"
-            yield Diagnostic("W540", message, place(value), hint=hint)
+        found = None if known is None else _found(known, wanted, names)
+        if found is not None:
+            yield Diagnostic(PublishesOther(channel, wanted, *found), place(value))
 
 
 def _names(tree: ast.Module, system: System) -> Mapping[str, str | None]:
@@ -56,17 +54,17 @@ def _names(tree: ast.Module, system: System) -> Mapping[str, str | None]:
     return names
 
 
-def _said(value: ast.expr, wanted: str, names: Mapping[str, str | None]) -> str | None:
-    """What a value is, if it is not a `wanted` for sure."""
+def _found(value: ast.expr, wanted: str, names: Mapping[str, str | None]) -> tuple[str, Found] | None:
+    """The name and kind of what a value is, if it is not a `wanted` for sure."""
     if isinstance(value, _PLAIN):
-        return "what is no message"
-    if isinstance(value, ast.Name) and names.get(value.id) is not None:
-        return f"the class `{names[value.id]}` itself"
+        return "", "value"
+    if isinstance(value, ast.Name) and (named := names.get(value.id)) is not None:
+        return named, "class of message"
     if isinstance(value, ast.Call) and isinstance(value.func, ast.Name) and value.func.id in names:
         kind = names[value.func.id]
         if kind is None:
-            return f"a `{value.func.id}`, which is no message"
-        return None if kind == wanted else f"a `{kind}`"
+            return value.func.id, "other class"
+        return None if kind == wanted else (kind, "message")
     return None
 
 

@@ -1,6 +1,6 @@
 """Activity talk: whether the agent messages in the Python of activities are those of their participants.
 
-`context.send("inform", Done(…), "manager")`, `context.receive("propose", "Bid")`, `context.received(…)`.
+`context.send("inform", Done(…), "manager")`, `context.receive("propose", "Bid")`, `context.last_received(…)`.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 from aseme_dsl.amola.aip import AgentMessage, Participant
 from aseme_dsl.amola.expression import Received, Send
@@ -16,10 +17,11 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD, PERFORMATIVES
 from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.compiler.read.memory import Memory
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Problem, Related, closest
+from aseme_dsl.diagnostics.problems.python.code_words import NeverSaid, NoPerformativeInCode, NotOfParticipant
 from aseme_dsl.source import Span
 
-_TAKES = ("receive", "received")
+_TAKES = ("receive", "last_received")
 _METHODS = ("send", *_TAKES)
 
 
@@ -86,24 +88,25 @@ def unfit_talk(parts: Parts, talks: Mapping[str, tuple[Talk, ...]]) -> Iterator[
 
 
 def _unfit(name: str, talk: Talk, parts: Iterable[Participant]) -> Iterator[Diagnostic]:
-    verb = "sends" if talk.method == "send" else "receives"
     parts = tuple(parts)
     listed = _listed(talk, parts)
     if _fits(talk, listed):
         return
-    whole = [f"{item.performative} {item.message}" for item in listed]
-    who = " or ".join(dict.fromkeys(f"`{part.name}`" for part in parts))
-    problem = f"`{name}` {verb} `{talk.said}`, and {who} does not"
+    problem: Problem
     if talk.performative is not None and talk.performative not in PERFORMATIVES:
         near = closest(talk.performative, PERFORMATIVES)
-        problem = f"FIPA has no performative `{talk.performative}`"
-        hint = f"did you mean `{near}`?" if near else f"it has {', '.join(PERFORMATIVES)}"
+        problem = NoPerformativeInCode(talk.performative, near, tuple(PERFORMATIVES))
     else:
-        near = closest(talk.said, whole)
-        hint = f"did you mean `{near}`?" if near else f"it {verb} {', '.join(whole) or 'nothing'}"
-    yield Diagnostic(
-        "W555", problem, talk.span, tuple(Related(part.span, "the participant") for part in parts), hint=hint
-    )
+        whole = tuple(f"{item.performative} {item.message}" for item in listed)
+        problem = NotOfParticipant(
+            name,
+            "sends" if talk.method == "send" else "receives",
+            talk.said,
+            tuple(dict.fromkeys(part.name for part in parts)),
+            closest(talk.said, whole),
+            whole,
+        )
+    yield Diagnostic(problem, talk.span, tuple(Related(part.span, "the participant") for part in parts))
 
 
 def _listed(talk: Talk, parts: Iterable[Participant]) -> list[AgentMessage]:
@@ -179,13 +182,12 @@ def unsaid(
 
 def _never(part: Participant, chart: Statechart, said: list[Talk], wrong: list[Talk]) -> Iterator[Diagnostic]:
     sent, taken = _by_lines(chart, part)
-    for verb, items, lines, methods in (
-        ("sends", part.sends, sent, ("send",)),
-        ("takes", part.receives, taken, ("receive",)),
-    ):
+    verbs: tuple[Literal["sends", "takes"], ...] = ("sends", "takes")
+    for verb in verbs:
+        items, lines = (part.sends, sent) if verb == "sends" else (part.receives, taken)
         for item in items:
             by_code = any(
-                talk.method in methods
+                talk.method == ("send" if verb == "sends" else "receive")
                 and talk.performative in (None, item.performative)
                 and talk.message in (None, item.message)
                 for talk in said
@@ -198,17 +200,7 @@ def _never(part: Participant, chart: Statechart, said: list[Talk], wrong: list[T
             whole = (item.performative, item.message)
             if whole in lines or by_code or is_meant or item.performative == NOT_UNDERSTOOD:
                 continue
-            text = f"{item.performative} {item.message}"
-            how = f"`send {text} to …`" if verb == "sends" else f"`{text} from …`"
-            call = f'`context.send("{item.performative}", …)`'
-            if verb == "takes":
-                call = f'`context.receive("{item.performative}", "{item.message}")`'
-            yield Diagnostic(
-                "W556",
-                f"no line and no activity of `{part.name}` {verb} `{text}`",
-                item.span,
-                hint=f"write a line {how} in its control, or {call} in an activity, or leave it out",
-            )
+            yield Diagnostic(NeverSaid(part.name, verb, item.performative, item.message), item.span)
 
 
 def _by_lines(chart: Statechart, part: Participant) -> tuple[set[tuple[str, str]], set[tuple[str, str]]]:

@@ -3,27 +3,34 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from functools import cache
+from inspect import signature
+from typing import TYPE_CHECKING, TypeGuard
 
 from aseme_dsl.backends.backend import message_modules
 from aseme_dsl.diagnostics import Diagnostic, closest
-from aseme_dsl.project.code.activity_access import executes_of
+from aseme_dsl.diagnostics.problems.python.code_words import (
+    NoArgumentOfMethod,
+    NoConstantOfEnum,
+    NoGeneratedMessage,
+    NoMemberMade,
+    NoMethodOfContext,
+    TooManyMembers,
+)
+from aseme_dsl.project.code.activity_access import Place, executes_of
 from aseme_dsl.project.code.activity_fields import dotted, type_names
+from aseme_dsl.project.code.renamed import ARGUMENTS, METHODS
 from aseme_dsl.source import Span
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
 
-Place = Callable[[ast.expr | ast.stmt], Span]
-
 
 def unknown_methods(tree: ast.Module, place: Place, wanted: Iterable[str]) -> Iterator[Diagnostic]:
-    """W530 for what a `Context` does not have, in the `execute` of the classes `wanted` and where a parameter
-    is annotated as one."""
-    from aseme_dsl.runtime.activity.context import Context
-
-    known = {name for name in dir(Context) if not name.startswith("_")}
+    """W530 for members and arguments that a `Context` does not have, in the `execute` of the classes `wanted`
+    and where a parameter is annotated as one."""
+    known = _members()
     executes = {id(function) for function in executes_of(tree, wanted)}
     for function in ast.walk(tree):
         if not isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)):
@@ -35,18 +42,50 @@ def unknown_methods(tree: ast.Module, place: Place, wanted: Iterable[str]) -> It
         if not contexts:
             continue
         for node in ast.walk(function):
-            if (
-                isinstance(node, ast.Attribute)
-                and isinstance(node.value, ast.Name)
-                and node.value.id in contexts
-                and node.attr not in known
-                and not node.attr.startswith("_")
-            ):
-                near = closest(node.attr, known)
+            if _is_of(node, contexts) and node.attr not in known and not node.attr.startswith("_"):
                 span = place(node)
                 span = Span(span.source, span.end - len(node.attr.encode()), span.end)
-                hint = f"did you mean `{near}`?" if near else None
-                yield Diagnostic("W530", f"a context has no `{node.attr}`", span, hint=hint)
+                now = METHODS.get(node.attr)
+                yield Diagnostic(NoMethodOfContext(node.attr, closest(node.attr, known), now), span, fix=now)
+            elif isinstance(node, ast.Call) and _is_of(node.func, contexts):
+                method = METHODS.get(node.func.attr, node.func.attr)
+                yield from _unknown_arguments(node, method, known.get(method, ()), place)
+
+
+def _unknown_arguments(
+    call: ast.Call, method: str, arguments: tuple[str, ...], place: Place
+) -> Iterator[Diagnostic]:
+    for keyword in call.keywords:
+        if arguments and keyword.arg is not None and keyword.arg not in arguments:
+            now = ARGUMENTS.get((method, keyword.arg))
+            yield Diagnostic(
+                NoArgumentOfMethod(method, keyword.arg, arguments, now), _name(keyword, place), fix=now
+            )
+
+
+@cache
+def _members() -> Mapping[str, tuple[str, ...]]:
+    """The public members of a context; of each method the names of its arguments."""
+    from aseme_dsl.runtime.activity.context import Context
+
+    members = {name: getattr(Context, name) for name in dir(Context) if not name.startswith("_")}
+    return {
+        name: tuple(signature(member).parameters)[1:] if callable(member) else ()
+        for name, member in members.items()
+    }
+
+
+def _is_of(node: ast.AST, contexts: Collection[str]) -> TypeGuard[ast.Attribute]:
+    """Whether it is a member of a context."""
+    return isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in contexts
+
+
+def _name(keyword: ast.keyword, place: Place) -> Span:
+    """The name of `name=value`."""
+    assert keyword.arg is not None
+    value = place(keyword.value)
+    start = value.source.text.rfind(keyword.arg, 0, value.start)
+    return Span(value.source, start, start + len(keyword.arg))
 
 
 def _is_bound_once(function: ast.AST, name: str) -> bool:
@@ -80,8 +119,7 @@ def unknown_messages(tree: ast.Module, system: System, place: Place) -> Iterator
             if alias.name in fields or alias.name in constants:
                 continue
             if (near := closest(alias.name, (*fields, *constants))) is not None:
-                message = f"`{system.name}` has no message `{alias.name}`"
-                yield Diagnostic("W530", message, place(node), hint=f"did you mean `{near}`?")
+                yield Diagnostic(NoGeneratedMessage(alias.name, near, system.name), place(node))
     imported = type_names(tree, system)
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and dotted(node.func) in imported:
@@ -91,8 +129,7 @@ def unknown_messages(tree: ast.Module, system: System, place: Place) -> Iterator
             own = constants[enum]
             near = closest(node.attr, own)
             if node.attr not in own and near is not None:
-                message = f"`{enum}` has no constant `{node.attr}`"
-                yield Diagnostic("W530", message, place(node), hint=f"did you mean `{near}`?")
+                yield Diagnostic(NoConstantOfEnum(node.attr, near, enum), place(node))
 
 
 def _unknown_members(
@@ -104,14 +141,9 @@ def _unknown_members(
     for keyword in call.keywords:
         if keyword.arg is not None and keyword.arg not in own:
             near = closest(keyword.arg, own)
-            value = place(keyword.value)
-            start = value.source.text.rfind(keyword.arg, 0, value.start)
-            span = Span(value.source, start, start + len(keyword.arg))
-            hint = f"did you mean `{near}`?" if near else None
-            yield Diagnostic("W530", f"`{name}` has no member `{keyword.arg}`", span, hint=hint)
+            yield Diagnostic(NoMemberMade(keyword.arg, near, name), _name(keyword, place))
     if len(call.args) > len(own) and not any(isinstance(item, ast.Starred) for item in call.args):
-        message = f"`{name}` has {len(own)} members, and {len(call.args)} are given"
-        yield Diagnostic("W530", message, place(call))
+        yield Diagnostic(TooManyMembers(name, len(own), len(call.args)), place(call))
 
 
 __all__ = ["unknown_messages", "unknown_methods"]

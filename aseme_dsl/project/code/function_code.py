@@ -23,7 +23,17 @@ from pathlib import Path
 from aseme_dsl import outside
 from aseme_dsl.amola.messages import Function
 from aseme_dsl.amola.system import System
-from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.diagnostics import Diagnostic, Problem, closest
+from aseme_dsl.diagnostics.problems.python.code import (
+    ModuleNotPython,
+    NoPythonFunction,
+    NoPythonModule,
+    NotAPythonFunction,
+    TakesByNameOnly,
+    TakesOtherNumber,
+    WorldTakesMore,
+    WorldTakesNoSeed,
+)
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
 from aseme_dsl.project.settings.configuration import Configuration, places_of_run
 from aseme_dsl.source import Span
@@ -63,8 +73,7 @@ def check_configured(configuration: Configuration, look: Look = stamp_of) -> tup
         if isinstance(code, Diagnostic):
             found.append(code)
         elif code is not None and (problem := _of_run(key, code)) is not None:
-            hint = f"asemec calls it as `{code.name}({_CALLED[key]})`"
-            found.append(Diagnostic("E542", problem, place, hint=hint))
+            found.append(Diagnostic(problem, place))
     return tuple(found)
 
 
@@ -72,25 +81,24 @@ _CALLED = {"world": "seed=…", "progress": "world", "summary": "world"}
 """What the functions of a run are called with; `progress` with what the agents do, too, if it takes it."""
 
 
-def _of_run(key: str, code: ast.FunctionDef) -> str | None:
+def _of_run(key: str, code: ast.FunctionDef) -> Problem | None:
     """Why a function cannot be called in a run."""
-    takes = f"the Python function `{code.name}` takes"
-    given = code.args
+    called, given = (code.name, _CALLED[key]), code.args
     by_name = _needed_by_name(given)
     if key == "world":
         names = [one.arg for one in (*given.args, *given.kwonlyargs)]
         needed = [one.arg for one in (*given.posonlyargs, *given.args)]
         needed = [*needed[: _parameters(given)[0]], *by_name]
         if others := [name for name in needed if name != "seed"]:
-            return f"{takes} `{others[0]}`, which a world is not given"
-        return None if "seed" in names or given.kwarg is not None else f"{takes} no `seed`"
+            return WorldTakesMore(*called, others[0])
+        return None if "seed" in names or given.kwarg is not None else WorldTakesNoSeed(*called)
     if by_name:
-        return f"{takes} `{by_name[0]}` by name only"
+        return TakesByNameOnly(*called, by_name[0])
     least, most = _parameters(given)
     largest = 2 if key == "progress" else 1
     if least <= largest and (most is None or most >= 1):
         return None
-    return f"{takes} {_counted(least, most)}, and gets 1"
+    return TakesOtherNumber(*called, least, most, 1)
 
 
 def _of_function(function: Function, project: Path, look: Look) -> Iterator[Diagnostic]:
@@ -101,21 +109,13 @@ def _of_function(function: Function, project: Path, look: Look) -> Iterator[Diag
     if isinstance(code, Diagnostic):
         yield code
     elif code is not None:
-        hint = "declare the same parameters on both sides"
         if by_name := _needed_by_name(code.args):
-            message = f"the Python function `{code.name}` takes `{by_name[0]}` by name only"
-            yield Diagnostic("E542", message, place, hint=hint)
+            yield Diagnostic(TakesByNameOnly(code.name, None, by_name[0]), place)
             return
         least, most = _parameters(code.args)
         count = len(function.parameters)
         if count < least or (most is not None and count > most):
-            message = f"the Python function `{code.name}` takes {_counted(least, most)}, and gets {count}"
-            yield Diagnostic("E542", message, place, hint=hint)
-
-
-def _counted(least: int, most: int | None) -> str:
-    takes = str(least) if least == most else f"{least} or more" if most is None else f"{least} to {most}"
-    return f"{takes} argument{'' if least == most == 1 else 's'}"
+            yield Diagnostic(TakesOtherNumber(code.name, None, least, most, count), place)
 
 
 def _needed_by_name(given: ast.arguments) -> list[str]:
@@ -128,32 +128,25 @@ def _resolved(target: str, place: Span, project: Path, look: Look) -> Diagnostic
     found = _find_module(module, project)
     if isinstance(found, _Missing):
         near, parts = closest(found.name, found.there), module.split(".")
-        meant = ".".join((*parts[: found.depth], near or "", *parts[found.depth + 1 :]))
-        return Diagnostic(
-            "E541",
-            f"there is no Python module `{'.'.join(parts[: found.depth + 1])}`",
-            place,
-            hint=f"did you mean `{meant}:{name}`?" if near else f"write the module with `def {name}`",
-        )
+        meant = None
+        if near is not None:
+            meant = ".".join((*parts[: found.depth], near, *parts[found.depth + 1 :]))
+        return Diagnostic(NoPythonModule(".".join(parts[: found.depth + 1]), meant, name), place)
     stamp = None if found is None else look(found)
     if found is None or stamp is None:
         return None
     code = _code(found, stamp)
     if isinstance(code, str):
-        message = f"the module `{module}` is no Python: {code}"
-        return Diagnostic("E541", message, place, hint=f"correct {found}")
+        return Diagnostic(ModuleNotPython(module, code, found), place)
     if code is None:
         return None
     if name not in code.names:
         if code.is_open:
             return None
-        near = closest(name, code.names)
-        hint = f"did you mean `{module}:{near}`?" if near else f"write `def {name}` there"
-        return Diagnostic("E541", f"the module `{module}` has no `{name}`", place, hint=hint)
+        return Diagnostic(NoPythonFunction(module, name, closest(name, code.names)), place)
     made = code.names[name]
     if isinstance(made, _PLAIN):
-        message = f"`{name}` of the module `{module}` is no function"
-        return Diagnostic("E541", message, place, hint="name a function")
+        return Diagnostic(NotAPythonFunction(module, name), place)
     return made if isinstance(made, ast.FunctionDef) and not made.decorator_list else None
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from aseme_dsl import outside
@@ -11,9 +11,9 @@ from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.changes import UNSURE, apply, by_file, choose
 from aseme_dsl.project.building.project import Checked, check
 from aseme_dsl.project.files.difference import unified
-from aseme_dsl.project.files.inputs import STANDARD_INPUT, Inputs
+from aseme_dsl.project.files.inputs import Inputs
 from aseme_dsl.project.files.write import DISK, Disk, Written, write_over
-from aseme_dsl.source import is_library_path
+from aseme_dsl.source import STANDARD_INPUT, Source, is_library_path
 
 ROUNDS = 50
 """How often files are checked again, at most: each mended mistake may uncover others."""
@@ -37,8 +37,8 @@ class Fixed:
 def fix(inputs: Inputs) -> Fixed:
     """Mend in memory what can be mended; nothing is written.
 
-    Of changes that overlap, the first counts; then everything is checked again. Only `.aseme` files on disk
-    are mended, and none of the standard library.
+    Of changes that overlap, the first counts; then everything is checked again. Files on disk are mended, and
+    none of the standard library. Python is mended last, once: checked again, there may be more to mend in it.
     """
     checked = check(inputs)
     mended: list[Diagnostic] = []
@@ -46,7 +46,7 @@ def fix(inputs: Inputs) -> Fixed:
     texts: dict[str, str] = {}
     seen = {_state(texts)}
     for _ in range(ROUNDS):
-        chosen = choose(item for item in checked.diagnostics if is_mendable(item))
+        chosen = choose(item for item in checked.diagnostics if is_mendable(item, ".aseme"))
         changed = dict(texts)
         for path, edits in by_file(chosen).items():
             text = edits[0].span.source.text
@@ -58,6 +58,13 @@ def fix(inputs: Inputs) -> Fixed:
         texts = changed
         mended += chosen
         checked = check(inputs, texts)
+    of_code = choose(item for item in checked.diagnostics if is_mendable(item, ".py"))
+    for path, edits in by_file(of_code).items():
+        before[path] = edits[0].span.source.text
+        texts[path] = apply(before[path], edits)
+    mended += of_code
+    left = tuple(item for item in checked.diagnostics if item not in of_code)
+    checked = replace(checked, diagnostics=left)
     after = {path: text for path, text in texts.items() if text != before[path]}
     return Fixed(tuple(mended), checked, {path: before[path] for path in after}, after)
 
@@ -83,14 +90,26 @@ def difference(fixed: Fixed) -> str:
     return "".join(unified(path, fixed.before[path], text) for path, text in sorted(fixed.after.items()))
 
 
-def is_mendable(item: Diagnostic) -> bool:
-    """Whether `fix` would mend it."""
-    paths = [edit.span.source.path for edit in item.changes]
-    return bool(paths) and item.code not in UNSURE and all(map(_is_ours, paths))
+def is_mendable(item: Diagnostic, suffix: str = "") -> bool:
+    """Whether `fix` would mend it, in files whose names end with `suffix`."""
+    sources = [edit.span.source for edit in item.changes]
+    return bool(sources) and item.code not in UNSURE and all(_is_ours(source, suffix) for source in sources)
 
 
-def _is_ours(path: str) -> bool:
-    return path.endswith(".aseme") and path != STANDARD_INPUT and not is_library_path(path)
+def _is_ours(source: Source, suffix: str) -> bool:
+    path = source.path
+    if not path.endswith(suffix) or path == STANDARD_INPUT or is_library_path(path):
+        return False
+    if path.endswith(".py"):  # what ends its lines with \r\n was read with \n
+        return source.text == _text_of(path)
+    return path.endswith(".aseme")
+
+
+def _text_of(path: str) -> str | None:
+    try:
+        return outside.read_bytes(path).decode("utf-8-sig")
+    except (OSError, UnicodeDecodeError):
+        return None
 
 
 def _state(texts: Mapping[str, str]) -> tuple[tuple[str, str], ...]:

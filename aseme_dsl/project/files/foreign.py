@@ -7,6 +7,7 @@ from pathlib import Path
 
 from aseme_dsl.compiler.read.load import read_source
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.files import FileTooLarge
 from aseme_dsl.source import Source
 
 _LARGEST = 1_000_000
@@ -19,5 +20,8 @@ def imported_modules(path: Path) -> tuple[str, tuple[Diagnostic, ...]]:
 
     source = read_source(path, largest=_LARGEST)
     if isinstance(source, Diagnostic):
-        return "", (replace(source, hint=None) if source.code == "E003" else source,)
+        problem = source.problem
+        if isinstance(problem, FileTooLarge):  # without the advice for sources
+            problem = FileTooLarge(problem.path, problem.size, problem.most)
+        return "", (replace(source, problem=problem),)
     return modules_of(Source(source.path, source.text.removeprefix("\ufeff").replace("\r\n", "\n")))

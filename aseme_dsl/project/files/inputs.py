@@ -10,12 +10,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from aseme_dsl import outside
-from aseme_dsl.compiler.read.load import LARGEST, TARGET_FORMS
-from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.source import Source
-
-STANDARD_INPUT = "<stdin>"
-"""The path by which people know what came from `-`."""
+from aseme_dsl.compiler.read.load import LARGEST
+from aseme_dsl.diagnostics import Diagnostic, Problem
+from aseme_dsl.diagnostics.problems import files as wrong
+from aseme_dsl.source import STANDARD_INPUT, Source
 
 _TOKEN = re.compile(r'//[^\n]*|/\*.*?(?:\*/|\Z)|"(?:[^"\\\n]|\\.)*"|[{}]|\w+', re.DOTALL)
 
@@ -60,7 +58,7 @@ def find_inputs(arguments: Sequence[str], read_standard_input: Callable[[], byte
             problems = len(diagnostics)
             found = list(_files_below(path, diagnostics))
             if not found and len(diagnostics) == problems:
-                diagnostics.append(_nothing(argument, f"there is no .aseme file in {argument}"))
+                diagnostics.append(Diagnostic(wrong.NoSourceInFolder(argument), None, path=argument))
             for file in found:
                 (roots if declares_system(file) else others)[_identity(file)] = file
         elif glob.has_magic(argument) and not _exists(path):
@@ -68,10 +66,10 @@ def find_inputs(arguments: Sequence[str], read_standard_input: Callable[[], byte
             matches = [Path(match) for match in sorted(glob.glob(argument, recursive=True))]  # noqa: PTH207
             files = [match for match in matches if match.suffix == ".aseme" and not is_folder(match)]
             if not files:
-                diagnostics.append(_nothing(argument, f"no .aseme file matches {argument}"))
+                diagnostics.append(Diagnostic(wrong.NothingMatches(argument), None, path=argument))
             roots.update((_identity(file), file) for file in files)
         elif _is_trace(path) and _exists(path):
-            diagnostics.append(_nothing(argument, f"{argument} is a trace, not a .aseme file"))
+            diagnostics.append(Diagnostic(wrong.TraceAsSource(argument), None, path=argument))
         else:
             roots[_identity(path)] = path
     left = {identity: path for identity, path in others.items() if identity not in roots}
@@ -101,8 +99,8 @@ def _files_below(folder: Path, diagnostics: list[Diagnostic]) -> Iterator[Path]:
 
     def unreadable(problem: OSError) -> None:
         path = str(problem.filename)
-        message = f"the folder {path} cannot be read: {problem.strerror or problem}"
-        diagnostics.append(Diagnostic("E001", message, None, path=path))
+        reason = problem.strerror or str(problem)
+        diagnostics.append(Diagnostic(wrong.FolderCannotBeRead(path, reason), None, path=path))
 
     for root, folders, files in os.walk(folder, onerror=unreadable):
         folders[:] = sorted(name for name in folders if is_searched(Path(root, name)))
@@ -116,31 +114,27 @@ def is_searched(folder: Path) -> bool:
 
 def _standard_input(read: Callable[[], bytes], diagnostics: list[Diagnostic]) -> str | None:
     """The text of standard input, checked as a file would be."""
+
+    def fail(problem: Problem) -> None:
+        diagnostics.append(Diagnostic(problem, None, path=STANDARD_INPUT))
+
     try:
         content = read()
     except OSError as problem:
-        message = f"standard input cannot be read: {problem.strerror or problem}"
-        diagnostics.append(Diagnostic("E001", message, None, path=STANDARD_INPUT))
+        fail(wrong.CannotBeRead(STANDARD_INPUT, problem.strerror or str(problem)))
         return None
     if len(content) > LARGEST:
-        message = f"standard input has more than {LARGEST // 1_000_000} MB"
-        diagnostics.append(Diagnostic("E003", message, None, path=STANDARD_INPUT))
+        fail(wrong.InputTooLarge(LARGEST))
         return None
     if b"\0" in content:
-        message = f"standard input is not a text: byte {content.index(0)} is NUL"
-        diagnostics.append(Diagnostic("E002", message, None, path=STANDARD_INPUT))
+        fail(wrong.NotText(STANDARD_INPUT, content.index(0)))
         return None
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
         line = content.count(b"\n", 0, problem.start) + 1
-        message = f"standard input is not UTF-8: byte 0x{content[problem.start]:02x} in line {line}"
-        diagnostics.append(Diagnostic("E002", message, None, path=STANDARD_INPUT))
+        fail(wrong.NotUtf8(STANDARD_INPUT, content[problem.start], line))
         return None
-
-
-def _nothing(argument: str, message: str) -> Diagnostic:
-    return Diagnostic("E001", message, None, hint=TARGET_FORMS, path=argument)
 
 
 def _is_trace(path: Path) -> bool:

@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import Any
 
 from aseme_dsl import outside
-from aseme_dsl.project.files.inputs import STANDARD_INPUT
+from aseme_dsl.source import STANDARD_INPUT
 
 NAME = ".asemec.json"
 FORMAT = 1

@@ -41,7 +41,7 @@ _OURS: Mapping[Kind, re.Pattern[bytes]] = {
         | \A\[\]\s*\Z                # code quality, of which there is nothing to say
         | ^::(?:error|warning|notice)\ (?:.*)title=[A-Z]\d{3}
         | \b(?:error|warning|note)\[[A-Z]\d{3}\]
-        | ^\d+\ files?\ (?:is|are)\ fine\b
+        | ^no\ problems\ found\ in\ \d+\ files?\b
         | \ ->\ .*:\ (?:files:\ |no\ files)
         """,
         re.MULTILINE | re.VERBOSE,

@@ -17,7 +17,9 @@ from pathlib import Path
 from types import FrameType, MappingProxyType
 
 from aseme_dsl import outside
-from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics import Diagnostic, Problem
+from aseme_dsl.diagnostics.problems import writing as problems
+from aseme_dsl.diagnostics.problems.writing import Obstacle
 from aseme_dsl.project.files.manifest import (
     NAME,
     DamagedManifest,
@@ -162,7 +164,7 @@ def write_new(files: Mapping[Path, bytes], disk: Disk = DISK) -> Written:
     plan = _Plan(folder, force=False)
     for path, content in files.items():
         if os.path.lexists(path):
-            plan.refuse(path, "exists already")
+            plan.in_the_way(path, Obstacle.EXISTS)
         else:
             plan.writes.append((path, content))
     if plan.errors:
@@ -186,7 +188,7 @@ def write_over(files: Mapping[Path, tuple[bytes, bytes]], disk: Disk = DISK) -> 
         if _is(target, before):
             plan.writes.append((target, after))
             if not os.access(target, os.W_OK):
-                plan.refuse(path, "is read-only")
+                plan.in_the_way(path, Obstacle.READ_ONLY)
         else:
             plan.errors.append(_changed(path))
     if plan.errors:
@@ -206,7 +208,7 @@ def write_file(path: Path, content: bytes, disk: Disk = DISK) -> Written:
     plan = _Plan(path.parent, force=True)
     existed = os.path.lexists(path)
     if path.is_dir():
-        plan.refuse(path, "is a folder, and a file must go there")
+        plan.in_the_way(path, Obstacle.FOLDER)
         return Written(diagnostics=tuple(plan.errors))
     plan.writes.append((Path(os.path.realpath(path)), content))
     try:
@@ -223,7 +225,7 @@ def check_room(path: Path, disk: Disk = DISK) -> tuple[Diagnostic, ...]:
     """Why `write_file` could not write that file, found by trying beside it; nothing is left of that."""
     plan = _Plan(path.parent, force=True)
     if path.is_dir():
-        plan.refuse(path, "is a folder, and a file must go there")
+        plan.in_the_way(path, Obstacle.FOLDER)
         return tuple(plan.errors)
     if path.exists() and not path.is_file():
         return ()
@@ -251,8 +253,7 @@ def _is(path: Path, content: bytes) -> bool:
 
 
 def _changed(path: Path) -> Diagnostic:
-    message = f"{path} has changed since it was read"
-    return Diagnostic("E009", message, None, hint="nothing was changed; try again", path=str(path))
+    return Diagnostic(problems.ChangedMeanwhile(str(path)), None, path=str(path))
 
 
 @dataclass(slots=True)
@@ -332,7 +333,7 @@ class _Plan:
         """The manifest of earlier builds, or None with an error."""
         there = next((path for path in (self.folder, *self.folder.parents) if os.path.lexists(path)), None)
         if there is not None and not there.is_dir():
-            self.refuse(there, "is not a folder")
+            self.in_the_way(there, Obstacle.NO_FOLDER)
             return None
         known = self.seen.manifest
         if known is not None and known[1] != stamp_of(self.folder / NAME):
@@ -340,18 +341,17 @@ class _Plan:
         try:
             before = read_manifest(self.folder) if known is None else known[0]
         except OSError as problem:
-            self.refuse(self.folder / NAME, f"cannot be read: {problem.strerror or problem}")
+            self._not_read(self.folder / NAME, problem)
             return None
         except DamagedManifest as problem:
             if self.force:
                 return Manifest()
-            hint = "build into another folder, or use --force: what is in the way is then overwritten"
-            self.refuse(self.folder / NAME, f"should say which files are generated, but {problem}", hint)
+            place = self.folder / NAME
+            self.refuse(place, problems.DamagedList(str(place), str(problem)))
             return None
         if before.system not in (None, system) and before.source != source and not self.force:
-            hint = f"choose another folder with --output, or use --force to replace {before.system}"
-            where = "" if before.source is None else f" (from {seen_from_here(self.folder, before.source)})"
-            self.refuse(self.folder, f"holds the build of {before.system}{where}", hint)
+            known_source = None if before.source is None else str(seen_from_here(self.folder, before.source))
+            self.refuse(self.folder, problems.OtherBuild(str(self.folder), str(before.system), known_source))
             return None
         return before
 
@@ -361,9 +361,9 @@ class _Plan:
         for file in files:
             place = file.path if file.home is None else str(file.home)
             if file.home is None and (not is_inside(file.path) or file.path == NAME):
-                self.refuse(self.folder / file.path, "is no place for a generated file")
+                self.in_the_way(self.folder / file.path, Obstacle.NO_PLACE)
             elif place in seen and seen[place].content != file.content:
-                self.refuse(Path(place), "would be written twice, with different contents")
+                self.in_the_way(Path(place), Obstacle.TWICE)
             seen[place] = file
 
     def _look_at_kept(self, file: Planned, home: Path, started: dict[str, str]) -> None:
@@ -384,19 +384,10 @@ class _Plan:
             return
         ours = known is not None and known.hash == hash_of(present) and not target.is_symlink()
         if not ours and not self.force:
-            if known is None:
-                why, hint = (
-                    "exists, and asemec did not write it",
-                    "move it away, or use --force to overwrite it",
-                )
-            else:
-                why, hint = (
-                    "was edited since it was generated",
-                    "keep your changes elsewhere, or use --force to overwrite them",
-                )
-            self.refuse(target, why, hint)
+            kind = problems.NotGenerated if known is None else problems.EditedSinceGenerated
+            self.refuse(target, kind(str(target)))
         elif not os.access(target, os.W_OK):
-            self.refuse(target, "is read-only")
+            self.in_the_way(target, Obstacle.READ_ONLY)
         else:
             self._write(target, file.content)
 
@@ -409,8 +400,8 @@ class _Plan:
             if hash_of(present) == entry.hash and not target.is_symlink():
                 self.stale.append(target)
             else:
-                message = f"{target} is no longer generated; it was edited, so it stays"
-                self.warnings.append(Diagnostic("W002", message, None, path=str(target)))
+                problem = problems.EditedButObsolete(str(target))
+                self.warnings.append(Diagnostic(problem, None, path=str(target)))
 
     def _content(self, target: Path) -> bytes | None:
         """What is in a file; None if there is none. What is no file, or cannot be read, is an error."""
@@ -419,13 +410,13 @@ class _Plan:
         except FileNotFoundError:
             if not target.is_symlink():
                 return None
-            self.refuse(target, "is a link that leads nowhere")
+            self.in_the_way(target, Obstacle.DEAD_LINK)
         except IsADirectoryError:
-            self.refuse(target, "is a folder, and a file must go there")
+            self.in_the_way(target, Obstacle.FOLDER)
         except NotADirectoryError:
-            self.refuse(target, "cannot be written: there is a file where its folder should be")
+            self.in_the_way(target, Obstacle.FILE_ABOVE)
         except OSError as problem:
-            self.refuse(target, f"cannot be read: {problem.strerror or problem}")
+            self._not_read(target, problem)
         return None
 
     def _write(self, target: Path, content: bytes, *, listed: bool = True) -> None:
@@ -439,9 +430,16 @@ class _Plan:
         if listed:
             (self.created if present is None else self.changed).append(target)
 
-    def refuse(self, path: Path, why: str, hint: str | None = None) -> None:
+    def refuse(self, path: Path, problem: Problem) -> None:
         """Note why nothing can be written."""
-        self.errors.append(Diagnostic("E009", f"{path} {why}", None, hint=hint, path=str(path)))
+        self.errors.append(Diagnostic(problem, None, path=str(path)))
+
+    def in_the_way(self, path: Path, obstacle: Obstacle) -> None:
+        self.refuse(path, problems.InTheWay(str(path), obstacle))
+
+    def _not_read(self, path: Path, problem: OSError) -> None:
+        reason = problem.strerror or str(problem)
+        self.refuse(path, problems.NotReadBeforeWriting(str(path), reason))
 
 
 def _carry_out(plan: _Plan, disk: Disk) -> None:
@@ -560,8 +558,8 @@ def _failed(problem: OSError, folder: Path) -> Diagnostic:
     path = str(problem.filename2 or problem.filename or folder)
     if Path(path).name.startswith(STAGED):
         path = str(Path(path).parent)
-    message = f"{path} cannot be written: {problem.strerror or problem}"
-    return Diagnostic("E009", message, None, hint="nothing was changed", path=path)
+    found = problems.CannotBeWritten(path, problem.strerror or str(problem))
+    return Diagnostic(found, None, path=path)
 
 
 @contextlib.contextmanager

@@ -68,12 +68,12 @@ def others(loaded: Loaded, activities: Path, configuration: Configuration) -> Se
         LoadError: one cannot be imported.
     """
     from aseme_dsl.runtime.team.swap import version_of
-    from aseme_dsl.runtime.version.loading import Mixture, activities_in, load_beside
+    from aseme_dsl.runtime.version.loading import RoleBackends, activities_in, load_beside
 
     assert loaded.folder is not None
     found = sorted(path.parent for path in loaded.folder.parent.glob("*/messages.py"))
     project = [configuration.folder.resolve()]
-    names = Mixture(names=loaded.mixture.names)
+    names = RoleBackends(names=loaded.mixture.names)
     return [
         version_of(load_beside(folder, {}, project, names), activities_in(activities))
         for folder in found

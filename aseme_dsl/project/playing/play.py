@@ -12,7 +12,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from aseme_dsl import outside
-from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.diagnostics import Diagnostic, Problem, closest
+from aseme_dsl.diagnostics.problems import running as problems
+from aseme_dsl.diagnostics.problems.running import NotPlayed
 from aseme_dsl.project.settings.configuration import Configuration, RunConfiguration
 from aseme_dsl.source import Source, Span
 
@@ -24,10 +26,10 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.chart.plan import State
     from aseme_dsl.runtime.control.control import Changed
     from aseme_dsl.runtime.driver.real_time import RealTime
-    from aseme_dsl.runtime.team.scripted import Scripted
     from aseme_dsl.runtime.team.team import RunResult, Team
+    from aseme_dsl.runtime.team.timed_inputs import TimedInput
     from aseme_dsl.runtime.trace.trace import Listener
-    from aseme_dsl.runtime.version.loading import Loaded, Mixture
+    from aseme_dsl.runtime.version.loading import Loaded, RoleBackends
     from aseme_dsl.runtime.world.body import World
     from aseme_dsl.runtime.world.shared_world import FarBody
 
@@ -38,49 +40,35 @@ PLAY_NS = 60_000_000_000
 
 
 class PlayError(Exception):
-    """Nothing can be played as it was asked for; the text says why, and the hint what there is."""
+    """Nothing can be played as it was asked for; `problem` says why."""
 
-    code = "E033"
-
-    def __init__(self, text: str, hint: str | None = None) -> None:
-        super().__init__(text)
-        self.hint = hint
+    def __init__(self, problem: Problem) -> None:
+        super().__init__(problem.message)
+        self.problem = problem
 
     def problems(self, path: str) -> tuple[Diagnostic, ...]:
         """The same as diagnostics; `path` is what was to be played."""
-        return (Diagnostic(self.code, str(self), None, hint=self.hint, path=path),)
+        return (Diagnostic(self.problem, None, path=path),)
 
 
 class NoSuchPlan(PlayError):
     """The plan or robot that was asked for is not there, or is not the only one of that name."""
 
-    code = "E032"
-
 
 class NoSuchAgent(PlayError):
     """Something is for an agent that there is not."""
-
-    code = "E032"
 
 
 class WrongInput(PlayError):
     """Lines of an input mean nothing."""
 
     def __init__(self, found: tuple[Diagnostic, ...]) -> None:
-        super().__init__("\n".join(item.message for item in found))
+        super().__init__(NotPlayed("\n".join(item.message for item in found)))
         self._found = found
 
     def problems(self, path: str) -> tuple[Diagnostic, ...]:
         """What is wrong, each with its line."""
         return self._found
-
-
-def there_are(name: str, known: Iterable[str], what: str = "there are") -> str:
-    """The hint for a name that is unknown: the one that was meant, and all that there are."""
-    names = list(known)
-    near = closest(name, names)
-    said = f"{what} {', '.join(names)}" if names else "there is none"
-    return f"did you mean `{near}`? {said}" if near else said
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +128,7 @@ def carried(folder: Path, configuration: Configuration, choice: Choice) -> tuple
     """
     systems = _systems(folder)
     if not systems:
-        raise PlayError(f"there is nothing generated in {folder}: build something into it first")
+        raise PlayError(problems.NothingGenerated(str(folder)))
     return tuple(load(folder, name, configuration, choice) for name in systems)
 
 
@@ -177,15 +165,17 @@ def load(folder: Path, system: str, configuration: Configuration, choice: Choice
             package, path=[configuration.folder.resolve()], mixture=mixture_of(choice.agents, package)
         )
     except LoadError as problem:
-        raise PlayError(str(problem)) from problem
+        raise PlayError(NotPlayed(str(problem))) from problem
 
 
-def mixture_of(agents: Agents, package: Path) -> Mixture:
+def mixture_of(agents: Agents, package: Path) -> RoleBackends:
     """From which packages the agents are taken whose package is not this one; the roles are its system's."""
     from aseme_dsl.backends.backend import AGENTS
-    from aseme_dsl.runtime.version.loading import Mixture
+    from aseme_dsl.runtime.version.loading import RoleBackends
 
-    return Mixture({role: name for role, name in agents.roles.items() if name != package.parent.name}, AGENTS)
+    return RoleBackends(
+        {role: name for role, name in agents.roles.items() if name != package.parent.name}, AGENTS
+    )
 
 
 def in_version(loaded: Loaded, name: str, configuration: Configuration) -> Loaded:
@@ -205,10 +195,10 @@ def in_version(loaded: Loaded, name: str, configuration: Configuration) -> Loade
         project = [configuration.folder.resolve()]
         found = load_system(package, path=project, mixture=loaded.mixture, code=code)
     except (LoadError, VersionError) as problem:
-        raise PlayError(str(problem)) from problem
+        raise PlayError(NotPlayed(str(problem))) from problem
     missing = [role for _, role in loaded.team if role not in found.charts]
     if missing:
-        raise PlayError(f"{package} has no plan {missing[0]}")
+        raise PlayError(problems.VersionWithoutPlan(str(package), missing[0]))
     return replace(found, name=loaded.name, team=loaded.team, folder=loaded.folder)
 
 
@@ -221,15 +211,14 @@ def select(systems: Sequence[Loaded], plan: str | None) -> tuple[Loaded, str | N
     known = {f"{item.name}.{name}": item for item in systems for name in item.charts}
     if plan is None:
         if len(systems) > 1:
-            raise NoSuchPlan("there are several systems", f"choose a plan of {', '.join(known)}")
+            raise NoSuchPlan(problems.SystemNotChosen(tuple(known)))
         return systems[0], None
     found = [name for name in known if plan in (name, name.partition(".")[2])]
     if len(found) != 1:
         if found:
-            raise NoSuchPlan(f"several plans are called `{plan}`", f"there are {', '.join(found)}")
+            raise NoSuchPlan(problems.SeveralPlans(plan, None, tuple(found)))
         near = closest(plan, [*known, *(name.partition(".")[2] for name in known)])
-        hint = f"did you mean `{near}`? " if near else ""
-        raise NoSuchPlan(f"no plan is called `{plan}`", f"{hint}there are {', '.join(known)}")
+        raise NoSuchPlan(problems.NoSuchPlan(plan, near, tuple(known)))
     return known[found[0]], found[0].partition(".")[2]
 
 
@@ -266,7 +255,7 @@ def play(
                 loaded, activities, configuration, request, tell=tell, listeners=listeners, tick=tick
             )
     except (TransportError, PlatformError) as problem:
-        raise PlayError(str(problem)) from problem
+        raise PlayError(NotPlayed(str(problem))) from problem
 
 
 def _seed(request: Request, configuration: Configuration) -> int:
@@ -316,9 +305,9 @@ def _play_here(
                 seed=seed,
                 world=world,
                 bodies=bodies,
-                until=_duration(request, configuration, world),
+                until_ns=_duration(request, configuration, world),
                 stop=watch,
-                script=script,
+                timed_inputs=script,
                 trace=trace,
                 listeners=listeners,
                 path=folders,
@@ -328,16 +317,16 @@ def _play_here(
                 **_whole_team_over(request, loaded, configuration),
             )
         except (TeamError, ActivityError) as problem:
-            raise PlayError(str(problem)) from problem
+            raise PlayError(NotPlayed(str(problem))) from problem
         except OSError as problem:
             place = problem.filename or trace
-            raise PlayError(f"{place} cannot be written: {problem.strerror or problem}") from problem
+            raise PlayError(_not_written(place, problem)) from problem
         with operable(team, loaded, activities) if request.real else nullcontext():
             try:
                 with users_mistakes(*([loaded.folder] if loaded.folder else [])):
                     result = team.run()
             except TeamError as problem:  # the platform cannot be used, or the world stands still
-                raise PlayError(str(problem)) from problem
+                raise PlayError(NotPlayed(str(problem))) from problem
         watch.look(team)
         summary = ""
         if project and project.summary and world is not None:
@@ -349,7 +338,7 @@ def _whole_team_over(request: Request, loaded: Loaded, configuration: Configurat
     """The transport of a team that is all in this process, where agents of others may talk with it."""
     from aseme_dsl.project.settings.platform_settings import IN_PROCESS
     from aseme_dsl.project.settings.platforms import link_of
-    from aseme_dsl.runtime.transport.post import Post
+    from aseme_dsl.runtime.transport.reliable_delivery import Post
 
     if request.platform in (None, IN_PROCESS):
         return {}
@@ -375,15 +364,16 @@ def _play_robot(
     from aseme_dsl.runtime.activity.activities import ActivityError
     from aseme_dsl.runtime.team.team import TeamError, make_team
     from aseme_dsl.runtime.transport import TransportError
-    from aseme_dsl.runtime.transport.post import Post
+    from aseme_dsl.runtime.transport.reliable_delivery import Post
     from aseme_dsl.runtime.version.loading import activities_in, activities_of, importing
-    from aseme_dsl.runtime.world.body import BodyLost
+    from aseme_dsl.runtime.world.body import BodyConnectionError
     from aseme_dsl.runtime.world.shared_world import FarBody
 
     check_robot(loaded, robot)
     deployment = configuration.deploy
-    for _, reason in misfits(deployment, [name for name, _ in loaded.team]) if deployment else ():
-        raise PlayError(f"{configuration.path}: {reason}")
+    names = [name for name, _ in loaded.team]
+    for misfit in misfits(deployment, names, str(configuration.path)) if deployment else ():
+        raise PlayError(misfit)
     keys = _keys_of(robot, request.platform or ZENOH, deployment)
     project = configuration.run
     folders = [configuration.folder.resolve(), *loaded.path]
@@ -394,13 +384,10 @@ def _play_robot(
         if request.world_at is not None:
             try:
                 body = bodies[robot] = FarBody(robot, *request.world_at)
-            except BodyLost as problem:
-                raise PlayError(str(problem)) from problem
+            except BodyConnectionError as problem:
+                raise PlayError(NotPlayed(str(problem))) from problem
         elif project and project.world and not bodies:
-            raise PlayError(
-                "the project's world is simulated in one place: play the whole team with"
-                " `asemec run --process-per-robot`, or give the robot a body with --body"
-            )
+            raise PlayError(problems.WorldInOnePlace())
         script = _script(request.script, loaded)
         try:
             if trace is not None:
@@ -415,9 +402,9 @@ def _play_robot(
                 clock="real",
                 seed=seed,
                 bodies=bodies,
-                until=request.duration or (project.duration if project and body is not None else None),
+                until_ns=request.duration or (project.duration if project and body is not None else None),
                 stop=_Reports(body) if body is not None and project and project.progress else None,
-                script=script,
+                timed_inputs=script,
                 trace=trace,
                 listeners=listeners,
                 path=folders,
@@ -431,10 +418,10 @@ def _play_robot(
             with operable(team, loaded, activities, request.changed, keys):
                 result = team.run()
         except (TeamError, ActivityError, TransportError, PlatformError) as problem:
-            raise PlayError(str(problem)) from problem
+            raise PlayError(NotPlayed(str(problem))) from problem
         except OSError as problem:
             place = problem.filename or trace
-            raise PlayError(f"{place} cannot be written: {problem.strerror or problem}") from problem
+            raise PlayError(_not_written(place, problem)) from problem
         finally:
             if body is not None:
                 body.close()
@@ -455,11 +442,11 @@ def _keys_of(robot: str, platform: str, deployment: Deployment | None) -> Path |
     if keys is None:
         return None
     if platform != ZENOH:
-        raise PlayError(f"operators control robots over zenoh only, not over {platform}: remove `control`")
+        raise PlayError(problems.ControlWithoutZenoh(platform))
     try:
         read_keys(keys)
     except KeyFileError as problem:
-        raise PlayError(f"operators' keys: {problem}") from problem
+        raise PlayError(problems.KeysNotRead(str(problem))) from problem
     return keys
 
 
@@ -468,8 +455,8 @@ def check_robot(loaded: Loaded, robot: str) -> None:
     names = [name for name, _ in loaded.team]
     if robot not in names:
         if not names:
-            raise NoSuchPlan(f"{loaded.name} declares no team, so it has no robot `{robot}`")
-        raise NoSuchPlan(f"there is no robot `{robot}`", there_are(robot, names))
+            raise NoSuchPlan(problems.NoTeamForRobot(loaded.name, robot))
+        raise NoSuchPlan(problems.NoSuchRobot(robot, closest(robot, names), tuple(names)))
 
 
 class _Reports:
@@ -488,24 +475,26 @@ class _Reports:
         return None
 
 
-def _script(path: Path | None, loaded: Loaded) -> tuple[Scripted, ...]:
+def _script(path: Path | None, loaded: Loaded) -> tuple[TimedInput, ...]:
     """What a script gives the agents."""
-    from aseme_dsl.runtime.team.scripted import ScriptError, read_script
+    from aseme_dsl.runtime.team.timed_inputs import InputFileError, read_inputs
 
     if path is None:
         return ()
     try:
         text = outside.read_text(path)
-        return read_script(text.splitlines(), loaded.messages)
+        return read_inputs(text.splitlines(), loaded.messages)
     except OSError as problem:
-        raise PlayError(f"{path} cannot be read: {problem.strerror or problem}") from problem
+        reason = problem.strerror or str(problem)
+        raise PlayError(problems.ScriptNotRead(str(path), reason)) from problem
     except UnicodeDecodeError as problem:
-        raise PlayError(f"{path} is not UTF-8") from problem
-    except ScriptError as problem:
+        raise PlayError(problems.ScriptNotUtf8(str(path))) from problem
+    except InputFileError as problem:
         source = Source(str(path), "\n".join(text.splitlines()))
         raise WrongInput(
             tuple(
-                Diagnostic("E031", said, _line_of(source, number)) for number, said in problem.lines.items()
+                Diagnostic(problems.WrongLine(said), _line_of(source, number))
+                for number, said in problem.lines.items()
             )
         ) from problem
 
@@ -623,7 +612,8 @@ def _bodies(
     names = names or [agent or plan or next(iter(loaded.charts))]
     strangers = [name for name in given if name and name not in names]
     if strangers:
-        raise NoSuchAgent(f"there is no agent `{strangers[0]}` for a body", there_are(strangers[0], names))
+        stranger = strangers[0]
+        raise NoSuchAgent(problems.NoAgentForBody(stranger, closest(stranger, names), tuple(names)))
     return {
         name: call(function, name=name)
         for name in names
@@ -638,10 +628,10 @@ def function_of(name: str) -> Callable[..., Any]:
     try:
         return find_function(name)
     except FunctionError as problem:
-        raise PlayError(str(problem)) from problem
+        raise PlayError(NotPlayed(str(problem))) from problem
     except Exception as error:  # its module raises when it is imported
         module = name.partition(":")[0]
-        raise PlayError(f"{module} cannot be imported: {type(error).__name__}: {error}") from error
+        raise PlayError(problems.ModuleNotImported(module, _said(error))) from error
 
 
 def call(target: str, *arguments: Any, **named: Any) -> Any:
@@ -655,7 +645,7 @@ def made_world(target: str, seed: int) -> World[Any, Any]:
     """The world that a function of the project makes. Raises PlayError if it fails, or makes no world."""
     world = call(target, seed=seed)
     function = function_of(target)
-    wrong: list[str] = []
+    missing: list[tuple[str, str]] = []
     for name, what, fits in _WORLD:
         with _users_own(function):  # a property of its own may raise, too
             try:
@@ -663,10 +653,18 @@ def made_world(target: str, seed: int) -> World[Any, Any]:
             except AttributeError:
                 is_there = False
         if not is_there:
-            wrong.append(f"{name}, {what}")
-    if wrong:
-        raise PlayError(f"{target} gave {_short(world)}, which is no world: it needs {'; '.join(wrong)}")
+            missing.append((name, what))
+    if missing:
+        raise PlayError(problems.NoWorld(target, _short(world), tuple(missing)))
     return cast("World[Any, Any]", world)
+
+
+def _said(error: Exception) -> str:
+    return f"{type(error).__name__}: {error}"
+
+
+def _not_written(place: object, problem: OSError) -> Problem:
+    return problems.FileNotWritten(str(place), problem.strerror or str(problem))
 
 
 def _short(value: object) -> str:
@@ -718,7 +716,7 @@ def users_mistakes(*generated: Path) -> Iterator[None]:
                 raise
             if not place.filename.startswith((*libraries, "<")):
                 where = f"{place.filename}:{place.lineno}"
-                raise PlayError(f"{place.name} failed: {type(error).__name__}: {error} ({where})") from error
+                raise PlayError(problems.FunctionFailed(place.name, _said(error), where)) from error
         raise
 
 
@@ -734,6 +732,5 @@ def _users_own(function: Callable[..., Any]) -> Iterator[None]:
     except Exception as error:
         place = traceback.extract_tb(error.__traceback__)[-1]
         name = getattr(function, "__name__", str(function))
-        raise PlayError(
-            f"{name} failed: {type(error).__name__}: {error} ({place.filename}:{place.lineno})"
-        ) from error
+        where = f"{place.filename}:{place.lineno}"
+        raise PlayError(problems.FunctionFailed(name, _said(error), where)) from error

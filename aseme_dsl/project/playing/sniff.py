@@ -150,7 +150,7 @@ class Sniffer:
         moment, name = int(record["time"]), str(record.get("agent", ""))
         agent = self._agents.get(name)
         match record["kind"]:
-            case "mail":
+            case "agent_message":
                 self._remember(record, name, int(record["sequence"]))
                 yield self._said(record, name, tuple(record["to"]))
             case "received":

@@ -26,6 +26,7 @@ from types import FrameType
 from typing import IO, TYPE_CHECKING, Any
 
 from aseme_dsl import outside
+from aseme_dsl.diagnostics.problems import running as problems
 from aseme_dsl.project.playing.play import PlayError
 from aseme_dsl.project.settings.platforms import given_environment
 
@@ -132,14 +133,14 @@ def supervise(
 
     platform = request.platform or ZENOH
     if not loaded.team:
-        raise PlayError(f"{loaded.name} declares no team, so there are no robots to start")
+        raise PlayError(problems.NoTeam(loaded.name))
     try:
         check_installed(platform)
         with provided(platform, loaded, configuration, lambda line: say("", line, False)):
             options = [*options, "--platform", platform]
             return _Run(loaded, folder, activities, configuration, request, options, say).run()
     except (TransportError, PlatformError) as problem:
-        raise PlayError(str(problem)) from problem
+        raise PlayError(problems.NotPlayed(str(problem))) from problem
 
 
 class _Run:
@@ -226,14 +227,14 @@ class _Run:
         }
         _write(child, json.dumps(asked))
         self._pump(child)
-        for name, kind, value in self._listen(START, "the world does not start"):
+        for name, kind, value in self._listen(START, for_world=True):
             if name == "" and kind == "address":
                 self._address = value
                 return
             if name == "" and kind == "ended":
-                raise PlayError("the world could not be made")
+                raise PlayError(problems.WorldNotMade())
             if kind == "stop":
-                raise PlayError(str(value))
+                raise PlayError(problems.NotPlayed(str(value)))
 
     def _start(self, child: _Child) -> None:
         child.starts += 1
@@ -282,12 +283,11 @@ class _Run:
         """Wait until everybody is ready, and begin."""
         waiting = set(self._robots)
         if waiting:
-            for name, kind, value in self._listen(START, "not everybody gets ready"):
+            for name, kind, value in self._listen(START):
                 if kind == "ready":
                     waiting.discard(name)
                 elif kind == "ended":
-                    who = name or "the world"
-                    raise PlayError(f"{who} could not be started ({_how_ended(value)})")
+                    raise PlayError(problems.ProcessNotStarted(name or None, _how_ended(value)))
                 elif kind == "stop":
                     self._reason = value
                     return
@@ -374,14 +374,14 @@ class _Run:
 
     # ---- pipes -------------------------------------------------------------------------------
 
-    def _listen(self, seconds: float, what: str) -> Iterator[tuple[str, str, Any]]:
+    def _listen(self, seconds: float, *, for_world: bool = False) -> Iterator[tuple[str, str, Any]]:
         """What happens. Raises PlayError when it takes too long."""
         deadline = time.monotonic() + seconds
         while True:
             try:
                 yield self._news.get(timeout=max(0.0, deadline - time.monotonic()))
             except Empty:
-                raise PlayError(f"{what}: {seconds:g} s have passed") from None
+                raise PlayError(problems.StartTooSlow(for_world, seconds)) from None
 
     def _pump(self, child: _Child) -> None:
         """Show what a process says, and tell when it has ended."""

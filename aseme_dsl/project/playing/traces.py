@@ -142,7 +142,7 @@ class Summary:
         elif kind == "conversation":
             protocol = str(record.get("protocol") or record["conversation"].partition("-")[0])
             self._protocols.setdefault(protocol, Counter())[record["what"]] += 1
-        elif kind == "mail" and record["protocol"]:
+        elif kind == "agent_message" and record["protocol"]:
             self._protocols.setdefault(record["protocol"], Counter())["messages"] += 1
         elif kind in ("fault", "error"):
             self._fault(record, agent)
@@ -251,10 +251,10 @@ def told(record: Record) -> str:
                 more = ", ".join(f"{name} = {_short(value)}" for name, value in given)
             reason = f": {more}" if more is not None else ""
             return f"{record['what']} {record['activity']} ({record['label']}){reason}"
-        case "message" | "heard" | "arrived":
+        case "message" | "radio_received" | "arrived":
             to = f"  to {', '.join(record['to']) or 'nobody'}" if "to" in record else ""
             return f"{record['channel']} {_short(record['message'])}{to}"
-        case "mail":
+        case "agent_message":
             to = ", ".join(record["to"]) or "nobody"
             what = f"{record['performative']} {record['message']} {_short(record['content'])}"
             return f"{what}  to {to}  in {record['conversation']}"

@@ -9,7 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeGuard
 
 from aseme_dsl import outside
-from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Setting, Severity, closest
+from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Problem, Setting, Severity, closest
+from aseme_dsl.diagnostics.problems import settings as problems
+from aseme_dsl.diagnostics.problems.files import CannotBeRead, NotUtf8
+from aseme_dsl.diagnostics.problems.settings import Fitting
 from aseme_dsl.project.files.duration import duration
 from aseme_dsl.project.settings.deployment import Deployment, TlsFiles, network_mistakes
 from aseme_dsl.project.settings.platform_settings import PLATFORMS, MangoConfiguration, SpadeConfiguration
@@ -118,10 +121,10 @@ def read_configuration(path: Path) -> tuple[Configuration, tuple[Diagnostic, ...
     try:
         text = outside.read_bytes(path, _LARGEST).decode("utf-8")
     except OSError as problem:
-        message = f"{path} cannot be read: {problem.strerror or problem}"
-        return nothing, (Diagnostic("E001", message, None, path=str(path)),)
+        unread = CannotBeRead(str(path), problem.strerror or str(problem))
+        return nothing, (Diagnostic(unread, None, path=str(path)),)
     except UnicodeDecodeError:
-        return nothing, (Diagnostic("E002", f"{path} is not UTF-8", None, path=str(path)),)
+        return nothing, (Diagnostic(NotUtf8(str(path)), None, path=str(path)),)
     return configuration_of(Source(str(path), text.replace("\r\n", "\n")))
 
 
@@ -136,15 +139,14 @@ def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, .
         if line.count(".") > _MOST_PARTS and any(
             part.count(".") > _MOST_PARTS for part in _KEY_ENDS.split(line)
         ):
-            message = f"{source.path}:{number}: a key has more than {_MOST_PARTS} parts"
-            return nothing, (Diagnostic("E010", message, None, path=source.path),)
+            long = problems.TooManyPartsOfKey(source.path, number, _MOST_PARTS)
+            return nothing, (Diagnostic(long, None, path=source.path),)
     try:
         document = tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as problem:
         return nothing, (_malformed(source, problem),)
     except RecursionError:
-        message = f"{source.path} has too many lists or tables in each other"
-        return nothing, (Diagnostic("E010", message, None, path=source.path),)
+        return nothing, (Diagnostic(problems.TomlTooDeep(source.path), None, path=source.path),)
     tool = document.get("tool")
     table = tool.get("asemec", {}) if isinstance(tool, dict) else {}
     reader = _Reader(source)
@@ -152,9 +154,8 @@ def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, .
     if isinstance(tool, dict) and "asemec" in tool:
         given.setdefault("output", path.parent / OUTPUT)
     deploy = given.get("deploy")
-    for code, key, observed, hint in network_mistakes(deploy) if deploy is not None else ():
-        place = _place(source, f"{TABLE}.deploy", key)
-        reader.diagnostics.append(Diagnostic(code, observed, place, hint=hint))
+    for key, mistake in network_mistakes(deploy) if deploy is not None else ():
+        reader.report(f"{TABLE}.deploy", key, mistake)
     return Configuration(path.parent, path, **given), tuple(reader.diagnostics)
 
 
@@ -169,7 +170,11 @@ _LEVELS = {**{str(severity): severity for severity in Severity}, "off": None}
 
 
 class _Wrong(ValueError):
-    """A value that does not fit; the text says what is expected instead."""
+    """A value that does not fit; `wanted` is what does, or all values that do."""
+
+    def __init__(self, wanted: Fitting | tuple[str, ...]) -> None:
+        super().__init__()
+        self.wanted = wanted
 
 
 _Convert = Callable[[Any], Any]
@@ -200,12 +205,12 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
 
     def path(value: Any) -> Path:
         if not _is_path(value):
-            raise _Wrong('a path in quotes, such as "out"')
+            raise _Wrong(Fitting.PATH)
         return folder / value
 
     def paths(value: Any) -> tuple[Path, ...]:
         if not isinstance(value, list) or not all(map(_is_path, value)):
-            raise _Wrong('a list of paths, such as ["team.aseme"]')
+            raise _Wrong(Fitting.PATHS)
         return tuple(folder / item for item in value)
 
     return {
@@ -274,13 +279,13 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
 
 def _names(value: Any) -> tuple[str, ...]:
     if not isinstance(value, list) or not value or not all(isinstance(item, str) and item for item in value):
-        raise _Wrong('a list of names, such as ["monas"]')
+        raise _Wrong(Fitting.NAMES)
     return tuple(value)
 
 
 def _roles(value: Any) -> dict[str, str]:
     if not isinstance(value, dict) or not all(isinstance(name, str) and name for name in value.values()):
-        raise _Wrong('a table of backends by role, such as { dispatcher = "jade_like" }')
+        raise _Wrong(Fitting.BACKENDS)
     return dict(value)
 
 
@@ -297,9 +302,8 @@ def unknown_roles(configuration: Configuration, roles: Iterable[str]) -> tuple[D
     found = []
     for name in strangers:
         near = closest(name, known)
-        hint = f"did you mean `{near}`?" if near else f"the roles are {', '.join(known) or 'none'}"
-        message = f"[{TABLE}.roles] names a role `{name}`, which the system does not have"
-        found.append(Diagnostic("E010", message, _place(source, f"{TABLE}.roles", name), hint=hint))
+        problem = problems.NoRoleForBackend(name, near, tuple(known))
+        found.append(Diagnostic(problem, _place(source, f"{TABLE}.roles", name)))
     return tuple(found)
 
 
@@ -316,19 +320,19 @@ def places_of_run(configuration: Configuration, keys: Iterable[str]) -> dict[str
 
 def _count(value: Any) -> int:
     if not isinstance(value, int) or isinstance(value, bool) or value < 1:
-        raise _Wrong("a whole number from 1 on")
+        raise _Wrong(Fitting.COUNT)
     return value
 
 
 def _seed(value: Any) -> int:
     if not isinstance(value, int) or isinstance(value, bool):
-        raise _Wrong("a whole number")
+        raise _Wrong(Fitting.NUMBER)
     return value
 
 
 def _function(value: Any) -> str:
     if not isinstance(value, str) or not re.fullmatch(r"[\w.]+:\w+", value):
-        raise _Wrong('a Python function, such as "module:name"')
+        raise _Wrong(Fitting.FUNCTION)
     return value
 
 
@@ -338,14 +342,14 @@ def _duration(value: Any) -> int:
     except ValueError:
         nanoseconds = 0
     if nanoseconds <= 0:
-        raise _Wrong('a duration in quotes, such as "60s"')
+        raise _Wrong(Fitting.DURATION)
     return nanoseconds
 
 
 def _memory(value: Any) -> int:
     written = re.fullmatch(r"(\d+)\s*(MB|GB)", value) if isinstance(value, str) else None
     if written is None or int(written[1]) == 0:
-        raise _Wrong('an amount of memory in quotes, such as "512MB"')
+        raise _Wrong(Fitting.MEMORY)
     return int(written[1]) * (1_000_000 if written[2] == "MB" else 1_000_000_000)
 
 
@@ -354,46 +358,44 @@ def _hosts(value: Any) -> dict[str, str]:
         isinstance(host, str) and re.fullmatch(r"(\[[0-9A-Fa-f:.%\w]+\]|[\w.-]+)(:\d{1,5})?", host)
         for host in value.values()
     ):
-        raise _Wrong(
-            'a table of addresses, such as { robot1 = "192.168.1.11", robot2 = "192.168.1.12:7448" }'
-        )
+        raise _Wrong(Fitting.ADDRESSES)
     return dict(value)
 
 
 def _hosts_with_ports(value: Any) -> dict[str, str]:
     hosts = _hosts(value)
     if not all(re.search(r":\d{1,5}$", host) for host in hosts.values()):
-        raise _Wrong('a table of addresses with ports, such as { robot1 = "192.168.1.11:5601" }')
+        raise _Wrong(Fitting.ADDRESSES_WITH_PORTS)
     return hosts
 
 
 def _host(value: Any) -> str:
     if not isinstance(value, str) or not re.fullmatch(r"[\w.:-]+", value):
-        raise _Wrong('the name or address of a host in quotes, such as "xmpp.example.org"')
+        raise _Wrong(Fitting.HOST)
     return value
 
 
 def _port(value: Any) -> int:
     if not isinstance(value, int) or isinstance(value, bool) or not 0 < value < 65536:
-        raise _Wrong("a port, such as 5222")
+        raise _Wrong(Fitting.PORT)
     return value
 
 
 def _account(value: Any) -> str:
     if not isinstance(value, str) or not re.fullmatch(r"[\w.-]*ROBOT[\w.-]*", value):
-        raise _Wrong('a name in quotes in which ROBOT stands for the agent\'s, such as "warehouse-ROBOT"')
+        raise _Wrong(Fitting.ACCOUNT)
     return value
 
 
 def _flag(value: Any) -> bool:
     if not isinstance(value, bool):
-        raise _Wrong("true or false")
+        raise _Wrong(Fitting.FLAG)
     return value
 
 
 def _interface(value: Any) -> str:
     if not isinstance(value, str) or not re.fullmatch(r"[\w.:-]+", value):
-        raise _Wrong('the name or address of a network interface in quotes, such as "wlan0"')
+        raise _Wrong(Fitting.INTERFACE)
     return value
 
 
@@ -402,14 +404,14 @@ def _endpoints(value: Any) -> tuple[str, ...]:
         isinstance(item, str) and re.fullmatch(r"(tcp|tls|udp|quic)/\S+:\d{1,5}(#\S+)?", item)
         for item in value
     ):
-        raise _Wrong('a list of endpoints, such as ["tls/192.168.1.1:7447"]')
+        raise _Wrong(Fitting.ENDPOINTS)
     return tuple(value)
 
 
 def _one_of(*choices: str) -> _Convert:
     def convert(value: Any) -> str:
         if value not in choices:
-            raise _Wrong(f"one of {', '.join(choices)}, in quotes")
+            raise _Wrong(choices)
         return str(value)
 
     return convert
@@ -425,13 +427,13 @@ class _Reader:
     def table(self, table: Any, name: str, keys: Mapping[str, _Convert | _Table | _Policy]) -> dict[str, Any]:
         """The values of a table, converted; each mistake becomes a diagnostic and is left out."""
         if not isinstance(table, dict):
-            self._report(name, None, f"`{name}` must be a table")
+            self.report(name, None, problems.NotTable(name))
             return {}
         given: dict[str, Any] = {}
         for key, value in table.items():
             convert = keys.get(key)
             if convert is None:
-                self._report(name, key, f"[{name}] has no key `{key}`", _instead(key, name, keys))
+                self.report(name, key, _no_key(key, name, keys))
             elif isinstance(convert, _Policy):
                 given[key] = Policy(tuple(self.settings(value, f"{name}.{key}", None)), convert.folder)
             elif isinstance(convert, _Table):
@@ -439,50 +441,45 @@ class _Reader:
                     inside = self.table(value, f"{name}.{key}", convert.keys)
                     missing = [other for other in convert.needs if other not in value]
                     if missing:
-                        self._report(f"{name}.{key}", None, f"[{name}.{key}] needs a `{missing[0]}`, too")
+                        inner = f"{name}.{key}"
+                        self.report(inner, None, problems.KeyMissing(missing[0], inner))
                     given[key] = convert.make(**inside)
                 else:
-                    self._report(name, key, f"`{key}` must be a table: [{name}.{key}]")
+                    self.report(name, key, problems.KeyNotTable(key, f"{name}.{key}"))
             else:
                 try:
                     given[key] = convert(value)
-                except _Wrong as expected:
-                    self._report(name, key, f"`{key}` must be {expected}")
+                except _Wrong as wrong:
+                    self.report(name, key, problems.NotFitting(key, wrong.wanted))
         return given
 
     def settings(self, table: Any, name: str, path: str | None) -> Iterator[Setting]:
         """`CODE = "severity"`, and tables of the same that are called like the pattern of a path."""
         if not isinstance(table, dict):
             around, _, key = name.rpartition(".")
-            self._report(around, key, f"`{key}` must be a table: [{name}]")
+            self.report(around, key, problems.KeyNotTable(key, name))
             return
         for key, value in table.items():
             if isinstance(value, dict) and path is None:
                 yield from self.settings(value, f"{name}.{key}", key)
             elif not (key and any(code.startswith(key) for code in CODES)):
                 near = closest(key, [*CODES, *(code[:2] for code in CODES)])
-                hint = "it is a code, such as W300, or how the codes of several begin, such as W3"
-                hint = f"did you mean `{near}`?" if near else hint
-                self._report(name, key, f"there is no diagnostic `{key}`", hint)
+                self.report(name, key, problems.NoSuchDiagnostic(key, near))
             elif not isinstance(value, str) or value not in _LEVELS:
-                self._report(name, key, f"`{key}` must be one of {', '.join(_LEVELS)}, in quotes")
+                self.report(name, key, problems.NotFitting(key, tuple(_LEVELS)))
             elif key.startswith("E") and value != "error":
-                hint = "nothing can be generated from a file that has one"
-                self._report(name, key, f"`{key}`: an error cannot be turned down or off", hint)
+                self.report(name, key, problems.ErrorTurnedDown(key))
             else:
                 yield Setting(key, _LEVELS[value], path)
 
-    def _report(self, table: str, key: str | None, message: str, hint: str | None = None) -> None:
-        self.diagnostics.append(Diagnostic("E010", message, _place(self.source, table, key), hint=hint))
+    def report(self, table: str, key: str | None, problem: Problem) -> None:
+        """A problem where a key of a table is written, or (None) the table itself."""
+        self.diagnostics.append(Diagnostic(problem, _place(self.source, table, key)))
 
 
-def _instead(key: str, name: str, keys: Mapping[str, _Convert | _Table | _Policy]) -> str:
-    """What may have been meant by a key that a table has not."""
-    inside = [table for table, known in keys.items() if isinstance(known, _Table) and key in known.keys]
-    if inside:
-        return f"it belongs into {' or '.join(f'[{name}.{table}]' for table in inside)}"
-    near = closest(key, keys)
-    return f"did you mean `{near}`?" if near else f"the table knows {', '.join(keys)}"
+def _no_key(key: str, table: str, keys: Mapping[str, _Convert | _Table | _Policy]) -> Problem:
+    inside = [name for name, known in keys.items() if isinstance(known, _Table) and key in known.keys]
+    return problems.NoKey(key, table, tuple(inside), closest(key, keys), tuple(keys))
 
 
 def _place(source: Source, table: str, key: str | None) -> Span:
@@ -513,11 +510,11 @@ def _malformed(source: Source, problem: tomllib.TOMLDecodeError) -> Diagnostic:
     """What tomllib says, with the place that is in its text ("… (at line 3, column 5)")."""
     text = str(problem)
     where = re.search(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)", text)
-    message = f"{source.path} is no valid TOML: {text[: where.start()] if where else text}"
+    malformed = problems.InvalidToml(source.path, text[: where.start()] if where else text)
     if where is None or where[1] is None:
         start = max(len(source.text.rstrip()) - 1, 0)
-        return Diagnostic("E010", message, Span(source, start, start + 1))
+        return Diagnostic(malformed, Span(source, start, start + 1))
     line, column = int(where[1]), int(where[2])
     start = sum(len(other) + 1 for other in source.text.split("\n")[: line - 1]) + column - 1
     start = min(start, len(source.text))
-    return Diagnostic("E010", message, Span(source, start, min(start + 1, len(source.text))))
+    return Diagnostic(malformed, Span(source, start, min(start + 1, len(source.text))))

@@ -7,6 +7,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from aseme_dsl.diagnostics import Problem
+from aseme_dsl.diagnostics.problems.running import AgentWithoutHost, HostOfNobody
+from aseme_dsl.diagnostics.problems.settings import (
+    EndpointWithoutCertificates,
+    NoCertificates,
+    NoEffectWithoutHosts,
+)
+
 if TYPE_CHECKING:
     from aseme_dsl.runtime.transport import Network
 
@@ -86,44 +94,33 @@ def network_of(deployment: Deployment | None, robot: str, team: Iterable[str] = 
     )
 
 
-def network_mistakes(deployment: Deployment) -> Iterator[tuple[str, str, str, str]]:
-    """What would let in whoever is on the network, or has no effect, as (code, key, observed, what to do)."""
+def network_mistakes(deployment: Deployment) -> Iterator[tuple[str, Problem]]:
+    """What would let in whoever is on the network, or has no effect, each with the key that it is about."""
     beyond = [key for key in ("hosts", "interface") if getattr(deployment, key)]
     if any(not end.startswith("tls/") for end in deployment.connect):
         beyond.append("connect")
     if beyond and deployment.tls is None:
-        hint = "add [tool.asemec.deploy.tls] with a certificate for each robot"
-        yield (
-            "E015",
-            beyond[0],
-            f"`{beyond[0]}` leads beyond this machine, and there are no certificates",
-            hint,
-        )
+        yield beyond[0], NoCertificates(beyond[0])
     elif "connect" in beyond:
-        yield "E015", "connect", "an endpoint of `connect` is not protected by certificates", "write `tls/…`"
+        yield "connect", EndpointWithoutCertificates()
     if not deployment.hosts:
         idle = [key for key in ("interface", "tls", "access") if getattr(deployment, key) is not None]
         if deployment.connect:
             idle = [key for key in idle if key == "interface"]
         for key in idle:
-            yield (
-                "E016",
-                key,
-                f"`{key}` has no effect without `hosts`",
-                "name the address of a robot in `hosts`",
-            )
+            yield key, NoEffectWithoutHosts(key)
 
 
-def misfits(deployment: Deployment, agents: Iterable[str]) -> Iterator[tuple[str | None, str]]:
-    """What is wrong with a deployment of these agents, as (the robot that it is about, why)."""
+def misfits(deployment: Deployment, agents: Iterable[str], path: str) -> Iterator[Problem]:
+    """How a deployment, which stands in the file `path`, does not fit these agents."""
     names = list(agents)
     for robot in deployment.hosts:
         if robot not in names:
-            yield robot, f"there is no agent {robot} in the team; there are {', '.join(names)}"
+            yield HostOfNobody(path, robot, tuple(names))
     if deployment.hosts and deployment.interface is None:
         for robot in names:
             if robot not in deployment.hosts:
-                yield None, f"nobody would find {robot}: it has no host, and there is no interface to look on"
+                yield AgentWithoutHost(path, robot)
 
 
 def _with_port(host: str) -> str:

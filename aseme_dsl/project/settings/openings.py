@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from aseme_dsl.diagnostics.problems.settings import Unprotected
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.settings.deployment import network_mistakes, network_of
 from aseme_dsl.project.settings.platform_settings import IN_PROCESS, MANGO, SPADE, ZENOH
@@ -55,9 +56,9 @@ def _zenoh(configuration: Configuration) -> Iterator[Opening]:
     if deploy is None or network_of(deploy, "").local:
         yield Opening(ZENOH, "Unix sockets in a folder with mode 0700", "only your user; no TCP, no UDP")
         return
-    for code, _, observed, _ in network_mistakes(deploy):
-        if code == "E015":
-            yield Opening(ZENOH, "nothing", f"no run starts: {observed}")
+    for _, mistake in network_mistakes(deploy):
+        if isinstance(mistake, Unprotected):
+            yield Opening(ZENOH, "nothing", f"no run starts: {mistake.message}")
             return
     for robot in hosts:
         for end in network_of(deploy, robot).listen:

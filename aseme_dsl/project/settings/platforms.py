@@ -13,9 +13,11 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.project.settings.platform_settings import (
+    IN_PROCESS,
     MANGO,
     SPADE,
     ZENOH,
@@ -52,45 +54,79 @@ def link_of(platform: str, loaded: Loaded, configuration: Configuration, here: S
         PlatformError: the project does not say what is needed.
         TransportError: the platform is not installed, or its settings do not fit.
     """
-    from aseme_dsl.project.settings.deployment import network_of
-    from aseme_dsl.runtime.platform.over_platform import PlatformLink
-
     team = [name for name, _ in loaded.team] or list(here)
-    if platform == SPADE:
-        from aseme_dsl.runtime.platform.over_spade import SpadePlatform
-
-        return PlatformLink(SpadePlatform(_xmpp(configuration), team), loaded.name, team)
-    if platform == MANGO:
-        from aseme_dsl.runtime.platform.over_mango import MangoPlatform
-        from aseme_dsl.runtime.transport.settings import Mango
-
-        is_whole = len(team) <= len(here)
-        hosts = {} if is_whole and configuration.mango is None else _mango_hosts(configuration)
-        unknown = [name for name in team if name not in hosts and not is_whole]
-        if unknown:
-            raise PlatformError(
-                f"nobody would find {unknown[0]}: say in [tool.asemec.mango] hosts where it listens"
-            )
-        return PlatformLink(MangoPlatform(Mango(hosts), team), loaded.name, team)
-    from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
-
-    return ZenohLink(loaded.name, network_of(configuration.deploy, here[0], team))
+    return BETWEEN_PROCESSES[platform].link(loaded.name, team, configuration, here)
 
 
 def check_installed(platform: str) -> None:
     """Raises TransportError, saying how to install it, if what a platform needs is missing."""
-    if platform == SPADE:
-        from aseme_dsl.runtime.platform.over_spade import import_spade
+    if platform != IN_PROCESS:
+        BETWEEN_PROCESSES[platform].check()
 
-        import_spade()
-    elif platform == MANGO:
-        from aseme_dsl.runtime.platform.over_mango import import_mango
 
-        import_mango()
-    elif platform == ZENOH:
-        from aseme_dsl.runtime.transport.over_zenoh import import_zenoh
+def _check_zenoh() -> None:
+    from aseme_dsl.runtime.transport.over_zenoh import import_zenoh
 
-        import_zenoh()
+    import_zenoh()
+
+
+def _over_zenoh(system: str, team: Sequence[str], configuration: Configuration, here: Sequence[str]) -> Link:
+    from aseme_dsl.project.settings.deployment import network_of
+    from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
+
+    return ZenohLink(system, network_of(configuration.deploy, here[0], team))
+
+
+def _check_spade() -> None:
+    from aseme_dsl.runtime.platform.over_spade import import_spade
+
+    import_spade()
+
+
+def _over_spade(system: str, team: Sequence[str], configuration: Configuration, here: Sequence[str]) -> Link:
+    from aseme_dsl.runtime.platform.over_platform import PlatformLink
+    from aseme_dsl.runtime.platform.over_spade import SpadePlatform
+
+    return PlatformLink(SpadePlatform(_xmpp(configuration), team), system, team)
+
+
+def _check_mango() -> None:
+    from aseme_dsl.runtime.platform.over_mango import import_mango
+
+    import_mango()
+
+
+def _over_mango(system: str, team: Sequence[str], configuration: Configuration, here: Sequence[str]) -> Link:
+    from aseme_dsl.runtime.platform.over_mango import MangoPlatform
+    from aseme_dsl.runtime.platform.over_platform import PlatformLink
+    from aseme_dsl.runtime.transport.settings import Mango
+
+    is_whole = len(team) <= len(here)
+    hosts = {} if is_whole and configuration.mango is None else _mango_hosts(configuration)
+    unknown = [name for name in team if name not in hosts and not is_whole]
+    if unknown:
+        raise PlatformError(
+            f"nobody would find {unknown[0]}: say in [tool.asemec.mango] hosts where it listens"
+        )
+    return PlatformLink(MangoPlatform(Mango(hosts), team), system, team)
+
+
+@dataclass(frozen=True, slots=True)
+class _BetweenProcesses:
+    """A platform that carries messages to other processes."""
+
+    link: Callable[[str, Sequence[str], Configuration, Sequence[str]], Link]
+    """Of a system, its team, the configuration, and the agents that are here. Raises what `link_of` does."""
+    check: Callable[[], None]
+    """Raises TransportError if something is not installed."""
+
+
+BETWEEN_PROCESSES = {
+    ZENOH: _BetweenProcesses(_over_zenoh, _check_zenoh),
+    SPADE: _BetweenProcesses(_over_spade, _check_spade),
+    MANGO: _BetweenProcesses(_over_mango, _check_mango),
+}
+"""Every platform but the one that is within a process."""
 
 
 def _xmpp(configuration: Configuration) -> Xmpp:

@@ -7,9 +7,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from aseme_dsl.compiler.read.load import TARGET_FORMS, read_source
+from aseme_dsl.compiler.read.load import read_source
 from aseme_dsl.diagnostics import Diagnostic, has_errors
-from aseme_dsl.project.files.inputs import STANDARD_INPUT, Inputs, find_inputs, is_folder
+from aseme_dsl.diagnostics.problems import files as wrong
+from aseme_dsl.project.files.inputs import Inputs, find_inputs, is_folder
 from aseme_dsl.project.settings.configuration import (
     FILE,
     OUTPUT,
@@ -17,6 +18,7 @@ from aseme_dsl.project.settings.configuration import (
     find_configuration,
     read_configuration,
 )
+from aseme_dsl.source import STANDARD_INPUT
 
 
 def project_here() -> str:
@@ -88,17 +90,14 @@ def _source(output: Path) -> Path | Diagnostic:
     try:
         source = read_manifest(output).source
     except (DamagedManifest, OSError) as problem:
-        reason = problem.strerror if isinstance(problem, OSError) else problem
-        message = f"{output / NAME} cannot be read: {reason}"
-        return Diagnostic("E001", message, None, hint=TARGET_FORMS, path=str(output))
+        reason = str(problem.strerror if isinstance(problem, OSError) else problem)
+        unread = wrong.ManifestCannotBeRead(str(output / NAME), reason)
+        return Diagnostic(unread, None, path=str(output))
     if source is None or source == STANDARD_INPUT:
-        message = f"{output} was built from standard input"
-        return Diagnostic("E020", message, None, hint="name a .aseme file", path=str(output))
+        return Diagnostic(wrong.BuiltFromInput(str(output)), None, path=str(output))
     shown = seen_from_here(output, source)
     if not os.path.exists(shown):  # noqa: PTH110  raises nothing
-        message = f"the source of this build, {shown}, cannot be found"
-        hint = "name a .aseme file, or build again from where it is now"
-        return Diagnostic("E020", message, None, hint=hint, path=str(output))
+        return Diagnostic(wrong.SourceGone(str(shown)), None, path=str(output))
     return Path(shown)
 
 
@@ -150,10 +149,7 @@ def traces_of(target: Path, *, following: bool = False) -> tuple[tuple[Path, ...
     whole = folder / "trace.jsonl"
     each = sorted(folder.glob("trace.*.jsonl"))
     if not following and not each and not _is_there(whole) and not _is_there(folder / "trace.jsonl.part"):
-        problem = Diagnostic(
-            "E001", f"there is no trace {whole}", None, hint="`asemec run` writes it", path=str(target)
-        )
-        return (), (problem,)
+        return (), (Diagnostic(wrong.NoTrace(str(whole)), None, path=str(target)),)
     if following or not each:
         return (whole,), ()
     last = max(item.stat().st_mtime for item in each)

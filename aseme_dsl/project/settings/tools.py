@@ -113,7 +113,7 @@ def _graphviz() -> Tool:
 
 
 def _priority() -> Tool:
-    from aseme_dsl.runtime.time.timekeeper import may_raise_priority
+    from aseme_dsl.runtime.time.timer_thread import may_raise_priority
 
     problem = may_raise_priority()
     found = "permitted" if problem is None else None

@@ -203,7 +203,7 @@ def plain_classes(
 
     refused: dict[str, tuple[str, ...]] = {}
     for chart in system.iacs:
-        found = tuple(dict.fromkeys(limit.what for limit in limits(chart, system.activities)))
+        found = tuple(dict.fromkeys(limit.what.value for limit in limits(chart, system.activities)))
         if found:
             refused[chart.name] = found
     possible = replace(system, iacs=tuple(chart for chart in system.iacs if chart.name not in refused))

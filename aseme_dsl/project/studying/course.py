@@ -11,13 +11,13 @@ from typing import Any, NamedTuple
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.inputs import (
-    Arrived,
+    AgentMessage,
     Completed,
     Crashed,
     Happened,
     Input,
-    Mail,
     Outcome,
+    Sample,
     Written,
 )
 from aseme_dsl.runtime.message.convert import converted, like
@@ -33,9 +33,9 @@ class Given:
 
     now: int
     inputs: tuple[Input, ...] = ()
-    ahead: tuple[Arrived, ...] = ()
+    ahead: tuple[Sample, ...] = ()
     """What has arrived during the step, for `read_messages`."""
-    gone: tuple[tuple[str, Arrived | Mail], ...] = ()
+    gone: tuple[tuple[str, Sample | AgentMessage], ...] = ()
     """What the activities of states (by their labels) have taken away before the step."""
 
 
@@ -135,9 +135,9 @@ def player(chart: Chart, steps: Sequence[Given]) -> Callable[[], None]:
     return play
 
 
-def _take_away(chart: Chart, label: str, item: Arrived | Mail) -> None:
+def _take_away(chart: Chart, label: str, item: Sample | AgentMessage) -> None:
     """An activity takes a signal or an agent message."""
-    if isinstance(item, Mail):
+    if isinstance(item, AgentMessage):
         waiting = chart.mail[item.branch]
         chart.mail[item.branch] = [other for other in waiting if other.identity != item.identity]
         return
@@ -186,7 +186,7 @@ def doings(chart: Plain, runner: Any, course: Course, reference: Chart, send: st
         calls: list[tuple[Callable[..., object], tuple[str | None, ...]]] = []
         for item in given.inputs:
             match item:
-                case Arrived(channel, message, sender):
+                case Sample(channel, message, sender):
                     news = converted(message, messages)
                     places = [s for s, c, host in chart.MESSAGES if c == channel and host in (None, sender)]
                     puts += [(slot, news) for slot in places]

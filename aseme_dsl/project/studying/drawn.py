@@ -17,7 +17,7 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.inputs import Arrived, Completed, Happened, Input, Mail, Written
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Completed, Happened, Input, Sample, Written
 
 MS = 1_000_000
 _LONGEST = 50
@@ -135,7 +135,7 @@ class _Drawing:
                 return Happened(self.chance.choice(self.events))
             case "message":
                 channel, message = self.chance.choice(self.channels)
-                return Arrived(channel, self.content(message), "other", now, identity)
+                return Sample(channel, self.content(message), "other", now, identity)
             case "done":
                 label = self.chance.choice(running)
                 ends = self.ends.get(self.activity[label] or "", ())
@@ -147,7 +147,7 @@ class _Drawing:
             case _:
                 branch, performative, message, participant = self.chance.choice(mails)
                 content = self.content(message) if message else None
-                return Mail(branch, performative, message, content, participant, "other", identity)
+                return AgentMessage(branch, performative, message, content, participant, "other", identity)
 
     def content(self, name: str) -> Any:
         """A message with values for its members, some of an optional one missing."""

@@ -17,17 +17,16 @@ from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.inputs import (
     LOST,
-    Arrived,
+    AgentMessage,
     Completed,
     Crashed,
     Happened,
     Identity,
     Input,
-    Mail,
+    Sample,
     Written,
 )
 from aseme_dsl.runtime.message.as_json import from_json
-from aseme_dsl.runtime.trace.trace import FORMAT
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.trace.trace_reading import Record, TraceReader
 
@@ -94,7 +93,7 @@ class _Agent:
     where: tuple[str, ...] = ()
     """Its configuration as the trace has it."""
     steps: int = 0
-    gone: list[tuple[str, Arrived | Mail]] = field(default_factory=list)
+    gone: list[tuple[str, Sample | AgentMessage]] = field(default_factory=list)
     until: str | None = None
 
 
@@ -126,15 +125,15 @@ class _Reading:
         self.kinds_of_lines: dict[str, Callable[[Record], None]] = {
             "header": self.header,
             "message": self.published,
-            "heard": self.published,
+            "radio_received": self.published,
             "arrived": self.carried,
             "received": self.carried,
-            "mail": self.say,
+            "agent_message": self.say,
             "event": self.say,
             "variable": self.say,
             "activity": self.activity,
             "conversation": self.conversation,
-            "taken": self.taken,
+            "consumed": self.taken,
             "swap": self.changed,
             "select": self.changed,
             "step": self.step,
@@ -163,10 +162,6 @@ class _Reading:
     def header(self, record: Record) -> None:
         if self.agents:
             raise ValueError("a second header")
-        if record["format"] != FORMAT:
-            raise NotPlayable(
-                f"{self.path} has the format {record['format']}; this version reads the format {FORMAT}"
-            )
         if record["system"] != self.system:
             raise NotPlayable(
                 f"{self.path} is the trace of a run of {record['system']}, not of {self.system}"
@@ -223,7 +218,7 @@ class _Reading:
         item = self.agents.get(record["agent"])
         if item is not None and item.until is None:
             found = self.input(record["agent"], _identity(record["input"]))
-            if isinstance(found, Arrived | Mail):
+            if isinstance(found, Sample | AgentMessage):
                 item.gone.append((record["label"], found))
 
     def changed(self, record: Record) -> None:
@@ -247,7 +242,7 @@ class _Reading:
             item.until = f"the trace does not have step {number}"
             return
         inputs: list[Input] = []
-        ahead: list[Arrived] = []
+        ahead: list[Sample] = []
         for identity in [*record["inputs"], *record.get("ahead", ())]:
             found = self.input(name, _identity(identity))
             if found is None:
@@ -255,7 +250,7 @@ class _Reading:
                 return
             if len(inputs) < len(record["inputs"]):
                 inputs.append(found)
-            elif isinstance(found, Arrived):
+            elif isinstance(found, Sample):
                 ahead.append(found)
         given = Given(int(record["time"]), tuple(inputs), tuple(ahead), tuple(item.gone))
         item.gone.clear()
@@ -282,9 +277,9 @@ class _Reading:
         if record is None:
             return None
         match record["kind"]:
-            case "message" | "heard" | "arrived":
+            case "message" | "radio_received" | "arrived":
                 return self._message(agent, identity, record)
-            case "mail" | "received":
+            case "agent_message" | "received":
                 return self._mail(agent, identity, record)
             case "event":
                 return Happened(record["event"])
@@ -298,23 +293,23 @@ class _Reading:
                 return Crashed(record["label"], record["token"], record.get("reason", ""))
             case _:
                 part = record["played"]
-                return Mail(record["branch"], LOST, "", None, part, record["peer"], identity)
+                return AgentMessage(record["branch"], LOST, "", None, part, record["peer"], identity)
 
-    def _message(self, agent: str, identity: Identity, record: Record) -> Arrived:
+    def _message(self, agent: str, identity: Identity, record: Record) -> Sample:
         channel = record["channel"]
         content = from_json(self.messages[channel.rpartition(".")[2]], record["message"])
         if record["kind"] == "arrived":
-            return Arrived(channel, content, identity[0], record["measured"], identity)
+            return Sample(channel, content, identity[0], record["measured"], identity)
         own = record.get("region") if record["agent"] == agent else None
         sender = record.get("sender") or record["agent"]
-        return Arrived(channel, content, sender, record["time"], identity, own)
+        return Sample(channel, content, sender, record["time"], identity, own)
 
-    def _mail(self, agent: str, identity: Identity, record: Record) -> Mail:
+    def _mail(self, agent: str, identity: Identity, record: Record) -> AgentMessage:
         name = record["message"]
         content = from_json(self.messages[name], record["content"]) if name in self.messages else None
         branch = self.branches[agent, record["conversation"], record["receiver"]]
         part = record["participant"]
-        return Mail(branch, record["performative"], name, content, part, identity[0], identity)
+        return AgentMessage(branch, record["performative"], name, content, part, identity[0], identity)
 
 
 def _identity(value: Sequence[Any]) -> Identity:

@@ -262,9 +262,9 @@ class _Faults:
 @lru_cache(maxsize=4)
 def _loaded(package: Path, configuration_folder: Path) -> Loaded:
     from aseme_dsl.backends.backend import AGENTS
-    from aseme_dsl.runtime.version.loading import Mixture, load_system
+    from aseme_dsl.runtime.version.loading import RoleBackends, load_system
 
-    return load_system(package, path=[configuration_folder.resolve()], mixture=Mixture(names=AGENTS))
+    return load_system(package, path=[configuration_folder.resolve()], mixture=RoleBackends(names=AGENTS))
 
 
 def run(package: Path, seed: int, plan: Plan) -> Run:
@@ -305,7 +305,7 @@ def _run(package: Path, seed: int, plan: Plan) -> Run:
     result = played.result
     if result.reason == "interrupted":
         raise KeyboardInterrupt
-    clocks.end(result.time)
+    clocks.end(result.end_ns)
     if played.world is not None:
         _check_bodies(played.world, [name for name, _ in loaded.team])
     failures = tuple(f"{agent.name}: {agent.failure}" for agent in result.agents if agent.failure)
@@ -314,7 +314,7 @@ def _run(package: Path, seed: int, plan: Plan) -> Run:
         seed,
         measure,
         at_least,
-        result.time,
+        result.end_ns,
         len(loaded.team),
         clocks.done,
         clocks.busy,
@@ -343,10 +343,10 @@ def _measured(plan: Plan, result: RunResult, clocks: _Clocks, world: object) -> 
         if result.failed:
             return None, False
         has_finished = result.reason == "finished"
-        return (result.time if has_finished else plan.length) / 1e9, not has_finished
+        return (result.end_ns if has_finished else plan.length) / 1e9, not has_finished
     if ":" not in plan.measure:
         broke_down = result.failed or result.reason == "idle"
-        time = max(plan.length, result.time) if broke_down else result.time
+        time = max(plan.length, result.end_ns) if broke_down else result.end_ns
         return (clocks.done.get(plan.measure, 0) * 60e9 / time if time else 0.0), False
     return _given(plan, world), False
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any, ClassVar
 
 from aseme_dsl.runtime.activity.context import Context
@@ -36,11 +36,6 @@ class Activity:
     def execute(self, context: Context) -> Any:
         """Do what the activity is for. What it raises makes its state fail."""
         raise NotImplementedError
-
-
-def from_mapping(classes: Mapping[str, type[Any]]) -> ActivityFinder:
-    """Activities given by name, for tests and small programs."""
-    return classes.get
 
 
 def from_package(package: str, has: Callable[[str], bool]) -> ActivityFinder:

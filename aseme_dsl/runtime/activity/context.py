@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol, TypeVar, overload
 
 from aseme_dsl.runtime.chart import history
-from aseme_dsl.runtime.chart.inputs import LOST, Arrived, Mail
+from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Sample
 from aseme_dsl.runtime.conversation.directory import AgentDirectory, Directory, Offer, Withdraw
 from aseme_dsl.runtime.time.clock import SECOND, nanoseconds
 from aseme_dsl.runtime.world.body import Body
@@ -94,14 +94,16 @@ class Port(Protocol):
     def now(self) -> int: ...
     def wait(self, duration: int) -> None: ...
     async def sleep(self, duration: int) -> None: ...
-    def newest(self, channel: str, host: str | None) -> Arrived | None: ...
-    def history(self, channel: str, host: str | None) -> tuple[Arrived, ...]: ...
+    def newest(self, channel: str, host: str | None) -> Sample | None: ...
+    def history(self, channel: str, host: str | None) -> tuple[Sample, ...]: ...
     def looks_back(self, channel: str, duration: int | None) -> int: ...
     def frozen(self) -> Port: ...
-    def take(self, channel: str, host: str | None) -> Arrived | None: ...
+    def take(self, channel: str, host: str | None) -> Sample | None: ...
     def variable(self, name: str) -> Any: ...
-    def receive(self, performative: str | None, message: str | None, sender: str | None) -> Mail | None: ...
-    def received(self) -> tuple[Mail, ...]: ...
+    def receive(
+        self, performative: str | None, message: str | None, sender: str | None
+    ) -> AgentMessage | None: ...
+    def received(self) -> tuple[AgentMessage, ...]: ...
     def do(self, doing: Doing) -> None: ...
 
 
@@ -136,7 +138,7 @@ class Context:
         return self._port.label
 
     @property
-    def now(self) -> int:
+    def now_ns(self) -> int:
         """The time in ns since the run began."""
         return self._port.now()
 
@@ -166,7 +168,7 @@ class Context:
         """Whether the state was left: the activity should end, and what it still does is dropped."""
         return self._port.cancelled
 
-    def check(self) -> None:
+    def raise_if_cancelled(self) -> None:
         """Raise Cancelled if the state was left."""
         if self._port.cancelled:
             raise Cancelled
@@ -186,34 +188,34 @@ class Context:
     # ---- reading -----------------------------------------------------------------------------
 
     @overload
-    def read(self, channel: str, kind: None = None, host: str | None = None) -> Any: ...
+    def read(self, channel: str, kind: None = None, sender: str | None = None) -> Any: ...
     @overload
-    def read(self, channel: str, kind: type[MessageT], host: str | None = None) -> MessageT | None: ...
-    def read(self, channel: str, kind: type[Any] | None = None, host: str | None = None) -> Any:
+    def read(self, channel: str, kind: type[MessageT], sender: str | None = None) -> MessageT | None: ...
+    def read(self, channel: str, kind: type[Any] | None = None, sender: str | None = None) -> Any:
         """The message that a condition would see, or None: a signal is taken by that.
 
         With `kind` the result is typed: `context.read("vision.state.Ball", Ball)`. Raises TypeError if the
         channel carries another message.
         """
-        item = self._port.take(channel, host) if _is_signal(channel) else self._port.newest(channel, host)
+        item = self._port.take(channel, sender) if _is_signal(channel) else self._port.newest(channel, sender)
         if item is None:
             return None
         if kind is not None and not isinstance(item.message, kind):
             raise TypeError(f"{channel} carries {type(item.message).__name__}, not {kind.__name__}")
         return item.message
 
-    def state(self, channel: str, host: str | None = None) -> Any:
+    def latest_message(self, channel: str, sender: str | None = None) -> Any:
         """The latest message of a channel (of that sender), or None. A signal is only looked at."""
-        item = self._port.newest(channel, host)
+        item = self._port.newest(channel, sender)
         return None if item is None else item.message
 
-    def latest(self, channel: str, host: str | None = None) -> Arrived | None:
-        """Like `state`, with the sender and the time of measurement."""
-        return self._port.newest(channel, host)
+    def latest_sample(self, channel: str, sender: str | None = None) -> Sample | None:
+        """Like `latest_message`, with the sender and the time of measurement."""
+        return self._port.newest(channel, sender)
 
-    def age(self, channel: str, *, host: str | None = None) -> float | None:
+    def age(self, channel: str, *, sender: str | None = None) -> float | None:
         """How many seconds ago the newest message of a channel was measured, or None if there is none."""
-        item = self._port.newest(channel, host)
+        item = self._port.newest(channel, sender)
         return None if item is None else (self._port.now() - item.time) / SECOND
 
     def snapshot(self) -> Context:
@@ -226,35 +228,35 @@ class Context:
     # ---- histories ---------------------------------------------------------------------------
     #
     # The activity declares how far it looks back at a data channel: `reads vision.data.Ball for 2s`. To look
-    # further back raises UndeclaredError. Without `host`, the messages of all senders are one history.
+    # further back raises UndeclaredError. Without `sender`, the messages of all senders are one history.
 
     def history(
-        self, channel: str, host: str | None = None, *, seconds: float | None = None
-    ) -> tuple[Arrived, ...]:
+        self, channel: str, sender: str | None = None, *, seconds: float | None = None
+    ) -> tuple[Sample, ...]:
         """The last seconds of a data channel, by default all that is declared; oldest first, with times."""
         moment = self._back(channel, seconds)
-        return history.since(self._port.history(channel, host), moment)
+        return history.since(self._port.history(channel, sender), moment)
 
-    def at(self, channel: str, seconds_ago: float, *, host: str | None = None) -> Any:
+    def at(self, channel: str, seconds_ago: float, *, sender: str | None = None) -> Any:
         """The message as it was so long ago, the newest that was measured by then, or None."""
         moment = self._back(channel, seconds_ago)
-        found = history.at(self._port.history(channel, host), moment)
+        found = history.at(self._port.history(channel, sender), moment)
         return None if found is None else found.message
 
     def interpolated(
-        self, channel: str, member: str, seconds_ago: float, *, host: str | None = None
+        self, channel: str, member: str, seconds_ago: float, *, sender: str | None = None
     ) -> float | None:
         """A member (`pose.x`) so long ago, on the straight line between the measurements before and after.
 
         None before the first and after the last measurement. Raises TypeError for what is no number.
         """
         moment = self._back(channel, seconds_ago)
-        return history.interpolated(self._port.history(channel, host), moment, member)
+        return history.interpolated(self._port.history(channel, sender), moment, member)
 
-    def mean(self, channel: str, member: str, seconds: float, *, host: str | None = None) -> float | None:
+    def mean(self, channel: str, member: str, seconds: float, *, sender: str | None = None) -> float | None:
         """The mean of a member (`pose.x`) over the last seconds, or None if nothing was measured in them."""
         moment = self._back(channel, seconds)
-        return history.mean(self._port.history(channel, host), moment, member)
+        return history.mean(self._port.history(channel, sender), moment, member)
 
     def _back(self, channel: str, seconds: float | None) -> int:
         """The moment so long ago, or as long as is declared. Raises LookupError for any other channel."""
@@ -263,22 +265,22 @@ class Context:
         duration = self._port.looks_back(channel, None if seconds is None else nanoseconds(seconds))
         return self._port.now() - duration
 
-    def take(self, channel: str, host: str | None = None) -> Any:
+    def consume(self, channel: str, sender: str | None = None) -> Any:
         """The oldest waiting signal (of that sender), which is gone then, or None."""
-        item = self._port.take(channel, host)
+        item = self._port.take(channel, sender)
         return None if item is None else item.message
 
-    def variable(self, name: str) -> Any:
+    def get_variable(self, name: str) -> Any:
         """A variable of the protocol's participant or of the role. Raises LookupError if there is none."""
         return self._port.variable(name)
 
     # ---- writing -----------------------------------------------------------------------------
 
-    def publish(self, channel: str, message: Any, host: str | None = None) -> None:
-        """Publish a message, or send it to one host. Raises TypeError if the channel carries another type."""
-        self._port.do(Publish(channel, message, host))
+    def publish(self, channel: str, message: Any, to: str | None = None) -> None:
+        """Publish a message, to all or to one agent. Raises TypeError for the wrong type."""
+        self._port.do(Publish(channel, message, to))
 
-    def set(self, name: str, value: Any) -> None:
+    def set_variable(self, name: str, value: Any) -> None:
         """Write a variable. Raises LookupError if there is none, TypeError if it is of another type."""
         self._port.do(SetVariable(name, value))
 
@@ -297,28 +299,30 @@ class Context:
         """
         self._port.do(Prepare(message))
 
-    def send(self, performative: str, message: Any, to: str, within: float | None = None) -> None:
+    def send(self, performative: str, message: Any, to: str, reply_within: float | None = None) -> None:
         """Send an agent message in this participant's conversation, to a participant or to one agent.
 
-        `within` says that an answer is wanted within so many seconds, to whoever looks at that
-        (`Mail.reply_by`); to wait no longer is what `after(…)` is for.
+        `reply_within` says that an answer is wanted within so many seconds, to whoever looks at that
+        (`AgentMessage.reply_by`); to wait no longer is what `after(…)` is for.
 
         Raises LookupError outside a protocol's participant.
         """
-        self._port.do(Send(performative, message, to, None if within is None else nanoseconds(within)))
+        self._port.do(
+            Send(performative, message, to, None if reply_within is None else nanoseconds(reply_within))
+        )
 
     def receive(
         self, performative: str | None = None, message: str | None = None, sender: str | None = None
-    ) -> Mail | None:
+    ) -> AgentMessage | None:
         """Take the oldest agent message of this kind that waits for this participant, or None.
 
         It waits for nothing: an activity that wants to, waits in between.
         """
         return self._port.receive(performative, message, sender)
 
-    def received(
+    def last_received(
         self, performative: str | None = None, message: str | None = None, sender: str | None = None
-    ) -> Mail | None:
+    ) -> AgentMessage | None:
         """The last agent message of this kind that this participant has taken in its conversation, or None.
 
         So an activity sees what the transition into its state has taken. Of each kind and sender the last one
@@ -344,7 +348,7 @@ def check_message(channel: str, message: Any) -> None:
         raise TypeError(f"{channel} carries {parts[2]}, not {type(message).__name__}")
 
 
-def matches(mail: Mail, performative: str | None, message: str | None, sender: str | None) -> bool:
+def matches(mail: AgentMessage, performative: str | None, message: str | None, sender: str | None) -> bool:
     """Whether an agent message is of a kind and from a sender, where they are given."""
     return (
         mail.performative != LOST

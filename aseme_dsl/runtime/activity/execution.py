@@ -10,8 +10,8 @@ from aseme_dsl.runtime.activity import access
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.returning import as_outcome
 from aseme_dsl.runtime.chart.board import Board
-from aseme_dsl.runtime.chart.inputs import Arrived, Identity, Mail, Start
-from aseme_dsl.runtime.chart.intake import Errand
+from aseme_dsl.runtime.chart.input_queue import Errand
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Sample, Start
 from aseme_dsl.runtime.chart.plan import ActivityInfo, Variable
 from aseme_dsl.runtime.conversation.conversation import Conversations
 from aseme_dsl.runtime.conversation.directory import Directory
@@ -46,7 +46,7 @@ class Host(Stepping, Protocol):
         message: str | None,
         sender: str | None,
         identity: Identity | None = None,
-    ) -> Mail | None: ...
+    ) -> AgentMessage | None: ...
     def branch_of(self, label: str) -> str | None: ...
     def variable_of(self, name: str, label: str) -> Variable: ...
     def check_registered(self, wanted: bool) -> None: ...
@@ -194,13 +194,13 @@ class Execution:
 
         await asyncio.sleep(duration / 1e9)
 
-    def newest(self, channel: str, host: str | None) -> Arrived | None:
+    def newest(self, channel: str, host: str | None) -> Sample | None:
         access.check_read(self.info, channel)
         agent = self.owner.agent
         with agent.driver.guard(agent):
             return self.board.newest(channel, host)
 
-    def history(self, channel: str, host: str | None) -> tuple[Arrived, ...]:
+    def history(self, channel: str, host: str | None) -> tuple[Sample, ...]:
         access.check_read(self.info, channel)
         agent = self.owner.agent
         with agent.driver.guard(agent):
@@ -212,14 +212,14 @@ class Execution:
     def frozen(self) -> c.Port:
         return self.owner.frozen(self)
 
-    def take(self, channel: str, host: str | None) -> Arrived | None:
+    def take(self, channel: str, host: str | None) -> Sample | None:
         access.check_read(self.info, channel)
         agent = self.owner.agent
         with agent.driver.guard(agent):
             item = self.board.take(channel, host)
             if item is not None:
                 agent.trace.write(
-                    "taken",
+                    "consumed",
                     self.now(),
                     agent=agent.name,
                     input=list(item.identity),
@@ -236,14 +236,16 @@ class Execution:
         with agent.driver.guard(agent):
             return agent.chart.variable(variable.name)
 
-    def receive(self, performative: str | None, message: str | None, sender: str | None) -> Mail | None:
+    def receive(
+        self, performative: str | None, message: str | None, sender: str | None
+    ) -> AgentMessage | None:
         if self.branch is None:
             raise LookupError(f"{self.activity} is not part of a protocol's participant here")
         agent = self.owner.agent
         with agent.driver.guard(agent):
             return agent.take_mail(self, performative, message, sender)
 
-    def received(self) -> tuple[Mail, ...]:
+    def received(self) -> tuple[AgentMessage, ...]:
         if self.branch is None:
             raise LookupError(f"{self.activity} is not part of a protocol's participant here")
         if self.cancelled:  # another participation may have begun
@@ -269,7 +271,7 @@ class Execution:
         """Run the code; what it raised. Apart, so that no frame holds an exception that holds the frame."""
         try:
             context = self.context
-            context.check()
+            context.raise_if_cancelled()
             assert self.code is not None
             self.result = as_outcome(self.code().execute(context, **self.arguments))
         except BaseException as raised:  # whatever it is, the agent must hear of it

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Mapping
-from dataclasses import dataclass, field, is_dataclass, replace
+from dataclasses import dataclass, is_dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -14,8 +14,8 @@ from aseme_dsl.runtime.activity.execution import Execution, Host
 from aseme_dsl.runtime.activity.returning import as_outcome, frames_of, is_cancellation, reason_of
 from aseme_dsl.runtime.chart.functions import TYPES
 from aseme_dsl.runtime.chart.inputs import Cancel, Completed, Crashed, Start
+from aseme_dsl.runtime.chart.missing_decisions import listed, undecided
 from aseme_dsl.runtime.chart.plan import ActivityInfo
-from aseme_dsl.runtime.chart.undecided import listed, undecided
 from aseme_dsl.runtime.conversation.directory import Offer, Withdraw
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.message.convert import same_shape
@@ -47,7 +47,6 @@ class _Node:
     next: Start | None = None
     held: Timer | None = None
     waits: bool = False
-    warned: set[str] = field(default_factory=set)
 
 
 class Executions:

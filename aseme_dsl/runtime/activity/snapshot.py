@@ -19,7 +19,7 @@ from aseme_dsl.runtime.activity.context import (
 )
 from aseme_dsl.runtime.activity.returning import as_outcome
 from aseme_dsl.runtime.chart.board import Board
-from aseme_dsl.runtime.chart.inputs import Arrived, Identity, Mail
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Sample
 from aseme_dsl.runtime.chart.plan import ActivityInfo, Variable
 from aseme_dsl.runtime.conversation.directory import Directory
 from aseme_dsl.runtime.world.body import Body
@@ -57,9 +57,9 @@ class Snapshot:
     board: Board
     variables: dict[str, tuple[Variable, Any]]
     """Those that its state can see, with their values."""
-    mail: tuple[Mail, ...] | None
+    mail: tuple[AgentMessage, ...] | None
     """What waits; None outside a protocol's participant."""
-    received: tuple[Mail, ...]
+    received: tuple[AgentMessage, ...]
     """What was taken."""
     arguments: dict[str, Any]
     """What it is given, by parameter."""
@@ -144,11 +144,11 @@ class SnapshotPort:
     async def sleep(self, duration: int) -> None:
         raise RuntimeError("a 'process' activity waits with context.wait(…)")
 
-    def newest(self, channel: str, host: str | None) -> Arrived | None:
+    def newest(self, channel: str, host: str | None) -> Sample | None:
         access.check_read(self._snapshot.info, channel)
         return self._snapshot.board.newest(channel, host)
 
-    def history(self, channel: str, host: str | None) -> tuple[Arrived, ...]:
+    def history(self, channel: str, host: str | None) -> tuple[Sample, ...]:
         access.check_read(self._snapshot.info, channel)
         return self._snapshot.board.history(channel, host)
 
@@ -160,7 +160,7 @@ class SnapshotPort:
         now = self.now()
         return SnapshotPort(self._snapshot, self._tell, lambda: now, self._wait, self._is_cancelled)
 
-    def take(self, channel: str, host: str | None) -> Arrived | None:
+    def take(self, channel: str, host: str | None) -> Sample | None:
         access.check_read(self._snapshot.info, channel)
         item = self._snapshot.board.take(channel, host)
         if item is not None:
@@ -172,7 +172,9 @@ class SnapshotPort:
         access.check_get(self._snapshot.info, variable, name)
         return value
 
-    def receive(self, performative: str | None, message: str | None, sender: str | None) -> Mail | None:
+    def receive(
+        self, performative: str | None, message: str | None, sender: str | None
+    ) -> AgentMessage | None:
         if self._snapshot.mail is None:
             raise LookupError(f"{self.activity} is not part of a protocol's participant here")
         for item in self._mail:
@@ -183,7 +185,7 @@ class SnapshotPort:
                 return item
         return None
 
-    def received(self) -> tuple[Mail, ...]:
+    def received(self) -> tuple[AgentMessage, ...]:
         if self._snapshot.mail is None:
             raise LookupError(f"{self.activity} is not part of a protocol's participant here")
         return tuple(self._received)
@@ -286,7 +288,7 @@ def run_snapshot(execution: Execution) -> None:
     """Run a `process` activity in this thread, on a snapshot as if it were in another process."""
     error: BaseException | None = None
     try:
-        execution.context.check()
+        execution.context.raise_if_cancelled()
         port = SnapshotPort(
             snapshot_of(execution),
             lambda told: tell(execution, told),

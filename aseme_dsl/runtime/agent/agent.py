@@ -15,13 +15,14 @@ from aseme_dsl.runtime.activity.executions import Executions
 from aseme_dsl.runtime.activity.modules import Modules
 from aseme_dsl.runtime.activity.returning import frames_of, reason_of
 from aseme_dsl.runtime.agent.behaviours import JadeLikeAgent, agent_class
-from aseme_dsl.runtime.agent.carry import Carried
 from aseme_dsl.runtime.agent.overload import Overload
+from aseme_dsl.runtime.agent.state_transfer import Carried
 from aseme_dsl.runtime.channel.bus import SELECT, Bus
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.input_queue import Errand, Intake, Posted, Writer
 from aseme_dsl.runtime.chart.inputs import (
-    Arrived,
+    AgentMessage,
     Cancel,
     Completed,
     Crashed,
@@ -34,15 +35,14 @@ from aseme_dsl.runtime.chart.inputs import (
     Joined,
     Left,
     LeftOut,
-    Mail,
     MailTaken,
     Outcome,
     Publication,
+    Sample,
     Sending,
     Start,
     Written,
 )
-from aseme_dsl.runtime.chart.intake import Errand, Intake, Posted, Writer
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, Variable
 from aseme_dsl.runtime.conversation import directory as d
 from aseme_dsl.runtime.conversation.conversation import Conversations
@@ -187,7 +187,7 @@ class Agent:
     def _want(self) -> None:
         self._wanted = True
 
-    def _pending(self) -> Iterable[Arrived]:
+    def _pending(self) -> Iterable[Sample]:
         """What has arrived since the step began."""
         return self.intake.arrived()
 
@@ -219,9 +219,9 @@ class Agent:
         if item.execution is not None and item.execution.cancelled:
             item.execution.dropped += 1
             return False
-        if isinstance(item.input, Mail):
+        if isinstance(item.input, AgentMessage):
             return self.conversations.arrives(self, item.input, item.conversation)
-        if isinstance(item.input, Arrived) and item.input.channel == SELECT:
+        if isinstance(item.input, Sample) and item.input.channel == SELECT:
             self.chosen(self, item.input.message.plan, item.input.sender)
             return SELECT in self.chart.READERS
         return True
@@ -232,7 +232,7 @@ class Agent:
         self.steps += 1
         if not chart.started:
             self._show()
-        ahead: list[Arrived] = []
+        ahead: list[Sample] = []
         if not self.driver.clock.virtual:
             chart.pending = lambda: self._ahead(ahead)
         drained, chart.drains = chart.drains, False
@@ -318,7 +318,7 @@ class Agent:
         if self.shown is not None and labels is not None:
             self.shown.go_on(before, labels)
 
-    def _ahead(self, seen: list[Arrived]) -> Iterable[Arrived]:
+    def _ahead(self, seen: list[Sample]) -> Iterable[Sample]:
         found = self._pending()
         known = {item.identity for item in seen}
         seen.extend(item for item in found if item.identity not in known)
@@ -464,8 +464,8 @@ class Agent:
     def _lose(self, inputs: Iterable[Posted]) -> None:
         """What comes for an agent that is down is lost."""
         for item in inputs:
-            if isinstance(item.input, Arrived | Mail):
-                name = item.input.channel if isinstance(item.input, Arrived) else item.input.message
+            if isinstance(item.input, Sample | AgentMessage):
+                name = item.input.channel if isinstance(item.input, Sample) else item.input.message
                 text = f"{name} from {item.input.sender} is lost: {self.name} is down"
                 now = self.driver.clock.now()
                 self.trace.fault(now, self.name, text, input=list(item.identity))
@@ -492,12 +492,12 @@ class Agent:
         found = item.input
         try:
             match found:
-                case Arrived(channel):
+                case Sample(channel):
                     if channel in self.chart.READERS:
                         found = arrived(found, self.messages)
                     if labels is not None and found.written_by is not None:
                         found = replace(found, written_by=labels.get(found.written_by, ""))
-                case Mail():
+                case AgentMessage():
                     found = mailed(found, self.messages)
                     if labels is not None:
                         found = replace(found, branch=labels[found.branch])
@@ -630,7 +630,7 @@ class Agent:
         message: str | None,
         sender: str | None,
         identity: Identity | None = None,
-    ) -> Mail | None:
+    ) -> AgentMessage | None:
         """The oldest agent message that waits in the activity's branch. Called while the agent is guarded."""
         branch = execution.branch
         if branch is None or execution.cancelled:
@@ -640,7 +640,7 @@ class Agent:
             if c.matches(item, performative, message, sender) and identity in (None, item.identity):
                 waiting.remove(item)
                 self.trace.write(
-                    "taken",
+                    "consumed",
                     self.driver.clock.now(),
                     agent=self.name,
                     input=list(item.identity),
@@ -705,7 +705,7 @@ def _identities(inputs: Iterable[Posted]) -> list[Identity]:
 
 def _is_for_any_plan(item: Posted | Errand) -> bool:
     """Whether what has come in means something to another plan than the one that it came for."""
-    return not isinstance(item, Posted) or isinstance(item.input, Arrived | Happened)
+    return not isinstance(item, Posted) or isinstance(item.input, Sample | Happened)
 
 
 def _is_said(effect: Effect) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from aseme_dsl.runtime.activity.execution import Host
-from aseme_dsl.runtime.chart.intake import CROWD, Intake
+from aseme_dsl.runtime.chart.input_queue import CROWD, Intake
 from aseme_dsl.runtime.chart.plan import State
 from aseme_dsl.runtime.time.clock import SECOND
 
@@ -78,7 +78,7 @@ class Overload:
         agent = self._agent
         sort.told = agent.driver.clock.now()
         agent.trace.write(
-            "crowd",
+            "overload",
             sort.told,
             agent=agent.name,
             channel=channel or None,

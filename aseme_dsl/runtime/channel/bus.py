@@ -27,7 +27,7 @@ from typing import Any
 
 from aseme_dsl.runtime.channel.persist import Kept
 from aseme_dsl.runtime.chart.board import QUEUE
-from aseme_dsl.runtime.chart.inputs import Arrived, Happened, Identity
+from aseme_dsl.runtime.chart.inputs import Happened, Identity, Sample
 from aseme_dsl.runtime.chart.plan import ChannelInfo, Plan, Term
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.ports import Links, Receiver, Speaker
@@ -183,7 +183,7 @@ class Bus:
                 self.trace.fault(now, agent.name, f"{text}: what comes now is refused")
             return
         held.waiting.append((message, region, activity))
-        self._refused("held", agent, rules.name, message, "too soon after the last", until=due)
+        self._refused("delayed", agent, rules.name, message, "too soon after the last", until=due)
         if held.timer is None:
             held.timer = self._driver.at(due, lambda: self._release(agent, rules, host, held))
 
@@ -234,7 +234,7 @@ class Bus:
             activity=activity,
             via="radio" if radio is not None else None,
         )
-        self._deliver(route.here, agent, Arrived(channel, message, agent.name, now, identity), region)
+        self._deliver(route.here, agent, Sample(channel, message, agent.name, now, identity), region)
         if route.elsewhere:
             self._transport.publish(identity, rules, channel, message, route.elsewhere, now, host)
         if radio is not None and host != agent.name:
@@ -245,11 +245,11 @@ class Bus:
                 self.trace.fault(now, agent.name, error)
 
     def _deliver(
-        self, receivers: Iterable[Receiver], agent: Receiver | None, item: Arrived, region: str | None
+        self, receivers: Iterable[Receiver], agent: Receiver | None, item: Sample, region: str | None
     ) -> None:
         own = item
         if region is not None:
-            own = Arrived(item.channel, item.message, item.sender, item.time, item.identity, region)
+            own = Sample(item.channel, item.message, item.sender, item.time, item.identity, region)
         for other in receivers:
             if self.links is None or agent is None or other is agent:
                 other.post(item.identity, own if other is agent else item)
@@ -299,7 +299,7 @@ class Bus:
             self.trace.message(
                 now, identity, channel, message, [agent.name], sender=None if sender == "input" else sender
             )
-            agent.post(identity, Arrived(channel, message, sender, now, identity))
+            agent.post(identity, Sample(channel, message, sender, now, identity))
 
     def give_event(self, agent: Receiver, event: str) -> None:
         """Give an agent an event that none of its activities has raised."""
@@ -319,7 +319,7 @@ class Bus:
             identity = agent.identity()
             now = self._driver.clock.now()
             self.trace.write(
-                "heard",
+                "radio_received",
                 now,
                 agent=agent.name,
                 sequence=identity[1],
@@ -328,7 +328,7 @@ class Bus:
                 message=to_json(message),
             )
             if channel in self._reads[agent.name]:
-                agent.post(identity, Arrived(channel, message, sender, now, identity))
+                agent.post(identity, Sample(channel, message, sender, now, identity))
 
     def arrived(
         self,
@@ -361,7 +361,7 @@ class Bus:
                     host=host,
                 )
             if channel in self._reads[agent.name] or channel == SELECT:
-                agent.post(identity, Arrived(channel, message, sender, moment, identity))
+                agent.post(identity, Sample(channel, message, sender, moment, identity))
         return None
 
     def _objection(self, agent: Receiver, channel: str, sender: str, host: str | None) -> str | None:
@@ -400,7 +400,7 @@ class Bus:
                 else:
                     route = self._route((host,) if host in self._roles else ())
                 self.trace.message(now, identity, channel, message, route.names, host=host, via="kept")
-                self._deliver(route.here, agent, Arrived(channel, message, agent.name, now, identity), None)
+                self._deliver(route.here, agent, Sample(channel, message, agent.name, now, identity), None)
                 if route.elsewhere:
                     self._transport.publish(identity, rules, channel, message, route.elsewhere, now, host)
 
@@ -439,7 +439,7 @@ class Bus:
             )
 
 
-def _giving(agent: Receiver, item: Arrived) -> Callable[[], None]:
+def _giving(agent: Receiver, item: Sample) -> Callable[[], None]:
     return lambda: agent.post(item.identity, item)
 
 

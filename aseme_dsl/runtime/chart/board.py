@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from aseme_dsl.runtime.chart import history
 from aseme_dsl.runtime.chart.history import History
-from aseme_dsl.runtime.chart.inputs import Arrived, Identity
+from aseme_dsl.runtime.chart.inputs import Identity, Sample
 
 NEVER = sys.maxsize
 """A moment that does not come."""
@@ -36,13 +36,13 @@ class Board:
     TIMED: ClassVar[frozenset[str]] = frozenset()
 
     def __init__(self) -> None:
-        self._states: dict[str, dict[str, Arrived]] = {}
+        self._states: dict[str, dict[str, Sample]] = {}
         self._data: dict[str, History] = {}
-        self._signals: dict[str, list[Arrived]] = {}
-        self._seen: dict[tuple[str, str | None], Arrived] = {}
+        self._signals: dict[str, list[Sample]] = {}
+        self._seen: dict[tuple[str, str | None], Sample] = {}
         self.ahead: set[Identity] = set()
         """What `read_messages` has put here before it comes as an input."""
-        self.asked: list[Arrived] = []
+        self.asked: list[Sample] = []
         self.timers: dict[str, int] = {}
         self.drafts: dict[tuple[str, str | None], dict[tuple[str, ...], Any]] = {}
         for slots in self.SLOTS.values():
@@ -64,7 +64,7 @@ class Board:
 
     # ---- writing ---------------------------------------------------------------------------
 
-    def put(self, item: Arrived, now: int) -> None:
+    def put(self, item: Sample, now: int) -> None:
         """Take in a message of one of the board's channels."""
         channel = item.channel
         comm = channel.split(".", 2)[1]
@@ -98,7 +98,7 @@ class Board:
 
     # ---- reading ---------------------------------------------------------------------------
 
-    def newest(self, channel: str, host: str | None = None) -> Arrived | None:
+    def newest(self, channel: str, host: str | None = None) -> Sample | None:
         """What an expression sees: a state's latest, a signal's oldest waiting, the newest data."""
         if channel in self._signals:
             return next((i for i in self._signals[channel] if host in (None, i.sender)), None)
@@ -110,7 +110,7 @@ class Board:
         data = self._data.get(channel)
         return None if data is None else data.newest(host)
 
-    def history(self, channel: str, host: str | None = None) -> tuple[Arrived, ...]:
+    def history(self, channel: str, host: str | None = None) -> tuple[Sample, ...]:
         """The data messages that are kept, oldest first."""
         data = self._data.get(channel)
         return () if data is None else data.of(host)
@@ -161,14 +161,14 @@ class Board:
             if not board._drop(item) and item.identity in self.ahead:
                 board.ahead.add(item.identity)
 
-    def take(self, channel: str, host: str | None = None) -> Arrived | None:
+    def take(self, channel: str, host: str | None = None) -> Sample | None:
         """Read a signal as an activity does: it is gone afterwards."""
         item = self.newest(channel, host)
         if item is not None and channel in self._signals:
             self._drop(item)
         return item
 
-    def _drop(self, item: Arrived) -> bool:
+    def _drop(self, item: Sample) -> bool:
         waiting = self._signals.get(item.channel, [])
         for index, other in enumerate(waiting):
             if other is item:

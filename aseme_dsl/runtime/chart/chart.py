@@ -13,7 +13,7 @@ from typing import Any, ClassVar
 from aseme_dsl.runtime.chart.board import NEVER, QUEUE, Board, built
 from aseme_dsl.runtime.chart.functions import checked, find_function, results_of
 from aseme_dsl.runtime.chart.inputs import (
-    Arrived,
+    AgentMessage,
     Cancel,
     Completed,
     Crashed,
@@ -24,10 +24,10 @@ from aseme_dsl.runtime.chart.inputs import (
     Joined,
     Left,
     LeftOut,
-    Mail,
     MailTaken,
     Outcome,
     Publication,
+    Sample,
     Sending,
     Start,
     Written,
@@ -127,13 +127,13 @@ class Chart:
         self.events: set[str] = set()
         self.spent: set[tuple[int, str]] = set()
         """The events that a transition of a region has taken in this step."""
-        self.mail: dict[str, list[Mail]] = {info.label: [] for info in self.PLAN.branches}
+        self.mail: dict[str, list[AgentMessage]] = {info.label: [] for info in self.PLAN.branches}
         self.writes: list[tuple[int, str, Any]] = []
         self.drains = False
         """Whether a step has dropped a signal behind which another one waits; reset like `woken`."""
         self.woken = False
         """Whether a step has written what another region reads; whoever makes the next one resets it."""
-        self.pending: Callable[[], Iterable[Arrived]] = tuple
+        self.pending: Callable[[], Iterable[Sample]] = tuple
         self.queue = QUEUE
         """How many signals of a queued channel may wait in a region."""
         self._faults: set[int] = set()
@@ -234,7 +234,7 @@ class Chart:
         self._end_step(outcome)
         return outcome
 
-    def _arrived(self, item: Arrived) -> None:
+    def _arrived(self, item: Sample) -> None:
         boards = self.boards()
         for region in self.READERS.get(item.channel, ()):
             board = boards[region]
@@ -265,19 +265,19 @@ class Chart:
         for slot in self.VARIABLES[item.variable]:
             setattr(self, slot, item.value)
 
-    def _mailed(self, item: Mail) -> None:
+    def _mailed(self, item: AgentMessage) -> None:
         self.mail[item.branch].append(item)
 
     _RECEIVE: ClassVar[Mapping[type[Input], Callable[[Any, Any], None]]] = {
-        Arrived: _arrived,
+        Sample: _arrived,
         Completed: _completed,
         Crashed: _crashed,
         Happened: _happened,
         Written: _written,
-        Mail: _mailed,
+        AgentMessage: _mailed,
     }
 
-    def _put(self, region: int, board: Board, item: Arrived) -> None:
+    def _put(self, region: int, board: Board, item: Sample) -> None:
         """Put a message on a region's board, unless too many wait there that nobody takes."""
         if item.channel in board.QUEUED and board.waits(item.channel) >= self.queue:
             self.effects.append(LeftOut(self.REGIONS[region], item.channel))
@@ -453,7 +453,9 @@ class Chart:
         """Whether an activity of the state or inside it has failed."""
         return any(item == label or item.startswith(label + ".") for item in self.failed)
 
-    def waiting_mail(self, branch: str, performative: str, message: str, participant: str) -> Mail | None:
+    def waiting_mail(
+        self, branch: str, performative: str, message: str, participant: str
+    ) -> AgentMessage | None:
         """The oldest agent message of that kind that waits in a branch."""
         return next(self.letters(branch, [(performative, message, participant)]), None)
 
@@ -463,7 +465,7 @@ class Chart:
         if item is not None:
             self.take_letter(item)
 
-    def letters(self, branch: str, kinds: Iterable[tuple[str, str, str]]) -> Iterator[Mail]:
+    def letters(self, branch: str, kinds: Iterable[tuple[str, str, str]]) -> Iterator[AgentMessage]:
         """The agent messages of these kinds that wait in a branch: kind by kind, the oldest first."""
         waiting = self.mail[branch]
         for kind in kinds:
@@ -471,7 +473,7 @@ class Chart:
                 if (item.performative, item.message, item.participant) == kind:
                     yield item
 
-    def take_letter(self, item: Mail) -> None:
+    def take_letter(self, item: AgentMessage) -> None:
         """A transition takes an agent message, unless another part of it has done so."""
         if any(other is item for other in self.mail[item.branch]):
             self.mail[item.branch] = [other for other in self.mail[item.branch] if other is not item]
@@ -486,7 +488,7 @@ class Chart:
         for host, message in (drafts or board).take_drafts(channel, self.MESSAGES[channel]):
             self.effects.append(Publication(channel, message, host, label))
             if host in (None, self.agent) and channel in board.CHANNELS:
-                own = Arrived(channel, message, self.agent, self.now, (self.agent, 0), label)
+                own = Sample(channel, message, self.agent, self.now, (self.agent, 0), label)
                 self._put(region, board, own)
 
     def send(

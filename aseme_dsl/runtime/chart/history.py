@@ -8,7 +8,7 @@ from functools import reduce
 from operator import add
 from typing import Any
 
-from aseme_dsl.runtime.chart.inputs import Arrived
+from aseme_dsl.runtime.chart.inputs import Sample
 
 
 class History:
@@ -19,13 +19,13 @@ class History:
 
     __slots__ = ("_before", "_newest", "_shown", "_window")
 
-    def __init__(self, items: Iterable[Arrived] = ()) -> None:
+    def __init__(self, items: Iterable[Sample] = ()) -> None:
         """With these, oldest first."""
         self._window = deque(items)
-        self._before: dict[str, Arrived] = {}
+        self._before: dict[str, Sample] = {}
         """Of each sender the newest that is older than the window, in the order of their times."""
         self._newest = {item.sender: item for item in self._window}
-        self._shown: tuple[Arrived, ...] | None = None
+        self._shown: tuple[Sample, ...] | None = None
 
     def copy(self) -> History:
         """The same messages, to be added to apart."""
@@ -38,7 +38,7 @@ class History:
         made._shown = self._shown
         return made
 
-    def add(self, item: Arrived, oldest: int) -> None:
+    def add(self, item: Sample, oldest: int) -> None:
         """Add a message in its place in time; the window begins at `oldest`, which never goes back."""
         self._shown = None
         window, before = self._window, self._before
@@ -66,38 +66,38 @@ class History:
                 place -= 1
             window.insert(place, item)
 
-    def newest(self, host: str | None = None) -> Arrived | None:
+    def newest(self, host: str | None = None) -> Sample | None:
         """The newest of all, or of a sender, or None."""
         if host is not None:
             return self._newest.get(host)
         return next(reversed(self), None)
 
-    def of(self, host: str | None = None) -> tuple[Arrived, ...]:
+    def of(self, host: str | None = None) -> tuple[Sample, ...]:
         """All that is kept, or what is of a sender."""
         if self._shown is None:
             self._shown = (*self._before.values(), *self._window)
         return self._shown if host is None else tuple(item for item in self._shown if item.sender == host)
 
-    def __iter__(self) -> Iterator[Arrived]:
+    def __iter__(self) -> Iterator[Sample]:
         yield from self._before.values()
         yield from self._window
 
-    def __reversed__(self) -> Iterator[Arrived]:
+    def __reversed__(self) -> Iterator[Sample]:
         yield from reversed(self._window)
         yield from reversed(self._before.values())
 
 
-def at(items: Reversible[Arrived], moment: int) -> Arrived | None:
+def at(items: Reversible[Sample], moment: int) -> Sample | None:
     """The newest that was measured by then, or None."""
     return next((item for item in reversed(items) if item.time <= moment), None)
 
 
-def since(items: Sequence[Arrived], moment: int) -> tuple[Arrived, ...]:
+def since(items: Sequence[Sample], moment: int) -> tuple[Sample, ...]:
     """What was measured at that moment or later."""
     return tuple(item for item in items if item.time >= moment)
 
 
-def mean(items: Sequence[Arrived], moment: int, member: str) -> float | None:
+def mean(items: Sequence[Sample], moment: int, member: str) -> float | None:
     """The mean of a member (`pose.x`) over what was measured since then, or None.
 
     A message in which the member is absent does not count.
@@ -109,7 +109,7 @@ def mean(items: Sequence[Arrived], moment: int, member: str) -> float | None:
     return reduce(add, values) / len(values) if values else None
 
 
-def interpolated(items: Sequence[Arrived], moment: int, member: str) -> float | None:
+def interpolated(items: Sequence[Sample], moment: int, member: str) -> float | None:
     """A member (`pose.x`) at a moment, on the straight line between the measurements before and after.
 
     None before the first and after the last measurement in which the member is there. Raises TypeError for a

@@ -27,7 +27,7 @@ LOST = "lost"
 
 
 @_made_often
-class Arrived:
+class Sample:
     """A message on a channel (`vision.state.Ball`), measured at `time` (ns).
 
     `written_by` is the label of the agent's own region that wrote it, which saw it at once; None for
@@ -79,7 +79,7 @@ class Written:
 
 
 @_made_often
-class Mail:
+class AgentMessage:
     """An agent message for the protocol branch at `branch`, to wait there until something takes it.
 
     That an agent is gone is told as one whose performative is `LOST`, without a message, from that agent.
@@ -98,7 +98,7 @@ class Mail:
     """Until when its sender wants an answer, in ns of the run, if it says so."""
 
 
-Input = Arrived | Completed | Crashed | Happened | Written | Mail
+Input = Sample | Completed | Crashed | Happened | Written | AgentMessage
 
 
 # ---- effects -----------------------------------------------------------------------------------

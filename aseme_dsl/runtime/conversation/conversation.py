@@ -22,9 +22,9 @@ from dataclasses import replace
 from typing import Any
 
 from aseme_dsl.runtime.chart.board import QUEUE
-from aseme_dsl.runtime.chart.inputs import LOST, Identity, Mail
+from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
-from aseme_dsl.runtime.conversation import outsiders
+from aseme_dsl.runtime.conversation import external_agents
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.directory import Directory
 from aseme_dsl.runtime.conversation.invitations import Part
@@ -102,8 +102,8 @@ class Conversations:
         self._playing = None
         self.directory.expect(name, plan)
 
-    def meet(self, name: str, hears: Hears) -> None:
-        """An agent that is not of the team runs in this process; it speaks by `arrived_from_outside`.
+    def add_external_agent(self, name: str, hears: Hears) -> None:
+        """An agent that is not of the team runs in this process; it speaks by `receive_external`.
 
         It is told messages while others wait: it only takes note of them, and answers later.
 
@@ -253,8 +253,8 @@ class Conversations:
         else:
             known = conversation.outsiders if conversation is not None else {}
             to = known.get(name, (AgentIdentifier(name),))
-            by = outsiders.fipa_moment(acl.reply_by, self._driver.clock)
-            self._carry_outside(acl.sender, outsiders.written(acl, to, reply_by=by), to)
+            by = external_agents.fipa_moment(acl.reply_by, self._driver.clock)
+            self._carry_outside(acl.sender, external_agents.written(acl, to, reply_by=by), to)
 
     def _carry_outside(self, sender: str, message: FipaMessage, to: Iterable[AgentIdentifier]) -> None:
         """Have a message carried to an agent that is not of the team; tell if there is no way to it."""
@@ -364,7 +364,7 @@ class Conversations:
             if acl.conversation in self._conversations:
                 self._close(acl.conversation)
 
-    def arrived_from_outside(self, to: str, message: FipaMessage) -> None:
+    def receive_external(self, to: str, message: FipaMessage) -> None:
         """An agent that is not of the team has sent a message to one of ours. May be called from any thread.
 
         It is handed on like any other if it is understood. Else it is told in the trace why it is not, and
@@ -397,20 +397,20 @@ class Conversations:
         infos = [
             info
             for info in agent.plan.branches
-            if not protocol or info.protocol == protocol or outsiders.plays(info.protocol, protocol)
+            if not protocol or info.protocol == protocol or external_agents.plays(info.protocol, protocol)
         ]
         if conversation is not None:
             places = conversation.places
             infos.sort(key=lambda info: (agent.name, info.participant) not in places)
         try:
-            if conversation is not None and not outsiders.plays(protocol, message.protocol or protocol):
-                raise outsiders.NotUnderstood(f"the conversation is one of {protocol}")
+            if conversation is not None and not external_agents.plays(protocol, message.protocol or protocol):
+                raise external_agents.NotUnderstood(f"the conversation is one of {protocol}")
             if not infos:
-                raise outsiders.NotUnderstood(
+                raise external_agents.NotUnderstood(
                     f"{agent.name} plays no part in {protocol[:100] or 'a protocol'}"
                 )
-            found = outsiders.understood(message, agent.plan, infos, agent.kinds)
-        except outsiders.NotUnderstood as problem:
+            found = external_agents.understood(message, agent.plan, infos, agent.kinds)
+        except external_agents.NotUnderstood as problem:
             self._not_understood(agent.name, message, identity, str(problem))
             return
         by = self._deadline(agent, message, sender)
@@ -451,7 +451,7 @@ class Conversations:
     def _deadline(self, agent: Receiver, message: FipaMessage, sender: str) -> int | None:
         """Until when an outsider wants an answer; None, and told, if what it says of that cannot be read."""
         try:
-            return outsiders.deadline(message, self._driver.clock)
+            return external_agents.deadline(message, self._driver.clock)
         except ValueError as problem:
             what = f"{message.performative} of {sender} is taken without its deadline"
             self._told.fault(agent.name, f"{what}: {problem} (reply-by)")
@@ -469,7 +469,7 @@ class Conversations:
         ):
             agent = self._agents.get(to)
             own = agent.identity() if agent is not None else (to, next(self._numbers))
-            answer = outsiders.answer(message, to, NOT_UNDERSTOOD, reason, name_of(own))
+            answer = external_agents.answer(message, to, NOT_UNDERSTOOD, reason, name_of(own))
             self._told.answered_outside(answer, own, identity)
             self._carry_outside(to, answer, answer.receivers)
 
@@ -505,7 +505,7 @@ class Conversations:
                 awaited = [part for part in parts if part in place.info.loses]
                 for part in awaited:
                     identity = agent.identity()
-                    mail = Mail(place.info.label, LOST, "", None, part, name, identity)
+                    mail = AgentMessage(place.info.label, LOST, "", None, part, name, identity)
                     self._told.takes_part(
                         "gone",
                         agent.name,
@@ -568,7 +568,7 @@ class Conversations:
         return (acl.performative, acl.message) in info.receives
 
     def _post(self, agent: Receiver, place: Participation, acl: AclMessage) -> None:
-        mail = Mail(
+        mail = AgentMessage(
             place.info.label,
             acl.performative,
             acl.message,
@@ -622,7 +622,7 @@ class Conversations:
         conversation = self._conversations.get(acl.conversation)
         known = conversation.outsiders if conversation is not None else {}
         to = known.get(acl.sender, (AgentIdentifier(acl.sender),))
-        self._carry_outside(agent.name, outsiders.written(answer, to, reason), to)
+        self._carry_outside(agent.name, external_agents.written(answer, to, reason), to)
 
     # ---- what the charts do ------------------------------------------------------------------
 
@@ -686,14 +686,14 @@ class Conversations:
                 place.taken[kind] = mail
                 place.answered[mail.sender] = mail
 
-    def taken_by(self, agent: Receiver, branch: str) -> tuple[Mail, ...]:
+    def taken_by(self, agent: Receiver, branch: str) -> tuple[AgentMessage, ...]:
         """What a participation has taken: the last of each kind and sender, the newest at the end."""
         with self._lock:
             place = self._desks[agent.name].branches.get(branch)
             taken = () if place is None else place.taken.values()
             return tuple(mail for mail in taken if mail.performative != LOST)
 
-    def arrives(self, agent: Receiver, mail: Mail, conversation: str | None) -> bool:
+    def arrives(self, agent: Receiver, mail: AgentMessage, conversation: str | None) -> bool:
         """Whether mail that was under way still finds its participant; tells and answers if it does not."""
         with self._driver.holding(), self._lock:
             place = self._desks[agent.name].branches.get(mail.branch)
@@ -856,9 +856,9 @@ def _said_outside(message: FipaMessage) -> tuple[Any, ...]:
     return message.reply_with, message.conversation, message.performative.lower(), message.content
 
 
-def _mails(items: Iterable[Mail], branch: str, messages: Messages) -> list[Mail]:
-    """Mail for the branch as it is called now; what there is no message for any more is left out."""
-    found: list[Mail] = []
+def _mails(items: Iterable[AgentMessage], branch: str, messages: Messages) -> list[AgentMessage]:
+    """AgentMessage for the branch as it is called now; what there is no message for any more is left out."""
+    found: list[AgentMessage] = []
     for item in items:
         with suppress(LookupError):
             found.append(mailed(item if item.branch == branch else replace(item, branch=branch), messages))

@@ -33,7 +33,7 @@ class ConversationTrace:
         """A message is sent, and answers these."""
         if self._trace.active:
             self._trace.write(
-                "mail",
+                "agent_message",
                 self._driver.clock.now(),
                 agent=acl.sender,
                 sequence=acl.identity[1],
@@ -106,7 +106,7 @@ class ConversationTrace:
         """An agent that is not of the team is told that what it has said means nothing."""
         if self._trace.active:
             self._trace.write(
-                "mail",
+                "agent_message",
                 self._driver.clock.now(),
                 agent=identity[0],
                 sequence=identity[1],

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from aseme_dsl.runtime.chart.inputs import Identity, Mail
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity
 from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation.invitations import Invitations, Part
 from aseme_dsl.runtime.message.acl import AgentIdentifier
@@ -21,10 +21,10 @@ class Participation:
 
     info: BranchInfo
     conversation: str | None = None
-    waiting: dict[Identity, Mail] = field(default_factory=dict)
-    taken: dict[tuple[str, str, str], Mail] = field(default_factory=dict)
+    waiting: dict[Identity, AgentMessage] = field(default_factory=dict)
+    taken: dict[tuple[str, str, str], AgentMessage] = field(default_factory=dict)
     """The last one taken of each kind and sender, the newest at the end."""
-    answered: dict[str, Mail] = field(default_factory=dict)
+    answered: dict[str, AgentMessage] = field(default_factory=dict)
     """The last one taken of each sender: what is sent to it next is an answer to that."""
     was_full: bool = False
 

@@ -18,7 +18,7 @@ from aseme_dsl.runtime.activity.stacks import place_of
 from aseme_dsl.runtime.driver.real_time import RealTime
 from aseme_dsl.runtime.ports import Stepping
 from aseme_dsl.runtime.time.clock import SECOND, RealClock, shown
-from aseme_dsl.runtime.time.timekeeper import Timekeeper
+from aseme_dsl.runtime.time.timer_thread import Timekeeper
 from aseme_dsl.runtime.time.timers import Timer
 from aseme_dsl.runtime.workers.process_wide import switching
 from aseme_dsl.runtime.workers.threads import Threads

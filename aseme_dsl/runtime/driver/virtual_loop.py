@@ -25,7 +25,7 @@ async def _error(execution: Execution) -> BaseException | None:
     """Run the code; what it raised. Apart, so that no frame holds an exception that holds the frame."""
     try:
         context = execution.context
-        context.check()
+        context.raise_if_cancelled()
         assert execution.code is not None
         execution.result = as_outcome(await execution.code().execute(context, **execution.arguments))
     except BaseException as raised:  # whatever it is, the agent must hear of it

@@ -55,7 +55,7 @@ class AclTextError(ValueError):
 # ---- reading -----------------------------------------------------------------------------------
 
 
-def read(text: bytes | str) -> FipaMessage:
+def loads(text: bytes | str) -> FipaMessage:
     """The message that a text is, from its first parenthesis to its last.
 
     A content with its length in bytes is text if it is UTF-8.
@@ -340,7 +340,7 @@ _PARAMETERS: dict[str, tuple[str, Callable[[_Reader], Any]]] = {
 # ---- writing -----------------------------------------------------------------------------------
 
 
-def written(message: FipaMessage) -> bytes:
+def dumps(message: FipaMessage) -> bytes:
     """The text of a message, in UTF-8, a parameter a line. Parameters that are empty are left out.
 
     Moments are cut to the millisecond; those of a zone that FIPA has no letter for are written in UTC.

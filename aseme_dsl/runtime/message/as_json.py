@@ -1,5 +1,8 @@
 """Messages as JSON and back, the way Protocol Buffers spell them: enums by name, bytes in base64."""
 
+# msgspec writes enums as numbers and not-a-number as null, and passes over unknown members. Robots import
+# only the standard library and protobuf.
+
 from __future__ import annotations
 
 import base64

@@ -7,7 +7,7 @@ from dataclasses import is_dataclass, replace
 from enum import IntEnum
 from typing import Any, get_args, get_origin
 
-from aseme_dsl.runtime.chart.inputs import Arrived, Mail
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Sample
 from aseme_dsl.runtime.message.as_json import from_json, member_types, to_json
 
 Messages = Mapping[str, Any]
@@ -49,13 +49,13 @@ def like(value: Any, example: Any, messages: Messages) -> Any:
     return converted(value, messages)
 
 
-def arrived(item: Arrived, messages: Messages) -> Arrived:
+def arrived(item: Sample, messages: Messages) -> Sample:
     """What has arrived, with its message converted. Raises LookupError like `converted`."""
     message = converted(item.message, messages)
     return item if message is item.message else replace(item, message=message)
 
 
-def mailed(item: Mail, messages: Messages) -> Mail:
+def mailed(item: AgentMessage, messages: Messages) -> AgentMessage:
     """An agent message with its content converted. Raises LookupError like `converted`."""
     content = converted(item.content, messages)
     return item if content is item.content else replace(item, content=content)

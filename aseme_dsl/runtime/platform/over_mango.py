@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.message.acl import fipa_name, performative_of
-from aseme_dsl.runtime.platform.notes import OURS
+from aseme_dsl.runtime.platform.acl_headers import OURS
 from aseme_dsl.runtime.platform.platform import Headers
 from aseme_dsl.runtime.transport.port import TransportError
 
@@ -94,7 +94,7 @@ class MangoPlatform:
         if len(places) > 1:
             raise TransportError(
                 f"{', '.join(agents)} are in one process, and have different addresses: start each in one of"
-                " its own (`asemec run --process-per-robot`), or give them one address"
+                " its own (`asemec run --process-per-agent`), or give them one address"
             )
         host, port = next(iter(places), ("127.0.0.1", 0))
         self._loop = asyncio.new_event_loop()

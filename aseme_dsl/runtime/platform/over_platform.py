@@ -19,8 +19,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, performative_of
-from aseme_dsl.runtime.platform import notes
-from aseme_dsl.runtime.platform.notes import OURS
+from aseme_dsl.runtime.platform import acl_headers
+from aseme_dsl.runtime.platform.acl_headers import OURS
 from aseme_dsl.runtime.platform.platform import Headers, Platform
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
 from aseme_dsl.runtime.transport.link import Answer, Stamp
@@ -112,14 +112,14 @@ class PlatformLink:
         """Send something to where its receiver is, if that is known."""
         known = self._known.get(to)
         if known is not None:
-            headers = notes.letter(envelope, stamp, payload, sender, self._system)
+            headers = acl_headers.letter(envelope, stamp, payload, sender, self._system)
             self._platform.send(sender, known.address, headers, payload.decode(), kept=False)
 
     def say(self, to: str, sender: str, message: FipaMessage) -> bool:
         """Say something to an outsider; False if that is no address."""
         if not self._platform.is_address(to):
             return False
-        headers, body = notes.said(message)
+        headers, body = acl_headers.said(message)
         self._platform.send(sender, to, headers, body, kept=True)
         return True
 
@@ -135,9 +135,9 @@ class PlatformLink:
             if sender is None or OURS not in headers:
                 self._came_from_outside(to, origin, headers, body)
                 return
-            said = notes.ours(headers)
+            said = acl_headers.ours(headers)
             if "kind" in said:
-                envelope = notes.read_letter(said, headers, body.encode(), self._system)
+                envelope = acl_headers.read_letter(said, headers, body.encode(), self._system)
                 self._heard_of(envelope.incarnation)
                 self._hears.arrived(to, sender, envelope, body.encode())
             else:
@@ -150,7 +150,7 @@ class PlatformLink:
     def _came_from_outside(self, to: str, origin: str, headers: Headers, body: str) -> None:
         name = self._platform.name_at(origin)
         if OURS not in headers:
-            self._hears.outside(to, notes.heard(name, to, headers, body))
+            self._hears.outside(to, acl_headers.heard(name, to, headers, body))
             return
         # Somebody speaks as if it were of the team: at an address of its own, or with a copy of a message.
         self._hears.unreadable(to, name, "it is none of the team's")
@@ -202,7 +202,7 @@ class PlatformLink:
             return {known.life: known.address for known in reversed(tuple(self._known.values()))}
 
     def _note(self, address: str, said: Mapping[str, Any], body: str = "", sender: str | None = None) -> None:
-        headers = {"performative": "inform", "protocol": notes.PROTOCOL, OURS: json.dumps(said)}
+        headers = {"performative": "inform", "protocol": acl_headers.PROTOCOL, OURS: json.dumps(said)}
         self._platform.send(sender or self._agents[0], address, headers, body, kept=False)
 
     def _heard_of(self, life: int) -> None:
@@ -304,7 +304,7 @@ class PlatformLink:
     def _answer(self, to: str, origin: str, name: str, what: str, question: str) -> None:
         """Answer a question; in a thread of its own, since that may take long."""
         for envelope, payload in self._hears.asked(to, what, question.encode()):
-            headers = dict(notes.letter(envelope, Stamp(), payload, to, self._system))
+            headers = dict(acl_headers.letter(envelope, Stamp(), payload, to, self._system))
             headers[OURS] = json.dumps({"answer": name, "envelope": json.loads(headers[OURS])})
             self._platform.send(to, origin, headers, payload.decode(), kept=False)
         self._note(origin, {"answer": name}, sender=to)
@@ -319,4 +319,6 @@ class PlatformLink:
         elif isinstance(envelope, dict):
             with contextlib.suppress(EnvelopeError):  # the question is then answered without it
                 payload = body.encode()
-                put.answers.append((notes.read_letter(envelope, headers, payload, self._system), payload))
+                put.answers.append(
+                    (acl_headers.read_letter(envelope, headers, payload, self._system), payload)
+                )

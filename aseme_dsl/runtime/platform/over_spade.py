@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 from xml.sax.saxutils import quoteattr
 
 from aseme_dsl.runtime.platform import stanza
-from aseme_dsl.runtime.platform.notes import OURS
+from aseme_dsl.runtime.platform.acl_headers import OURS
 from aseme_dsl.runtime.platform.platform import Headers
 from aseme_dsl.runtime.transport.port import TransportError
 

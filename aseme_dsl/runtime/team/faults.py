@@ -52,13 +52,13 @@ class Partition:
 
 @dataclass(frozen=True, slots=True)
 class Faults:
-    """What goes wrong. `loss` and `doubling` are the chances of each transmission to be lost, and to be made
-    twice; one takes up to `delay` ns, by chance, which also puts them out of order.
+    """What goes wrong. `loss` and `duplication` are the probabilities of each transmission to be lost, and to
+    be made twice; each takes a random time of up to `delay` ns, which also puts them out of order.
     """
 
     seed: int = 1
     loss: float = 0.0
-    doubling: float = 0.0
+    duplication: float = 0.0
     delay: int = 0
     crashes: tuple[Crash, ...] = ()
     partitions: tuple[Partition, ...] = ()
@@ -184,7 +184,7 @@ class Links:
         if self._is_cut(now, sender, receiver):
             return False
         came = False
-        for _ in range(2 if chance.random() < faults.doubling else 1):
+        for _ in range(2 if chance.random() < faults.duplication else 1):
             if chance.random() >= faults.loss:
                 came = True
                 self._driver.at(now + (chance.randint(0, faults.delay) if faults.delay else 0), arrive)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.time.clock import MILLISECOND
-from aseme_dsl.runtime.world.body import BodyLost
+from aseme_dsl.runtime.world.body import BodyConnectionError
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.agent.agent import Agent
@@ -56,7 +56,7 @@ class Radio:
             self._rules = {info.name: info for info in self._agent.plan.channels}
             for entry in [entry for entry in self._waiting if entry[0] not in self._rules]:
                 self._waiting.remove(entry)
-                self._tell("unsaid", entry[0], entry[2], entry[3], "its channel is not in the new plan")
+                self._tell("radio_failed", entry[0], entry[2], entry[3], "its channel is not in the new plan")
 
     def begin(self, step: int | None) -> None:
         """Listen from now on: after every step of the world, which lasts `step` ns."""
@@ -77,7 +77,7 @@ class Radio:
             heard = body.hear()
             with self._lock:
                 self._say_waiting()
-        except BodyLost as error:
+        except BodyConnectionError as error:
             self._lose(error)
             return
         for item in heard:
@@ -90,16 +90,16 @@ class Radio:
         """Say a message, now or as soon as the radio takes it."""
         with self._lock:
             if self._lost:
-                self._tell("unsaid", channel, message, identity, "the body is lost")
+                self._tell("radio_failed", channel, message, identity, "the body is lost")
                 return
             self._wait(channel, message, host, identity)
             try:
                 self._say_waiting()
-            except BodyLost as error:
+            except BodyConnectionError as error:
                 self._lose(error)
                 return
             if self._waiting and self._waiting[-1][3] == identity:
-                self._tell("held", channel, message, identity, "the radio takes no more at the moment")
+                self._tell("delayed", channel, message, identity, "the radio takes no more at the moment")
 
     def _wait(self, channel: str, message: Any, host: str | None, identity: Identity) -> None:
         """Put a message at the end of those to be said; it replaces one of its kind that waits."""
@@ -122,7 +122,7 @@ class Radio:
                 payload = self._packed(channel, host, message)
                 taken = body.say(payload)
             except ValueError as error:
-                self._tell("unsaid", channel, message, identity, str(error))
+                self._tell("radio_failed", channel, message, identity, str(error))
                 taken = True
             if not taken:
                 return
@@ -155,15 +155,17 @@ class Radio:
 
     # ---- the trace ---------------------------------------------------------------------------
 
-    def _lose(self, error: BodyLost) -> None:
+    def _lose(self, error: BodyConnectionError) -> None:
         with self._lock:
             if self._lost:
                 return
             self._lost = True
             agent = self._agent
-            agent.trace.fault(agent.driver.clock.now(), agent.name, f"the radio is silent: BodyLost: {error}")
+            agent.trace.fault(
+                agent.driver.clock.now(), agent.name, f"the radio is silent: BodyConnectionError: {error}"
+            )
             for channel, _, message, identity in self._waiting:
-                self._tell("unsaid", channel, message, identity, "the body is lost")
+                self._tell("radio_failed", channel, message, identity, "the body is lost")
             self._waiting.clear()
 
     def _tell(self, kind: str, channel: str, message: Any, identity: Identity, reason: str) -> None:

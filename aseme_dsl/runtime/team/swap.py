@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, has_code, kind_of
 from aseme_dsl.runtime.activity.modules import code_of
 from aseme_dsl.runtime.agent.behaviours import agent_class
-from aseme_dsl.runtime.agent.carry import CannotCarry, Carried, carry, same_states
+from aseme_dsl.runtime.agent.state_transfer import CannotCarry, Carried, carry, same_states
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.functions import function_errors
 from aseme_dsl.runtime.chart.plan import Plan
@@ -28,8 +28,8 @@ from aseme_dsl.runtime.time.clock import SECOND, shown
 from aseme_dsl.runtime.version.loading import (
     PURE,
     Loaded,
-    Mixture,
     Modules,
+    RoleBackends,
     importing,
     put_in_place,
     standing_in,
@@ -66,7 +66,7 @@ class Version:
     """The agents of the system's own team with their roles."""
     folder: Path | None = None
     """Where its package is."""
-    mixture: Mixture = PURE
+    mixture: RoleBackends = PURE
     code: VersionFiles | None = None
     """What it was loaded from, where that is a version rather than the build itself."""
 
@@ -103,9 +103,9 @@ class Swappable(Protocol):
     @property
     def version(self) -> Version: ...
     def agent(self, name: str) -> Agent: ...
-    def tell_apart(self) -> None: ...
+    def bind_message_types(self) -> None: ...
     def renew(self, agent: Agent, version: Version) -> None: ...
-    def adopt(self, version: Version) -> None: ...
+    def set_version(self, version: Version) -> None: ...
 
 
 class Swap:
@@ -237,13 +237,13 @@ class Swap:
         put_in_place(version.modules)
         try:
             lines = [(agent, agent.plan, carried) for agent, carried in self._carried]
-            team.tell_apart()
+            team.bind_message_types()
             for agent, carried in self._carried:
                 model = carried.chart.PLAN.model
                 agent.go_on(carried, version.find, version.messages, changed=model != agent.plan.model)
                 team.renew(agent, version)
             if len(self.agents) == len(team.agents):
-                team.adopt(version)
+                team.set_version(version)
             for agent, before, carried in lines:
                 self._tell_done(agent, before, carried)
         finally:

@@ -14,7 +14,7 @@ from typing import Any
 
 from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.agent.agent import Agent
-from aseme_dsl.runtime.agent.carry import knowledge_of, variables_of
+from aseme_dsl.runtime.agent.state_transfer import knowledge_of, variables_of
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
@@ -36,8 +36,8 @@ from aseme_dsl.runtime.team.ending import (
 )
 from aseme_dsl.runtime.team.faults import Faults, Links
 from aseme_dsl.runtime.team.radio import Radio
-from aseme_dsl.runtime.team.scripted import Scripted
 from aseme_dsl.runtime.team.swap import WITHIN, Swap, Version, activity_errors, plan_record, version_of
+from aseme_dsl.runtime.team.timed_inputs import TimedInput
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.runtime.trace.fault_counts import FaultCount
 from aseme_dsl.runtime.trace.trace import Listener, Trace
@@ -79,7 +79,7 @@ class RunResult:
     """
 
     reason: str
-    time: int
+    end_ns: int
     agents: tuple[AgentResult, ...]
     trace_error: str | None = None
     left: tuple[str, ...] = ()
@@ -117,11 +117,11 @@ class Setup:
     world: World[Any, Any] | None = None
     bodies: Mapping[str, Any] = field(default_factory=dict)
     """The agents' bodies where there is no world."""
-    until: int | None = None
-    """When the run ends, in ns."""
+    until_ns: int | None = None
+    """When the run ends."""
     stop: Callable[[Team], str | None] | None = None
     """Asked at every instant at which nothing is left to do; the reason that it gives ends the run."""
-    script: Iterable[Scripted] = ()
+    timed_inputs: Iterable[TimedInput] = ()
     trace: Path | None = None
     listeners: Iterable[Listener] = ()
     state_directory: Path | None = None
@@ -166,7 +166,7 @@ class Team:
         self.world = setup.world
         self.system = setup.system or members[0][1].PLAN.system
         self._path = tuple(setup.path)
-        self._until = setup.until
+        self._until = setup.until_ns
         self._stop = setup.stop
         self._has_run = False
         self.at_end: list[Callable[[], None]] = []
@@ -181,7 +181,7 @@ class Team:
         with importing(self._path):
             charts = {chart.PLAN.name: chart for name, chart in members if name in mine}
             self._check_activities(charts.values(), find)
-        self._script = self._checked(tuple(setup.script), members)
+        self._script = self._checked(tuple(setup.timed_inputs), members)
         there = setup.world.bodies if setup.world is not None else setup.bodies
         with_radio = [
             name
@@ -256,8 +256,8 @@ class Team:
             raise TeamError("\n".join(errors))
 
     def _checked(
-        self, script: tuple[Scripted, ...], members: Sequence[tuple[str, type[Chart]]]
-    ) -> tuple[Scripted, ...]:
+        self, script: tuple[TimedInput, ...], members: Sequence[tuple[str, type[Chart]]]
+    ) -> tuple[TimedInput, ...]:
         names = [name for name, _ in members]
         read = {channel for _, chart in members for region in chart.PLAN.regions for channel in region.reads}
         for item in script:
@@ -349,7 +349,7 @@ class Team:
             return self._refuse(agent, plan, by, "; ".join(errors))
         if version is not self.version:
             put_in_place(version.modules)
-            self.tell_apart()
+            self.bind_message_types()
         chart = kind(agent.name)
         messages = version.messages if agent.messages else {}
         variables_of(agent.chart, chart, version.messages)
@@ -407,12 +407,12 @@ class Team:
 
         agent.errand(choose)
 
-    def tell_apart(self) -> None:
+    def bind_message_types(self) -> None:
         """From now on agents of several versions may meet: each takes messages as its own plan has them."""
         for agent in self.agents:
             agent.messages = agent.messages or self.version.messages
 
-    def adopt(self, version: Version) -> None:
+    def set_version(self, version: Version) -> None:
         """The whole team, here and elsewhere, is of this version now."""
         same = version.messages.items() == self.version.messages.items() and version.code == self.version.code
         if isinstance(self.driver, RealDriver) and not same:
@@ -580,7 +580,7 @@ class Team:
         if self.world is not None and (self._stop is not None or not driver.clock.virtual):
             self._move_world()
 
-    def _giving(self, item: Scripted) -> Callable[[], None]:
+    def _giving(self, item: TimedInput) -> Callable[[], None]:
         def give() -> None:
             for agent in self.agents:
                 if item.agent not in (None, agent.name) or agent.over:
@@ -660,7 +660,7 @@ def _here(names: Sequence[str], setup: Setup) -> Sequence[str]:
         raise TeamError(f"{', '.join(n for n in names if n not in here)} cannot be reached: no transport")
     if setup.transport.networked and setup.clock != "real":
         raise TeamError("agents in several processes have no virtual time in common: play in real time")
-    if setup.world is not None and setup.until is None and setup.stop is None:
+    if setup.world is not None and setup.until_ns is None and setup.stop is None:
         raise TeamError("a world never ends by itself: say how long the run is, or what stops it")
     return here
 

@@ -21,24 +21,21 @@ from pathlib import Path
 from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import (
-    Arrived,
     Cancel,
     Fault,
     FunctionResult,
     Identity,
     MailTaken,
     Outcome,
+    Sample,
     Start,
 )
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.message.wire import Schema
 from aseme_dsl.runtime.trace.fault_counts import FaultCounts
-from aseme_dsl.runtime.trace.trace_files import Background, Direct, Output, part_of, reason_of
+from aseme_dsl.runtime.trace.trace_files import FORMAT, Background, Direct, Output, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_formats import format_for
-
-FORMAT = 1
-"""The version of the format."""
 
 Record = dict[str, Any]
 Listener = Callable[[Record], None]
@@ -270,7 +267,7 @@ class Trace:
         plan: Plan,
         number: int,
         inputs: Iterable[Identity],
-        ahead: Iterable[Arrived],
+        ahead: Iterable[Sample],
         outcome: Outcome,
         configuration: tuple[str, ...] | None,
     ) -> None:
@@ -288,9 +285,9 @@ class Trace:
         ]
         if functions:
             further["functions"] = functions
-        mail = [list(effect.identity) for effect in outcome.effects if isinstance(effect, MailTaken)]
-        if mail:
-            further["mail"] = mail
+        messages = [list(effect.identity) for effect in outcome.effects if isinstance(effect, MailTaken)]
+        if messages:
+            further["agent_messages"] = messages
         if configuration is not None:
             further["configuration"] = list(configuration)
         if outcome.again:

@@ -19,6 +19,8 @@ from typing import IO, Protocol
 
 from aseme_dsl import outside
 
+FORMAT = 2
+"""The version of the format. The kinds of records had other names in 1."""
 MCAP_SUFFIX = ".mcap"
 PART = ".part"
 MOST_LINES = 50_000

@@ -2,7 +2,7 @@
 
 Every line is a message, as it is, on the JSON channel `trace/KIND`; so nothing is lost, and the lines can be
 taken out again. What was published is there once more as Protocol Buffers, for those who plot it: on
-`AGENT/TOPIC/COMM/MESSAGE`, and what an agent has heard by radio on `AGENT/heard/TOPIC/COMM/MESSAGE`. What
+`AGENT/TOPIC/COMM/MESSAGE`, and what an agent has heard by radio on `AGENT/radio/TOPIC/COMM/MESSAGE`. What
 the descriptors in the trace's header cannot say (after a change to another version, perhaps) is JSON there.
 
 The log time is the run's: in real time since 1970, in virtual time since the run began.
@@ -102,7 +102,7 @@ class McapFile:
         self._number += 1
         data = line.encode("utf-8", "backslashreplace")
         self._add(self._json_channel(PREFIX + kind, kind), moment, data, moment)
-        if kind in ("message", "arrived", "heard"):
+        if kind in ("message", "arrived", "radio_received"):
             self._publication(kind, record or json.loads(line), moment)
 
     def _add(self, channel: int, moment: int, data: bytes, published: int) -> None:
@@ -168,8 +168,8 @@ class McapFile:
         else:
             agent, published = str(record.get("sender") or record["agent"]), moment
         place = f"{agent}/{topic}/{comm}/{message}"
-        if kind == "heard":
-            place = f"{record['agent']}/heard/{topic}/{comm}/{message}"
+        if kind == "radio_received":
+            place = f"{record['agent']}/radio/{topic}/{comm}/{message}"
         said = {"agent": agent, "topic": topic, "commType": comm, "message": message}
         content = record["message"]
         name = self._names.get(channel)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from aseme_dsl import outside
-from aseme_dsl.runtime.trace.trace_files import PART, TraceError, part_of
+from aseme_dsl.runtime.trace.trace_files import FORMAT, TraceError, part_of
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC, Torn, lines_in
 
 Record = dict[str, Any]
@@ -48,7 +48,7 @@ class TraceReader:
         """The lines in their order.
 
         Raises:
-            TraceError: a line that is not the last is none of a trace, or the first is no header.
+            TraceError: a line that is not the last is none of a trace, or the first is no header we know.
         """
         number = 0
         with self._file:
@@ -59,6 +59,9 @@ class TraceReader:
                     if record is None or (number == 1 and record["kind"] != "header"):
                         what = "the header of a trace" if number == 1 else "a line of a trace"
                         raise TraceError(f"{self.path}:{number}: {what} is wanted, not {_short(text)}")
+                    if number == 1 and record.get("format", FORMAT) != FORMAT:
+                        other = f"the format {record['format']}; this version reads the format {FORMAT}"
+                        raise TraceError(f"{self.path} has {other}")
                     self.finished = record["kind"] == "finish"
                     yield Line(number, text, record)
             except Torn as torn:
@@ -83,11 +86,6 @@ class TraceReader:
             if not before.endswith(b"\n") and record_of(text) is None:
                 raise Torn(number, f"{_short(text)} is not a whole line")
             yield text
-
-
-def is_part(path: Path) -> bool:
-    """Whether a path names a trace that is not complete."""
-    return path.name.endswith(PART)
 
 
 def _decoded(data: bytes) -> str:

@@ -39,8 +39,8 @@ class Peer:
     alive: bool
     incarnation: int | None
     taken: int = 0
-    doubled: int = 0
-    disordered: int = 0
+    duplicated: int = 0
+    reordered: int = 0
     refused: int = 0
     unreadable: int = 0
     late: int = 0
@@ -56,7 +56,7 @@ class MailPort(Protocol):
     """The conversations of a team, as its transport sees them."""
 
     def arrived(self, agent: Receiver, acl: AclMessage, members: Mapping[str, Sequence[str]]) -> None: ...
-    def arrived_from_outside(self, to: str, message: FipaMessage) -> None: ...
+    def receive_external(self, to: str, message: FipaMessage) -> None: ...
     def appeared(self, name: str) -> None: ...
     def vanished(self, name: str) -> None: ...
 
@@ -144,7 +144,7 @@ class Transport:
     def carry_outside(self, message: FipaMessage, to: AgentIdentifier) -> bool:
         """Carry a message to an agent that is not of the team; False if there is no way to it. Does not wait.
 
-        What such agents say is handed to `Conversations.arrived_from_outside`.
+        What such agents say is handed to `Conversations.receive_external`.
         """
         return False
 

@@ -3,7 +3,7 @@
 A generated package is imported as `FOLDER.SYSTEM` (`monas.Kouretes`), so that activities may import its
 messages: `from monas.Kouretes.messages import Ball`. Packages that different backends have generated from one
 system have the same messages, under each of their names, and the roles of a team may be taken from several of
-them (`Mixture`). What functions and activities import besides is looked
+them (`RoleBackends`). What functions and activities import besides is looked
 for in the folders given as `path`. These folders are on `sys.path` only inside `importing`.
 """
 
@@ -40,7 +40,7 @@ class LoadError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Mixture:
+class RoleBackends:
     """What a team has of packages that stand beside the one that is loaded, in folders of other names.
 
     `roles` are taken from the folder that is their value, instead; `names` are those of further folders under
@@ -55,7 +55,7 @@ class Mixture:
         return tuple(sorted({*self.roles.values()} - {own}))
 
 
-PURE = Mixture()
+PURE = RoleBackends()
 """All roles are of one package."""
 
 
@@ -74,7 +74,7 @@ class Loaded:
     path: tuple[Path, ...] = ()
     modules: Modules = field(default_factory=dict, repr=False, compare=False)
     """The modules of its packages, by the names under which they import each other."""
-    mixture: Mixture = PURE
+    mixture: RoleBackends = PURE
     code: VersionFiles | None = None
     """The version that it was loaded from; None: the build itself."""
 
@@ -136,7 +136,7 @@ def load_beside(
     folder: Path,
     running: Modules,
     path: Sequence[Path] = (),
-    mixture: Mixture = PURE,
+    mixture: RoleBackends = PURE,
     code: VersionFiles | None = None,
 ) -> Loaded:
     """Import another version of a system that is running with these modules, and leave them in their place.
@@ -229,7 +229,7 @@ def load_system(
     folder: Path,
     path: Sequence[Path] = (),
     same: Modules | None = None,
-    mixture: Mixture = PURE,
+    mixture: RoleBackends = PURE,
     code: VersionFiles | None = None,
 ) -> Loaded:
     """Import the generated package in `folder` (`build/monas/Kouretes`), afresh each time; of the packages

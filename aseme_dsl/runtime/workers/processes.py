@@ -4,6 +4,8 @@ Both talk in pickled tuples, each after four bytes with its length: over the wor
 was its standard output when it started.
 """
 
+# concurrent.futures and loky cannot cancel what runs, and kill the workers of all activities together.
+
 from __future__ import annotations
 
 import contextlib

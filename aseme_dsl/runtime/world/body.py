@@ -8,7 +8,7 @@ percept and a command contain is the business of that world; the port fixes only
 * None of the four methods waits: they give or take what is there now. A body behind a wire keeps its newest
   percept and its inbox up to date on its own.
 * All four may be called from any thread.
-* A body that can no longer be reached raises :class:`BodyLost` from each of them.
+* A body that can no longer be reached raises :class:`BodyConnectionError` from each of them.
 
 A real robot is a body without a world: its time passes by itself. A simulated one comes with a
 :class:`World`, whose time passes only when it is told to, so that a virtual clock can drive it to the bit.
@@ -26,12 +26,12 @@ PerceptT_co = TypeVar("PerceptT_co", covariant=True)
 CommandT_contra = TypeVar("CommandT_contra", contravariant=True)
 
 
-class BodyLost(ConnectionError):
+class BodyConnectionError(ConnectionError):
     """The body can no longer be reached: the wire is cut, the simulator has ended, the robot is off."""
 
 
 @dataclass(frozen=True, slots=True)
-class Heard:
+class RadioMessage:
     """One radio message as it was received.
 
     ``sender`` is the name of the robot that said it, or ``""`` where the medium does not tell (a simulator
@@ -77,7 +77,7 @@ class Body(Protocol[PerceptT_co, CommandT_contra]):
         """
         ...
 
-    def hear(self) -> list[Heard]:
+    def hear(self) -> list[RadioMessage]:
         """What arrived since the last call, oldest first; own messages are not among it."""
         ...
 

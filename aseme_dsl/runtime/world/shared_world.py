@@ -22,7 +22,7 @@ from typing import Any
 from aseme_dsl.runtime.time.clock import SECOND
 from aseme_dsl.runtime.transport.meeting import private_folder
 from aseme_dsl.runtime.transport.port import TransportError
-from aseme_dsl.runtime.world.body import Body, BodyLost, Heard, World
+from aseme_dsl.runtime.world.body import Body, BodyConnectionError, RadioMessage, World
 
 PATIENCE = 5.0
 """How long, in seconds, a body may take to answer before it counts as lost."""
@@ -110,7 +110,7 @@ class WorldServer:
             name = connection.recv()
             body = self.world.bodies.get(name)
             if body is None:
-                connection.send(("raise", BodyLost(f"the world has no body called {name}")))
+                connection.send(("raise", BodyConnectionError(f"the world has no body called {name}")))
                 return
             connection.send(("give", body.payload_limit))
             while True:
@@ -135,7 +135,9 @@ class WorldServer:
                         answer = None
             pickle.dumps(answer)
         except Exception as error:
-            return "raise", error if _can_travel(error) else BodyLost(f"{type(error).__name__}: {error}")
+            return "raise", error if _can_travel(error) else BodyConnectionError(
+                f"{type(error).__name__}: {error}"
+            )
         return "give", answer
 
 
@@ -143,7 +145,7 @@ class FarBody:
     """A body in the world of another process. One call at a time is made; others wait for their turn."""
 
     def __init__(self, name: str, address: str, key: bytes) -> None:
-        """Raises BodyLost if there is no such world, or it has no such body."""
+        """Raises BodyConnectionError if there is no such world, or it has no such body."""
         self.name = name
         self._lock = threading.Lock()
         self._lost: str | None = None
@@ -151,10 +153,10 @@ class FarBody:
             self._connection = Client(address, authkey=key)
             self._connection.send(name)
             self.payload_limit: int = self._answer()
-        except BodyLost:
+        except BodyConnectionError:
             raise
         except Exception as problem:  # OSError, EOFError, AuthenticationError
-            raise BodyLost(f"the world cannot be reached: {_text(problem)}") from problem
+            raise BodyConnectionError(f"the world cannot be reached: {_text(problem)}") from problem
 
     def sense(self) -> Any:
         """The newest percept."""
@@ -168,9 +170,9 @@ class FarBody:
         """Send a message by radio; whether the radio took it."""
         return bool(self._ask("say", payload))
 
-    def hear(self) -> list[Heard]:
+    def hear(self) -> list[RadioMessage]:
         """What arrived since the last call."""
-        found: list[Heard] = self._ask("hear")
+        found: list[RadioMessage] = self._ask("hear")
         return found
 
     def tell(self, doing: tuple[tuple[str, ...], ...]) -> None:
@@ -186,20 +188,20 @@ class FarBody:
     def _ask(self, what: str, argument: Any = None) -> Any:
         with self._lock:
             if self._lost is not None:
-                raise BodyLost(self._lost)
+                raise BodyConnectionError(self._lost)
             try:
                 self._connection.send((what, argument))
                 return self._answer()
             except (OSError, EOFError) as problem:
-                if isinstance(problem, BodyLost) and self._lost is None:
+                if isinstance(problem, BodyConnectionError) and self._lost is None:
                     raise  # the body says so itself
                 self._lost = self._lost or f"the world has ended: {_text(problem)}"
-                raise BodyLost(self._lost) from problem
+                raise BodyConnectionError(self._lost) from problem
 
     def _answer(self) -> Any:
         if not self._connection.poll(PATIENCE):
             self._lost = f"the world has not answered for {PATIENCE:g} s"
-            raise BodyLost(self._lost)
+            raise BodyConnectionError(self._lost)
         how, answer = self._connection.recv()
         if how == "raise":
             raise answer

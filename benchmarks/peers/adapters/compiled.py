@@ -120,7 +120,7 @@ def class_of(behaviour: Behaviour, folder: str, form: str) -> type[Any]:
 
 def agent(behaviour: Behaviour, folder: str) -> Running:
     """The agent's class with its whole step: inputs, blackboards, effects."""
-    from aseme_dsl.runtime.chart.inputs import Arrived, Completed, Happened, Input, Written
+    from aseme_dsl.runtime.chart.inputs import Completed, Happened, Input, Sample, Written
 
     package = package_of(behaviour, folder, "agent")
     chart = package.CHARTS[behaviour.name]("agent")
@@ -159,7 +159,7 @@ def agent(behaviour: Behaviour, folder: str) -> Running:
 
         def arrive() -> None:
             inputs.extend(written)
-            inputs.extend(Arrived(place, message, "camera", now, ("camera", now)) for place, message in new)
+            inputs.extend(Sample(place, message, "camera", now, ("camera", now)) for place, message in new)
 
         return arrive
 

@@ -5,4 +5,4 @@ from aseme_dsl.runtime import Context
 
 class Award:
     def execute(self, context: Context) -> None:
-        context.log(f"sold to {context.variable('best')} for {context.variable('price'):.0f}")
+        context.log(f"sold to {context.get_variable('best')} for {context.get_variable('price'):.0f}")

@@ -5,4 +5,4 @@ from aseme_dsl.runtime import Context
 
 class Call:
     def execute(self, context: Context) -> None:
-        context.log(f"{context.variable('price'):.0f}!")
+        context.log(f"{context.get_variable('price'):.0f}!")

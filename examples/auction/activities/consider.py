@@ -6,4 +6,4 @@ from aseme_dsl.runtime import Context
 class Consider:
     def execute(self, context: Context, price: float) -> str:
         context.wait(0.2 + context.random.random())
-        return "yes" if price <= context.variable("budget") else "no"
+        return "yes" if price <= context.get_variable("budget") else "no"

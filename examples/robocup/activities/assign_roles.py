@@ -2,8 +2,8 @@
 
 from monas.Kouretes.messages import Assignment, Pass
 
-from aseme_dsl.field.geometry import Point, distance
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field.geometry import Point, distance
 
 from .knowledge import PLAYERS, SECOND, mate_place
 
@@ -30,8 +30,8 @@ class AssignRoles:
         context.publish("team.state.Assignment", wanted)
 
     def wanted(self, context: Context, last: Assignment) -> Assignment | None:
-        told = context.latest("mates.state.BallPlace")
-        if told is None or context.now - told.time > 1.5 * SECOND:
+        told = context.latest_sample("mates.state.BallPlace")
+        if told is None or context.now_ns - told.time > 1.5 * SECOND:
             return None
         ball = Point(told.message.x, told.message.y)
         places = {

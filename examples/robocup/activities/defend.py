@@ -1,9 +1,9 @@
 """Defend: stands between the ball and the own goal, and goes with the ball."""
 
-from aseme_dsl.field import skills
-from aseme_dsl.field.field import OWN_GOAL
-from aseme_dsl.field.geometry import Point, Pose, towards
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import skills
+from aseme_dsl.worlds.field.field import OWN_GOAL
+from aseme_dsl.worlds.field.geometry import Point, Pose, towards
 
 from .knowledge import ball_place, own_pose, walk
 

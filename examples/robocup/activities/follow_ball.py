@@ -2,9 +2,9 @@
 
 from monas.Kouretes.messages import Gaze
 
-from aseme_dsl.field import skills
-from aseme_dsl.field.command import Command
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import skills
+from aseme_dsl.worlds.field.command import Command
 
 from .knowledge import ball_place, own_pose, walk
 

@@ -2,11 +2,11 @@
 
 from monas.Kouretes.messages import Ball, Gaze
 
-from aseme_dsl.field import skills
-from aseme_dsl.field.command import Command
-from aseme_dsl.field.geometry import clamp
-from aseme_dsl.field.robot import HEAD_LIMIT
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import skills
+from aseme_dsl.worlds.field.command import Command
+from aseme_dsl.worlds.field.geometry import clamp
+from aseme_dsl.worlds.field.robot import HEAD_LIMIT
 
 from .knowledge import SECOND
 
@@ -18,6 +18,6 @@ class HeadHandler:
         at_ball = gaze is not None and gaze.at_ball and ball is not None and ball.visible
         if at_ball and context.body.sense().ball is None:
             # It is not where it should be: look there and elsewhere by turns.
-            at_ball = context.now % (2 * SECOND) < SECOND
-        angle = clamp(ball.bearing, HEAD_LIMIT) if at_ball else skills.scan(context.now)
+            at_ball = context.now_ns % (2 * SECOND) < SECOND
+        angle = clamp(ball.bearing, HEAD_LIMIT) if at_ball else skills.scan(context.now_ns)
         context.body.act(Command(head=angle))

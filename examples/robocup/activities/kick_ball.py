@@ -1,7 +1,7 @@
 """KickBall: shoots where the opponents' goal is free."""
 
-from aseme_dsl.field import skills
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import skills
 
 from .knowledge import ball_place, kick, own_pose
 

@@ -2,10 +2,10 @@
 
 from monas.Kouretes import TEAM, messages
 
-from aseme_dsl.field import command, skills
-from aseme_dsl.field.geometry import Point, Pose, place_of
-from aseme_dsl.field.robot import RADIUS, SIDE_SPEED, TOUCH
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import command, skills
+from aseme_dsl.worlds.field.geometry import Point, Pose, place_of
+from aseme_dsl.worlds.field.robot import RADIUS, SIDE_SPEED, TOUCH
 
 PLAYERS = tuple(name for name, role in TEAM if role == "player")
 """The field players; the first one has the number 1."""
@@ -31,8 +31,8 @@ def mate_place(context: Context, number: int) -> Point | None:
     """Where a field player of the own team said to be within the last one and a half seconds."""
     if not 1 <= number <= len(PLAYERS):
         return None
-    told = context.latest("mates.state.Place", host=PLAYERS[number - 1])
-    if told is None or context.now - told.time > 1.5 * SECOND:
+    told = context.latest_sample("mates.state.Place", sender=PLAYERS[number - 1])
+    if told is None or context.now_ns - told.time > 1.5 * SECOND:
         return None
     return Point(told.message.x, told.message.y)
 
@@ -44,7 +44,7 @@ def pass_place(ball: Point) -> Point:
 
 def tell(context: Context, channel: str, message: object) -> None:
     """Publish a state if it has changed."""
-    if context.state(channel) != message:
+    if context.latest_message(channel) != message:
         context.publish(channel, message)
 
 

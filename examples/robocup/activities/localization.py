@@ -2,9 +2,9 @@
 
 from monas.Kouretes.messages import Pose
 
-from aseme_dsl.field.field import GOAL_HALF_WIDTH, HALF_LENGTH
-from aseme_dsl.field.geometry import Point, distance
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field.field import GOAL_HALF_WIDTH, HALF_LENGTH
+from aseme_dsl.worlds.field.geometry import Point, distance
 
 OWN_POSTS = (Point(-HALF_LENGTH, GOAL_HALF_WIDTH), Point(-HALF_LENGTH, -GOAL_HALF_WIDTH))
 

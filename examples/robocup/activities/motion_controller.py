@@ -2,8 +2,8 @@
 
 from monas.Kouretes.messages import Kick, Walk
 
-from aseme_dsl.field import command
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import command
 
 
 class MotionController:

@@ -2,8 +2,8 @@
 
 from monas.Kouretes.messages import GameState, PlayerState
 
-from aseme_dsl.field import command, skills
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import command, skills
 
 from .knowledge import own_pose, walk
 

@@ -2,8 +2,8 @@
 
 from monas.Kouretes.messages import Assignment, Pass
 
-from aseme_dsl.field import skills
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import skills
 
 from .knowledge import ball_place, kick, lined_up, own_pose, pass_place, walk
 

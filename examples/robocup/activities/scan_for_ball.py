@@ -2,9 +2,9 @@
 
 from monas.Kouretes.messages import Gaze
 
-from aseme_dsl.field import skills
-from aseme_dsl.field.field import CENTRE
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import skills
+from aseme_dsl.worlds.field.field import CENTRE
 
 from .knowledge import own_pose, walk
 
@@ -18,5 +18,5 @@ class ScanForBall:
             walk(context, skills.walk_to(own_pose(context), place, place.heading))
         else:
             turn = percept.jersey % 2 * skills.SEARCH_NS  # half of the team looks in the other half
-            walk(context, skills.search(own_pose(context), context.now + turn))
+            walk(context, skills.search(own_pose(context), context.now_ns + turn))
         context.wait(0.1)

@@ -17,6 +17,6 @@ class TellMates:
             return
         pose = own_pose(context)
         context.publish("mates.state.Place", Place(pose.x, pose.y))
-        ball = context.latest("memory.state.BallPlace")
-        if ball is not None and context.now - ball.time < SECOND / 2:
+        ball = context.latest_sample("memory.state.BallPlace")
+        if ball is not None and context.now_ns - ball.time < SECOND / 2:
             context.publish("mates.state.BallPlace", ball.message)

@@ -2,9 +2,9 @@
 
 from monas.Kouretes.messages import Ball, BallPlace, BallTrack
 
-from aseme_dsl.field import skills
-from aseme_dsl.field.geometry import Point, bearing, distance
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import skills
+from aseme_dsl.worlds.field.geometry import Point, bearing, distance
 
 from .knowledge import SECOND
 
@@ -33,7 +33,7 @@ class Vision:
 
     def known(self, context: Context) -> Point | None:
         for channel, lasts in (("memory.state.BallPlace", REMEMBERED), ("mates.state.BallPlace", BELIEVED)):
-            told = context.latest(channel)
-            if told is not None and context.now - told.time <= lasts:
+            told = context.latest_sample(channel)
+            if told is not None and context.now_ns - told.time <= lasts:
                 return Point(told.message.x, told.message.y)
         return None

@@ -1,8 +1,8 @@
 """WalkTowardsBall: until the ball lies at the feet and the opponents' goal behind it."""
 
-from aseme_dsl.field import skills
-from aseme_dsl.field.field import OPPONENTS_GOAL
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import skills
+from aseme_dsl.worlds.field.field import OPPONENTS_GOAL
 
 from .knowledge import ball_place, lined_up, own_pose, walk
 

@@ -1,8 +1,8 @@
 """WalkTowardsOpponentGoal: to the place where a pass can be taken, or until one comes."""
 
-from aseme_dsl.field import command, skills
-from aseme_dsl.field.geometry import Pose, towards
 from aseme_dsl.runtime import Context
+from aseme_dsl.worlds.field import command, skills
+from aseme_dsl.worlds.field.geometry import Pose, towards
 
 from .knowledge import ball_place, own_pose, pass_place, walk
 
@@ -12,7 +12,7 @@ class WalkTowardsOpponentGoal:
         arrived = False
         while not arrived:
             ball = ball_place(context)
-            if ball is None or context.state("team.signal.Pass") is not None:
+            if ball is None or context.latest_message("team.signal.Pass") is not None:
                 return
             spot = pass_place(ball)
             place = Pose(spot.x, spot.y, towards(spot, ball))

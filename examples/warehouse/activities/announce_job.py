@@ -16,4 +16,4 @@ class AnnounceJob:
                 context.wait(0.5)
         order = office.taken[clerk]
         context.prepare(Job(id=order.id, what=order.shelf))
-        context.set("job", order.id)
+        context.set_variable("job", order.id)

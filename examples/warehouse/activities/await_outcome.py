@@ -6,4 +6,4 @@ from aseme_dsl.runtime import Context
 class AwaitOutcome:
     def execute(self, context: Context) -> None:
         context.wait(90)
-        context.set("withdrawn", True)
+        context.set_variable("withdrawn", True)

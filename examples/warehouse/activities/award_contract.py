@@ -5,4 +5,4 @@ from aseme_dsl.runtime import Context
 
 class AwardContract:
     def execute(self, context: Context) -> None:
-        context.log(f"{context.variable('job')} goes to {context.variable('best')}")
+        context.log(f"{context.get_variable('job')} goes to {context.get_variable('best')}")

@@ -10,7 +10,7 @@ from .ways import drive_to
 
 class Deliver:
     def execute(self, context: Context) -> None:
-        job = context.received("cfp", "Job").content
+        job = context.last_received("cfp", "Job").content
         context.body.act(Take(job.id))
         if context.body.sense().job != job.id:
             context.prepare(Outcome(id=job.id, detail="the carrier is busy by now"))
@@ -30,4 +30,4 @@ class Deliver:
         drive_to(context, GATE)
         context.wait(1)
         context.prepare(Outcome(id=job.id, detail="at the gate"))
-        context.set("succeeded", True)
+        context.set_variable("succeeded", True)

@@ -18,8 +18,8 @@ REASONS = {
 class LearnOutcome:
     def execute(self, context: Context) -> None:
         clerk = context.label.rpartition(".")[0]
-        ending = context.variable("ending")
-        told = context.received("inform", "Outcome") or context.received("failure", "Outcome")
+        ending = context.get_variable("ending")
+        told = context.last_received("inform", "Outcome") or context.last_received("failure", "Outcome")
         if ending is Ending.DONE:
             context.body.act(Close(clerk, True, told.sender))
             return

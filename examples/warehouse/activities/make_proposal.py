@@ -9,5 +9,5 @@ from .ways import seconds_for
 
 class MakeProposal:
     def execute(self, context: Context) -> None:
-        job = context.received("cfp", "Job").content
+        job = context.last_received("cfp", "Job").content
         context.prepare(Proposal(job=job.id, cost=round(seconds_for(context.body.sense(), job.what), 1)))

@@ -5,4 +5,4 @@ from aseme_dsl.runtime import Context
 
 class ReportOutcome:
     def execute(self, context: Context) -> None:
-        context.log("done" if context.variable("succeeded") else "it did not work")
+        context.log("done" if context.get_variable("succeeded") else "it did not work")

@@ -77,7 +77,7 @@ def test_it_is_said_once_with_all_who_wait() -> None:
     text = TALK.format(a="enter A : agree Note from b", b=ANSWER, process="X . Y", multiplicity="")
     said = printed(text)
     assert said.count("W553") == 1
-    assert "`a` waits here for ever: `b` cannot have sent `agree Note` by then" in said
+    assert "deadlock: `a` waits here for `agree Note`, which `b` cannot have sent" in said
     assert "`b` waits here, and cannot go on either" in said
 
 

@@ -19,7 +19,7 @@ from aseme_dsl.runtime.team.team import RunResult, Team
 from aseme_dsl.runtime.trace.trace import Record
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.link import Answer, Hears, Link, Stamp
-from aseme_dsl.runtime.transport.post import Post
+from aseme_dsl.runtime.transport.reliable_delivery import Post
 from aseme_dsl.runtime.transport.stream import PATIENCE
 from tests.runtime.playing import check_line, make
 from tests.support.generated import Generated

@@ -20,9 +20,9 @@ from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.link import Link, Stamp
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
+from tests.runtime.platform.square import Square
 from tests.runtime.playing import make
 from tests.runtime.transport.net import Air, Part, _AirLink, part
-from tests.runtime.transport.square import Square
 from tests.support.generated import Generated, generate
 from tests.support.network import own_name
 from tests.support.waiting import LONG, wait_until
@@ -132,7 +132,10 @@ def test_rules_hold_between_processes(talk: Generated, box: Box, links: Any) -> 
         origin = sent[tuple(line["input"])]
         assert origin["message"] == line["message"] and line["agent"] in origin["to"]
     assert ann.of("header")[0]["elsewhere"] == ["bob", "cat"]
-    assert ann.news("there") == ["bob there", "cat there"] or ann.news("there") == ["cat there", "bob there"]
+    assert ann.news("connected") == ["bob connected", "cat connected"] or ann.news("connected") == [
+        "cat connected",
+        "bob connected",
+    ]
 
 
 def test_who_comes_late_gets_the_latest_states_and_what_waits(talk: Generated, box: Box, links: Any) -> None:
@@ -174,7 +177,7 @@ def test_a_new_life_gets_the_states_again_and_what_was_on_its_way_is_lost(talk: 
     assert arrived(again, "bob", "team.signal.M") == [9]
     (lost,) = ann.of("lost", peer="bob")
     assert lost["reason"] == "it ended while this was on its way"
-    assert ann.news("there", "gone", "restarted")[:3] == ["bob there", "bob gone", "bob restarted"]
+    assert ann.news("connected", "gone", "restarted")[:3] == ["bob connected", "bob gone", "bob restarted"]
 
 
 def test_a_new_life_uses_no_identity_of_an_earlier_one(talk: Generated, box: Box) -> None:
@@ -213,7 +216,7 @@ def test_a_partition_loses_nothing(talk: Generated, box: Box) -> None:
     ann.stop()
     assert arrived(bob, "bob", "team.signal.M") == list(range(100))
     assert arrived(bob, "bob", "team.state.M") == [9]
-    assert "bob back" in ann.news()
+    assert "bob reconnected" in ann.news()
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -229,8 +232,8 @@ def test_nothing_is_lost_doubled_or_overtaken(talk: Generated, box: Box, seed: i
     assert arrived(rest, "bob", "team.signal.M") == list(range(300))
     assert arrived(rest, "cat", "team.signal.M") == list(range(300))
     (count,) = rest.of("peer", peer="ann", what="count")
-    assert count["counts"]["doubled"] > 0 and count["counts"]["disordered"] > 0
-    assert "doubled" in [r["what"] for r in rest.of("peer")]
+    assert count["counts"]["duplicated"] > 0 and count["counts"]["reordered"] > 0
+    assert "duplicated" in [r["what"] for r in rest.of("peer")]
 
 
 def test_data_has_the_time_of_its_sender(talk: Generated, box: Box) -> None:
@@ -315,7 +318,7 @@ def test_what_is_refused_and_comes_twice_is_counted_once_as_refused(talk: Genera
     bob = part(talk, ["bob"], box.activities, air.link(), model="other").start()
     wait_until(lambda: ann.team.transport.is_there("bob"))
     box.say += [("team.signal.M", n, None) for n in range(5)] + [("team.data.M", 1, None)]
-    wait_until(lambda: bob.team.peers()["ann"].doubled >= 6)
+    wait_until(lambda: bob.team.peers()["ann"].duplicated >= 6)
     wait_until(lambda: not ann.team.peers()["bob"].unacknowledged)
     ann.stop()
     bob.stop()
@@ -424,7 +427,7 @@ def test_a_conversation_between_processes(net: Generated, links: Any) -> None:
 
     boss = part(net, ["ann"], {"Announce": Announce}, links()).start()
     boss.join()
-    wait_until(lambda: len(workers.of("mail")) == 2)
+    wait_until(lambda: len(workers.of("agent_message")) == 2)
     workers.stop()
     assert boss.result is not None and boss.result.reason == "finished"
     opened = boss.of("conversation", what="open")
@@ -433,15 +436,15 @@ def test_a_conversation_between_processes(net: Generated, links: Any) -> None:
     assert {r["agent"] for r in joined} == {"bob", "cat"}
     received = boss.of("received", performative="propose")
     assert received and received[0]["input"][0] in ("bob", "cat")
-    (asked,) = boss.of("mail", performative="cfp")
+    (asked,) = boss.of("agent_message", performative="cfp")
     assert {r["in_reply_to"] for r in received} == {f"ann-{asked['sequence']}"}
-    assert [r["answers"] for r in workers.of("mail")] == [[["ann", asked["sequence"]]]] * 2
+    assert [r["answers"] for r in workers.of("agent_message")] == [[["ann", asked["sequence"]]]] * 2
 
 
 def test_a_participant_that_is_gone_is_told(net: Generated) -> None:
     air = Air()
     boss = part(net, ["ann"], {}, air.link()).start()
-    wait_until(lambda: boss.of("mail"))
+    wait_until(lambda: boss.of("agent_message"))
     air.loss = 1.0  # what the worker offers does not come through
     bob = part(net, ["bob"], {}, air.link()).start()
     wait_until(lambda: boss.team.transport.is_there("bob"))
@@ -499,7 +502,7 @@ def test_who_begins_anew_before_it_was_seen_to_go_has_left_its_conversations(mou
     boss.join()
     new.stop()
     old.join()
-    assert [r["what"] for r in boss.of("peer", peer="bob")][:3] == ["there", "gone", "restarted"]
+    assert [r["what"] for r in boss.of("peer", peer="bob")][:3] == ["connected", "gone", "restarted"]
     (gone,) = boss.of("conversation", what="gone")
     assert (gone["peer"], gone["played"]) == ("bob", "contractor")
 
@@ -525,7 +528,7 @@ class LateLink(_AirLink):
 def test_what_was_taken_is_not_lost_though_its_receiver_has_ended_since(
     talk: Generated, box: Box, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("aseme_dsl.runtime.transport.post.LAST_WORDS", 5.0)
+    monkeypatch.setattr("aseme_dsl.runtime.transport.reliable_delivery.LAST_WORDS", 5.0)
     air = Air()
     ann = part(talk, ["ann"], box.activities, air.link()).start()
     bob = part(talk, ["bob"], box.activities, LateLink(air)).start()
@@ -588,4 +591,4 @@ def test_an_agent_message_that_comes_twice_is_told_and_taken_once(net: Generated
     wait_until(lambda: bob.of("unexpected", reason="it was received before"))
     bob.stop()
     assert len(bob.of("received")) == 1
-    assert not bob.of("mail", performative="not_understood")
+    assert not bob.of("agent_message", performative="not_understood")

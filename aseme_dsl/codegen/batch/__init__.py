@@ -1,0 +1,1 @@
+"""Batch: the steps of a plain class for thousands of instances at once."""

@@ -1,0 +1,1 @@
+"""Plain: a statechart as a class for programs without agents."""

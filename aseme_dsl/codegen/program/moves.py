@@ -1,0 +1,143 @@
+"""Compound transitions: where they act, what they leave and enter, what they write; and what may raise."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from aseme_dsl.amola.expression import (
+    Arithmetic,
+    Assign,
+    Call,
+    Literal,
+    Named,
+    Negate,
+    Random,
+    TransitionExpression,
+    Value,
+    VariableValue,
+    walk,
+)
+from aseme_dsl.amola.messages import DOUBLE, DURATION
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
+from aseme_dsl.codegen.program.flat import FlatChart
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """A compound transition: its segments, what it leaves and enters.
+
+    `scope` is the lowest OR state that holds all sources and targets, `region` the one in which that is: what
+    the segments do counts there. With `stays` nothing is left or entered.
+    """
+
+    taken: tuple[int, ...]
+    segments: tuple[Transition, ...]
+    scope: str
+    region: int
+    target: str
+    stays: bool
+    resume: bool
+
+
+def move_of(flat: FlatChart, taken: tuple[int, ...]) -> Move:
+    """The compound transition of some segments, given by their numbers."""
+    segments = tuple(flat.transition(number) for number in taken)
+    scope = min((flat.chart.scope_of(segment) for segment in segments), key=len)
+    last = segments[-1]
+    stays = segments[0].kind is TransitionKind.ON
+    return Move(taken, segments, scope, flat.region_number[scope], last.target, stays, last.resume)
+
+
+def path(chart: Statechart, scope: str, target: str) -> list[str]:
+    """A state and those around it that are inside `scope`, innermost first."""
+    found = [target]
+    while (parent := chart.node(found[-1]).parent) not in (scope, None):
+        assert parent is not None
+        found.append(parent)
+    return found
+
+
+def left_with(flat: FlatChart, leaf: Node, scope: str) -> Iterator[Node]:
+    """The states that are left with an active leaf, innermost first, if everything inside `scope` is left.
+
+    Of these only states that may have an `exit` count.
+    """
+    if leaf.type in (NodeType.BASIC, NodeType.AND) and len(leaf.label) > len(scope):
+        yield leaf
+    for around in flat.around(leaf.label):
+        if len(around.label) > len(scope):
+            yield around
+
+
+def completing_ends(flat: FlatChart, node: Node) -> tuple[tuple[int, str], ...] | None:
+    """The regions of an AND, each with the END at which it must be for the AND to be complete.
+
+    None if one of them never is: it has no END, or no number for it.
+    """
+    found: list[tuple[int, str]] = []
+    for region in flat.regions_of(node.label):
+        end = flat.chart.end_of(region.label)
+        if end is None or end.label not in flat.leaf:
+            return None
+        found.append((region.number, end.label))
+    return tuple(found)
+
+
+def assigned(expression: TransitionExpression) -> tuple[str, ...]:
+    """The variables that an expression assigns, each once."""
+    return tuple(
+        dict.fromkeys(
+            action.target.name
+            for action in expression.actions
+            if isinstance(action, Assign) and isinstance(action.target, VariableValue)
+        )
+    )
+
+
+def raises(value: Value) -> bool:
+    """Whether something in a value may raise: a function of the document, or numbers that have no result."""
+    return any(
+        (isinstance(part, Call) and not part.function.target.startswith("builtin:"))
+        or (isinstance(part, Arithmetic) and may_raise(part))
+        for part in walk(value)
+    )
+
+
+def draws(value: Value) -> bool:
+    """Whether chance goes on when a value is computed."""
+    return any(isinstance(part, Random) for part in walk(value))
+
+
+def may_raise(value: Arithmetic) -> bool:
+    """Whether there are numbers with which this raises: a zero to divide by, or an endless time.
+
+    An `int` and a `duration` have 64 bits and so are never too large for a `double`, nor is a time that is
+    multiplied by a number that a document can write.
+    """
+    if value.operator in ("/", "%"):
+        return not _number(value.right)
+    factors = [_number(item) for item in (value.left, value.right) if item.type == DOUBLE]
+    return value.type == DURATION and None in factors
+
+
+def _number(value: Value) -> float | None:
+    """The number that a value always is, but for its sign; None if that is not known."""
+    while isinstance(value, Named | Negate):
+        value = value.expression if isinstance(value, Named) else value.operand
+    if isinstance(value, Literal) and isinstance(value.value, int | float):
+        return value.value
+    return None
+
+
+__all__ = [
+    "Move",
+    "assigned",
+    "completing_ends",
+    "draws",
+    "left_with",
+    "may_raise",
+    "move_of",
+    "path",
+    "raises",
+]

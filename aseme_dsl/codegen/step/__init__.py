@@ -1,0 +1,1 @@
+"""Step: a statechart as the class that an agent runs."""

@@ -1,0 +1,1 @@
+"""Problems of Python: what is wrong with the code of activities, modules and functions."""

@@ -1,0 +1,1 @@
+"""Problems of syntax: what cannot be read in the text of a file."""

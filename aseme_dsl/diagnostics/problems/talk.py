@@ -1,0 +1,247 @@
+"""Talk: agent messages between the participants of protocols (E205, E226, E512, E53x, W55x)."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from aseme_dsl.diagnostics.problem import Problem
+from aseme_dsl.diagnostics.problems.names import Reserved, reserved_for
+from aseme_dsl.diagnostics.wording import a
+
+
+class ExchangeOutsideProtocol(Problem):
+    """What only a participant of a protocol does: send, receive or ask for who is lost."""
+
+    code = "E205"
+    what: Literal["sent", "received", "lost"]
+
+    @property
+    def message(self) -> str:
+        if self.what == "lost":
+            return "who is lost is a participant of a protocol"
+        return f"an agent message is {self.what} by a participant of a protocol"
+
+    hint = "write it in the `control` of a participant of an `aip`"
+
+
+class BoundNameTaken(Problem):
+    """A name for what a transition takes that something else has."""
+
+    code = "E226"
+    name: str
+    reserved: Reserved
+
+    @property
+    def message(self) -> str:
+        return f"`{self.name}` cannot name the received message"
+
+    @property
+    def hint(self) -> str:
+        return reserved_for(self.name, self.reserved)
+
+
+class EventWithoutMessage(Problem):
+    code = "E512"
+    performative: str
+
+    @property
+    def message(self) -> str:
+        return f"the message of `{self.performative}` is missing"
+
+    @property
+    def hint(self) -> str:
+        return f"an agent message is `{self.performative} Message from participant`"
+
+
+class NotAlwaysBound(Problem):
+    """A name that another event of the line, or `when` (`on_when`), would not give a message to."""
+
+    code = "E530"
+    name: str
+    on_when: bool
+
+    @property
+    def message(self) -> str:
+        return f"`{self.name}` would not be there {'on `when`' if self.on_when else 'when this has happened'}"
+
+    @property
+    def hint(self) -> str:
+        if self.on_when:
+            return "write the condition as a line of its own"
+        return "write it as a line of its own, or give all the same name for the same type of message"
+
+
+class ExceptOfOneAgent(Problem):
+    code = "E531"
+    message = "one agent has no exceptions"
+    hint = "`except` is said of a participant"
+
+
+class NotAnAgent(Problem):
+    """A value of another `type`; `bound` is the name of the agent message that it is."""
+
+    code = "E531"
+    type: str
+    bound: str | None
+
+    @property
+    def message(self) -> str:
+        return f"an agent is wanted here, not {a(self.type)}"
+
+    @property
+    def hint(self) -> str:
+        if self.bound is not None:
+            return f"write `sender({self.bound})`"
+        return "an agent is a variable of type `agent`, or the sender of what was taken: `sender(b)`"
+
+
+class NobodyReceives(Problem):
+    code = "E532"
+    performative: str
+    type: str
+
+    @property
+    def message(self) -> str:
+        return f"no participant of the protocol receives `{self.performative} {self.type}`"
+
+    @property
+    def hint(self) -> str:
+        said = f"{self.performative} {self.type}"
+        return f"write `receives {said}` in the participant that shall get it"
+
+
+class MessageHasAName(Problem):
+    """`path` is what follows the performative and the type."""
+
+    code = "E533"
+    name: str
+    path: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"the message is called `{self.name}` here"
+
+    @property
+    def hint(self) -> str:
+        return f"write `{'.'.join((self.name, *self.path))}`"
+
+
+class NotTaken(Problem):
+    code = "E533"
+    performative: str
+    type: str
+    in_protocol: bool
+
+    @property
+    def message(self) -> str:
+        return f"no `{self.performative} {self.type}` is taken here"
+
+    @property
+    def hint(self) -> str:
+        if not self.in_protocol:
+            return "agent messages are known in the `control` of a participant of an `aip`"
+        line = f"only the line that takes it knows it, `{self.performative} {self.type} from …`"
+        return f"{line}: keep what is needed in a variable there"
+
+
+class InitialAgent(Problem):
+    code = "E534"
+    message = "a variable of type agent has no initial value"
+    hint = "it is set when a message has come: `/ best = sender(b)`"
+
+
+class BoundNameUnused(Problem):
+    code = "W551"
+    name: str
+
+    @property
+    def message(self) -> str:
+        return f"nothing uses `{self.name}` here"
+
+    hint = "use it, or leave the name out"
+
+
+class WaitsForEver(Problem):
+    """`agent_message` is the performative and the type."""
+
+    code = "W553"
+    participant: str
+    sender: str
+    agent_message: str
+
+    @property
+    def message(self) -> str:
+        return (
+            f"deadlock: `{self.participant}` waits here for `{self.agent_message}`, "
+            f"which `{self.sender}` cannot have sent"
+        )
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"let `{self.sender}` send it before it waits itself, or end the wait otherwise: "
+            f"`after(10s)`, `lost {self.sender}`"
+        )
+
+
+class NoAgentPlays(Problem):
+    """`role` is one that plays the participant, of which the team has no agent."""
+
+    code = "W554"
+    participant: str
+    protocol: str
+    least: int
+    team: str
+    role: str
+
+    @property
+    def message(self) -> str:
+        return (
+            f"`{self.participant}` of `{self.protocol}` wants {_agents(self.least)} at least, and no agent "
+            f"of {self.team} plays it"
+        )
+
+    @property
+    def hint(self) -> str:
+        return (
+            "what is sent to it is sent to nobody then, and who waits for it waits for ever: give the role "
+            f"to an agent of the team, `name : {self.role}`"
+        )
+
+
+class TooFewAgents(Problem):
+    """A team that has `present` agents that may take part beside the one that opens the conversation.
+
+    `least` and `most` are what the protocol says; None is any number.
+    """
+
+    code = "W554"
+    participant: str
+    protocol: str
+    least: int
+    most: int | None
+    team: str
+    present: int
+
+    @property
+    def message(self) -> str:
+        there = {0: "nobody else", 1: "one agent"}.get(self.present, f"{self.present} agents")
+        return (
+            f"`{self.participant}` of `{self.protocol}` wants {_agents(self.least)} at least, and "
+            f"{self.team} has {there}"
+        )
+
+    @property
+    def hint(self) -> str:
+        most = "*" if self.most is None else self.most
+        return (
+            "what is sent to them is sent to none of them then: let more agents play it, or be content with "
+            f"fewer: `participant {self.participant} [{max(1, self.present)}..{most}]`"
+        )
+
+
+def _agents(count: int) -> str:
+    return f"{count} agent{'' if count == 1 else 's'}"
+
+
+__all__ = ["NoAgentPlays", "TooFewAgents", "WaitsForEver"]

@@ -1,0 +1,397 @@
+"""Use: messages, signals, timers, variables and declarations that have only one side (W42x, W52x, N72x).
+
+A channel is written `topic.kind.Message`.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from aseme_dsl.diagnostics.problem import Problem
+from aseme_dsl.diagnostics.wording import did_you_mean, first_of, listed
+
+DeclarationKind = Literal["let", "function", "enum", "message", "functionality"]
+"""The word that declares something."""
+_SHOWN = 4
+"""How many names a text shows at most."""
+
+
+class DraftNotPublished(Problem):
+    """`elsewhere`: another region publishes on the channel."""
+
+    code = "W421"
+    channel: str
+    elsewhere: bool
+
+    @property
+    def message(self) -> str:
+        return f"`{self.channel}` is filled here, but never published"
+
+    @property
+    def hint(self) -> str:
+        if self.elsewhere:
+            return "publish it here, too: a draft belongs to the region that fills it"
+        return f"publish it: `/ …; write_messages.{self.channel}`"
+
+
+class MessageNotRead(Problem):
+    code = "W422"
+    channel: str
+
+    @property
+    def message(self) -> str:
+        return f"nobody reads `{self.channel}`, which this publishes"
+
+    @property
+    def hint(self) -> str:
+        return f"let a condition or an activity read it (`reads {self.channel}`), or leave it out"
+
+
+class TimerNotRead(Problem):
+    code = "W423"
+    timer: str
+
+    @property
+    def message(self) -> str:
+        return f"the timer `{self.timer}` is started, but nothing asks whether it has expired"
+
+    @property
+    def hint(self) -> str:
+        return f"ask for it in a condition: `[expired({self.timer})]`"
+
+
+class VariablesNeverSet(Problem):
+    code = "N437"
+    variables: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"nothing sets {listed(self.variables)}, so that a condition never changes"
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"set it in an action, let the activity that does say so, `writes {self.variables[0]}`, or give "
+            "it a value in the team: `agent : role with …`"
+        )
+
+
+class TimerNotStarted(Problem):
+    """`elsewhere`: another region of the role starts it; otherwise `close` is a timer that is spelt alike."""
+
+    code = "W501"
+    timer: str
+    elsewhere: bool
+    close: str | None
+
+    @property
+    def message(self) -> str:
+        return f"the timer `{self.timer}` is never started here, so it never expires"
+
+    @property
+    def hint(self) -> str:
+        if self.elsewhere:
+            return "a timer belongs to the region that starts it; this is another one of the same role"
+        if self.close is not None:
+            return did_you_mean(self.close)
+        return f"start it on the way there: / start_timer({self.timer}, 1s)"
+
+
+class SignalNotRead(Problem):
+    code = "W520"
+    channel: str
+
+    @property
+    def message(self) -> str:
+        return f"nobody reads the signal `{self.channel}`"
+
+    @property
+    def hint(self) -> str:
+        return f"let a condition ask for it, or an activity that wants it say `reads {self.channel}`"
+
+
+class SignalAlreadyConsumed(Problem):
+    code = "W521"
+    channel: str
+
+    @property
+    def message(self) -> str:
+        return f"signal `{self.channel}` is already consumed when this condition reads it"
+
+    hint = "read it once and store what you need in a variable"
+
+
+class SignalConsumedBeforeActivity(Problem):
+    code = "W521"
+    channel: str
+    activity: str
+
+    @property
+    def message(self) -> str:
+        return (
+            f"`{self.activity}` reads the signal `{self.channel}`, but this looks at each one first: "
+            "what was looked at is gone when the step ends"
+        )
+
+    @property
+    def hint(self) -> str:
+        return f"let `{self.activity}` raise an event for this, or stand in a region of its own"
+
+
+class MessageNotPublished(Problem):
+    code = "W522"
+    channel: str
+
+    @property
+    def message(self) -> str:
+        return f"nothing in this system publishes `{self.channel}`"
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"let the activity that does say `writes {self.channel}`; for what comes from outside, name its "
+            f"source: `{_carried(self.channel)} from …` with a `role … : external`"
+        )
+
+
+class WindowTooShort(Problem):
+    """`window` and `period` are durations as the language writes them."""
+
+    code = "W523"
+    channel: str
+    window: str
+    period: str
+
+    @property
+    def message(self) -> str:
+        return f"a mean over {self.window} of what comes every {self.period} often has no value"
+
+    @property
+    def hint(self) -> str:
+        return f"look back longer than {self.period}, or read the newest value: `{self.channel}`"
+
+
+class AgentMessageUnmatched(Problem):
+    """`agent_message` is the performative and the type."""
+
+    code = "W524"
+    participant: str
+    clause: Literal["sends", "receives"]
+    agent_message: str
+
+    @property
+    def message(self) -> str:
+        return (
+            f"`{self.participant}` {self.clause} `{self.agent_message}`, and no participant {self._other} it"
+        )
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"write `{self._other} {self.agent_message}` of the participant that does, or leave it out here"
+        )
+
+    @property
+    def _other(self) -> str:
+        return "receives" if self.clause == "sends" else "sends"
+
+
+class ActionNeedsMessage(Problem):
+    code = "N720"
+    channel: str
+
+    @property
+    def message(self) -> str:
+        return f"no `{self.channel}` may have come yet: then this action is not done"
+
+    @property
+    def hint(self) -> str:
+        return f"let the transition wait for it, `[has({self.channel})]`, or do this where it is there"
+
+
+class ElseWithoutMessage(Problem):
+    code = "N720"
+    channel: str
+
+    @property
+    def message(self) -> str:
+        return f"while no `{self.channel}` has come, this does not hold, and `else` is taken"
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"write `!has({self.channel}) || …` if this is meant then, else `!has({self.channel})` in a "
+            "branch of its own"
+        )
+
+
+class ChangesUnseen(Problem):
+    code = "N721"
+    function: Literal["at", "mean"]
+    channel: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.function}` is looked at when something arrives, not when time passes"
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"say how often `{self.channel}` comes (`every` on its topic, or of the activity that publishes "
+            "it), or wait with `after(…)` beside it"
+        )
+
+
+class PublishersNotDeclared(Problem):
+    """`silent` are the activities of whose messages nothing is said."""
+
+    code = "N722"
+    channels: tuple[str, ...]
+    silent: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        are = "is" if len(self.channels) == 1 else "are"
+        return f"nothing says who publishes {listed(self.channels)}, which {are} read"
+
+    @property
+    def hint(self) -> str:
+        return "say it of the activity that does: `writes …`; nothing is said of the messages of " + first_of(
+            self.silent, _SHOWN
+        )
+
+
+class ExitWaitsForUndeclared(Problem):
+    """`silent` are the activities of whose messages nothing is said."""
+
+    code = "N722"
+    channel: str
+    state: str
+    silent: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"nothing says who publishes `{self.channel}`; the only way out of `{self.state}` waits for it"
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"let the activity that does say `writes {self.channel}` (nothing is said of the messages of "
+            f"{first_of(self.silent, _SHOWN)}); for what comes from outside, name its source: "
+            f"`{_carried(self.channel)} from …`"
+        )
+
+
+class PublishedBySeveral(Problem):
+    """`agents` are those of the roles that publish, of which `publisher` is the first."""
+
+    code = "N723"
+    role: str
+    channel: str
+    agents: tuple[str, ...]
+    publisher: str
+
+    @property
+    def message(self) -> str:
+        return (
+            f"`{self.role}` publishes no `{self.channel}` itself: it reads that of "
+            f"{first_of(self.agents, _SHOWN)}, any of them"
+        )
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"read one agent's: `{self.agents[0]}.{self.channel}`; if all are meant, say that it is the "
+            f"team's: `{_carried(self.channel)} from {self.publisher}`"
+        )
+
+
+class VariableNotRead(Problem):
+    code = "N725"
+    variable: str
+
+    @property
+    def message(self) -> str:
+        return f"no condition, action or activity reads the variable `{self.variable}`"
+
+    @property
+    def hint(self) -> str:
+        return f"if an activity does, let it say so: `reads {self.variable}`; otherwise leave it out"
+
+
+class DeclarationNotUsed(Problem):
+    code = "N727"
+    kind: DeclarationKind
+    name: str
+
+    @property
+    def message(self) -> str:
+        return f"nothing uses the {self.kind} `{self.name}`"
+
+    hint = "use it, or leave it out"
+
+
+class ImportedTwice(Problem):
+    code = "N727"
+    target: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.target}` is imported already"
+
+    hint = "leave one of them out"
+
+
+class ImportNotUsed(Problem):
+    code = "N727"
+    target: str
+
+    @property
+    def message(self) -> str:
+        return f"nothing uses what `{self.target}` declares"
+
+    hint = "use it, or leave the import out"
+
+
+class RoleWithoutAgent(Problem):
+    code = "N728"
+    role: str
+
+    @property
+    def message(self) -> str:
+        return f"no agent has the role `{self.role}`"
+
+    @property
+    def hint(self) -> str:
+        return f"give it to one in a `team`: `name : {self.role}`"
+
+
+def _carried(channel: str) -> str:
+    """The kind and the message of a channel, as a topic declares them."""
+    return " ".join(channel.split(".")[1:])
+
+
+__all__ = [
+    "ActionNeedsMessage",
+    "AgentMessageUnmatched",
+    "ChangesUnseen",
+    "DeclarationKind",
+    "DeclarationNotUsed",
+    "DraftNotPublished",
+    "ElseWithoutMessage",
+    "ExitWaitsForUndeclared",
+    "ImportNotUsed",
+    "ImportedTwice",
+    "MessageNotPublished",
+    "MessageNotRead",
+    "PublishedBySeveral",
+    "PublishersNotDeclared",
+    "RoleWithoutAgent",
+    "SignalAlreadyConsumed",
+    "SignalConsumedBeforeActivity",
+    "SignalNotRead",
+    "TimerNotRead",
+    "VariableNotRead",
+    "VariablesNeverSet",
+    "WindowTooShort",
+]

@@ -1,0 +1,152 @@
+"""What activities send and take is compared with what their participants do, and with what nobody does."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.project.code.activity_code import check_code
+from tests.support.compiling import system
+
+SYSTEM = """
+system Kitchen
+message Order { int table }
+message Meal { int table }
+aip serving {
+  participant waiter {
+    sends    request Order, cancel Order
+    receives inform Meal, refuse Order
+    process  = Ask . Serve
+  }
+  participant cook {
+    sends    inform Meal, refuse Order
+    receives request Order, cancel Order
+    process  = Wait . Cook
+  }
+  control waiter {
+    enter Ask   : / send request Order to cook
+    enter Serve : inform Meal from cook or after(60min)
+  }
+  control cook { enter Wait : request Order from waiter }
+}
+srm human { plays serving.waiter  liveness { human = waiter } }
+srm robot { plays serving.cook with Cook = Boil  liveness { robot = cook . Rest } }
+team Kitchen { ann : human  pan : robot }
+"""
+
+
+def say(folder: Path, alone: bool = True, **bodies: str) -> list[Diagnostic]:
+    for name, body in bodies.items():
+        code = f"class {name}:\n    def execute(self, context):\n        {body}\n"
+        (folder / f"{name.lower()}.py").write_text(code, "utf-8")
+    found, _ = check_code(system(SYSTEM), folder, alone=alone)
+    return [item for item in found if item.code in ("W555", "W556")]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        'context.send("inform", Meal(1), "waiter")',
+        'context.send("refuse", order, "waiter")',
+        "context.send(what, Order(1), whom)",
+        'context.receive("cancel", "Order")',
+        'context.receive(performative="cancel")',
+        "context.receive()",
+        'context.last_received("request", "Order", "ann")',
+        'other.send("tell", Meal(1), "waiter")',
+    ],
+)
+def test_what_a_participant_does_is_not_told(tmp_path: Path, body: str) -> None:
+    assert say(tmp_path, Boil=body) == []
+
+
+@pytest.mark.parametrize(
+    ("body", "says", "hint"),
+    [
+        ('context.send("tell", Meal(1), "waiter")', "FIPA has no performative `tell`", "it has"),
+        ('context.send("infrom", Meal(1), "waiter")', "FIPA has no performative", "did you mean `inform`?"),
+        ('context.send("inform", Order(1), "waiter")', "`Boil` sends `inform Order`", "inform Meal"),
+        ('context.send("request", Order(1), "waiter")', "sends `request Order`, and `cook` does not", ""),
+        ('context.receive("inform", "Meal")', "receives `inform Meal`, and `cook` does not", ""),
+        (
+            'context.last_received("request", "Meal")',
+            "receives `request Meal`",
+            "did you mean `request Order`?",
+        ),
+    ],
+)
+def test_what_no_participant_of_the_activity_does(tmp_path: Path, body: str, says: str, hint: str) -> None:
+    (found,) = say(tmp_path, Boil=body)
+    assert found.code == "W555" and says in found.message
+    assert hint in (found.hint or "")
+
+
+def test_a_folder_of_several_systems_is_not_judged(tmp_path: Path) -> None:
+    assert say(tmp_path, alone=False, Boil='context.send("tell", Meal(1), "waiter")') == []
+
+
+def test_what_nothing_sends_or_takes_is_told_once_all_code_is_there(tmp_path: Path) -> None:
+    assert say(tmp_path, Boil="pass") == [], "Wait may send it"
+    found = say(tmp_path, Wait="pass")
+    assert [item.message for item in found] == [
+        "no line and no activity of `cook` sends `inform Meal`",
+        "no line and no activity of `cook` sends `refuse Order`",
+        "no line and no activity of `cook` takes `cancel Order`",
+    ]
+    sent = 'context.send("inform", Meal(1), "waiter"); context.send("refuse", order, "waiter")'
+    assert say(tmp_path, Boil=f'context.receive("cancel"); {sent}') == []
+
+
+@pytest.mark.parametrize("empty", ['"""Called once."""', "..."])
+def test_an_activity_as_the_build_starts_it_may_still_do_it(tmp_path: Path, empty: str) -> None:
+    assert say(tmp_path, Boil="pass", Wait=empty) == []
+    assert len(say(tmp_path, Wait="pass")) == 3, "pass says that there is nothing to do"
+
+
+def test_a_module_that_activities_share_may_do_it(tmp_path: Path) -> None:
+    assert len(say(tmp_path, Boil="pass", Wait="pass")) == 3
+    (tmp_path / "talking.py").write_text(
+        "def talk(context, what, whom):\n    context.send(what, whom, whom)\n", "utf-8"
+    )
+    assert [item.message for item in say(tmp_path)] == [
+        "no line and no activity of `cook` takes `cancel Order`"
+    ]
+
+
+SIMULATED = SYSTEM.replace(
+    "liveness { robot = cook . Rest }",
+    "liveness { robot = cook . Rest }\n"
+    "  activities { Wait takes 1s simulated  Boil takes 1s simulated  Rest takes 1s simulated }",
+)
+
+
+def test_a_simulated_activity_sends_and_takes_nothing(tmp_path: Path) -> None:
+    for folder in (tmp_path, tmp_path / "nowhere"):
+        found, _ = check_code(system(SIMULATED), folder)
+        assert [item.message for item in found if item.code == "W556"] == [
+            "no line and no activity of `cook` sends `inform Meal`",
+            "no line and no activity of `cook` sends `refuse Order`",
+            "no line and no activity of `cook` takes `cancel Order`",
+        ]
+    partly = SIMULATED.replace("Boil takes 1s simulated", "Boil takes 1s")
+    assert not [item for item in check_code(system(partly), tmp_path)[0] if item.code == "W556"]
+    found, _ = check_code(system(SIMULATED), tmp_path, alone=False)
+    assert not found, "another system may have the code"
+
+
+@pytest.mark.parametrize(
+    ("body", "left"),
+    [
+        ('context.send("tell", Meal(1), "waiter")', ["sends `refuse Order`", "takes `cancel Order`"]),
+        ('context.send("refuse", Meal(1), "waiter")', ["takes `cancel Order`"]),
+        ('context.receive("cancel", "Meal")', ["sends `inform Meal`", "sends `refuse Order`"]),
+    ],
+)
+def test_what_a_wrong_call_was_meant_for_is_not_told_again(
+    tmp_path: Path, body: str, left: list[str]
+) -> None:
+    found = say(tmp_path, Boil=body, Wait="pass")
+    assert [item.code for item in found] == ["W555"] + ["W556"] * len(left)
+    assert [item.message.partition("`cook` ")[2] for item in found[1:]] == left
