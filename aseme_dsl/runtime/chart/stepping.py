@@ -1,0 +1,172 @@
+"""Stepping: how a step takes its inputs, and how it ends; the same for all charts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from aseme_dsl.runtime.chart.board import Board
+from aseme_dsl.runtime.chart.inputs import (
+    AgentMessage,
+    Cancel,
+    Completed,
+    Crashed,
+    Happened,
+    Input,
+    LeftOut,
+    Outcome,
+    Sample,
+    Written,
+)
+from aseme_dsl.runtime.chart.state import ChartState
+from aseme_dsl.runtime.time.clock import shown
+
+
+def _arrived(chart: ChartState, item: Sample) -> None:
+    boards = chart.boards()
+    for region in chart.READERS.get(item.channel, ()):
+        board = boards[region]
+        if board is None or item.written_by == chart.REGIONS[region]:
+            continue
+        if item.identity in board.ahead:
+            board.ahead.discard(item.identity)
+        else:
+            put(chart, region, board, item)
+
+
+def _completed(chart: ChartState, item: Completed) -> None:
+    leaf, owner, number = chart.RUNNING[item.label]
+    runs = getattr(chart, leaf) == number and item.label not in chart.failed
+    if runs and getattr(chart, owner) == item.token:
+        setattr(chart, leaf, number + 1)
+        if item.outcome is not None:
+            set_outcome(chart, item.label, item.outcome)
+
+
+def _crashed(chart: ChartState, item: Crashed) -> None:
+    leaf, owner, number = chart.RUNNING[item.label]
+    if getattr(chart, leaf) == number and getattr(chart, owner) == item.token:
+        chart.failed[item.label] = item.reason
+
+
+def _happened(chart: ChartState, item: Happened) -> None:
+    chart.events.add(item.name)
+
+
+def _written(chart: ChartState, item: Written) -> None:
+    for slot in chart.VARIABLES[item.variable]:
+        setattr(chart, slot, item.value)
+
+
+def _mailed(chart: ChartState, item: AgentMessage) -> None:
+    chart.mail[item.branch].append(item)
+
+
+def put(chart: ChartState, region: int, board: Board, item: Sample) -> None:
+    """Put a message on a region's board, unless too many wait there that nobody takes."""
+    if item.channel in board.QUEUED and board.waits(item.channel) >= chart.queue:
+        chart.effects.append(LeftOut(chart.REGIONS[region], item.channel))
+    else:
+        board.put(item, chart.now)
+
+
+def fail_late_activities(chart: ChartState) -> None:
+    """Cancel the activities whose deadline has passed: their states have failed."""
+    for label, within in chart.WITHIN.items():
+        leaf, owner, number = chart.RUNNING[label]
+        if getattr(chart, leaf) != number or label in chart.failed:
+            continue
+        if chart.now - getattr(chart, chart.TIMES[label]) >= within:
+            reason = chart.failed[label] = f"not done within {shown(within)}"
+            activity = chart.PLAN.by_label[label].activity or ""
+            chart.effects.append(Cancel(label, activity, getattr(chart, owner), reason))
+
+
+def set_outcome(chart: ChartState, label: str, outcome: str | None) -> None:
+    """The activity of a state has ended so; the newest comes last."""
+    chart.outcomes.pop(label, None)
+    chart.outcomes[label] = outcome
+
+
+def end_step(chart: ChartState, outcome: Outcome) -> None:
+    """Let all regions see what was written, drop used signals, and note how the chart stands."""
+    if chart.writes and _spread_writes(chart):
+        chart.woken = outcome.again = True
+    if chart.READERS:
+        for board in chart.boards():
+            if board is not None and board.asked:
+                _end_signals(chart, board, outcome)
+    if chart.failed and chart.failure is None:
+        label, reason = next(iter(chart.failed.items()))
+        name = chart.PLAN.by_label[label].name
+        stop(chart, f"activity {name} of state {label} failed: {reason}")
+    if chart.events:
+        chart.events.clear()
+        chart.spent.clear()
+    chart.finished = outcome.finished = chart.is_finished()
+    outcome.failure = chart.failure
+
+
+def _end_signals(chart: ChartState, board: Board, outcome: Outcome) -> None:
+    """Drop the signals that a region has looked at. Another step follows if others wait behind them, or
+    if a transition of an active state there may miss them."""
+    for channel in board.end_step():
+        if board.waits(channel):
+            chart.drains = outcome.again = True
+        for region, slot, leaves in chart.MISSED.get(channel, ()):
+            if chart.boards()[region] is board and _is_at(getattr(chart, slot), leaves):
+                outcome.again = True
+
+
+def count_waiting(chart: ChartState) -> int:
+    """How many signals and agent messages wait."""
+    mail = sum(map(len, chart.mail.values())) if chart.mail else 0
+    if not chart.READERS:
+        return mail
+    return mail + sum(board.waiting() for board in chart.boards() if board is not None)
+
+
+def _spread_writes(chart: ChartState) -> bool:
+    """Let all regions see what was written; whether that wakes one of them."""
+    found = {name: value for _, name, value in sorted(chart.writes, key=lambda write: write[0])}
+    chart.writes.clear()
+    wakes = False
+    for name, value in found.items():
+        wakes = wakes or any(_reads_anew(chart, copy, value) for copy in chart.WAKES.get(name, ()))
+        chart.set_variable(name, value)
+    return wakes
+
+
+def _reads_anew(chart: ChartState, copy: tuple[str, str, tuple[tuple[int, int], ...]], value: Any) -> bool:
+    """Whether a transition of an active state reads a copy of a variable that has another value yet."""
+    slot, region, leaves = copy
+    return getattr(chart, slot) != value and _is_at(getattr(chart, region), leaves)
+
+
+def stop(chart: ChartState, reason: str) -> None:
+    """The chart has failed: it leaves everything."""
+    chart.failure = reason
+    chart.leave()
+    _spread_writes(chart)
+
+
+def livelock(chart: ChartState, rounds: int) -> str:
+    """What to say of a step without an end."""
+    ways = dict.fromkeys(chart.PLAN.way(taken) for taken in chart.taken[-8:])
+    return f"the step does not settle after {rounds} rounds: {', '.join(ways)}"
+
+
+def _is_at(leaf: int, leaves: Iterable[tuple[int, int]]) -> bool:
+    """Whether the number of an active leaf is one of these."""
+    return any(first <= leaf <= last for first, last in leaves)
+
+
+RECEIVE: Mapping[type[Input], Callable[[Any, Any], None]] = {
+    Sample: _arrived,
+    Completed: _completed,
+    Crashed: _crashed,
+    Happened: _happened,
+    Written: _written,
+    AgentMessage: _mailed,
+}
+"""What each kind of input does to a chart."""
