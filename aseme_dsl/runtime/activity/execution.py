@@ -12,7 +12,7 @@ from aseme_dsl.runtime.activity.returning import as_outcome
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.input_queue import Errand
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Sample, Start
-from aseme_dsl.runtime.chart.plan import ActivityInfo, Variable
+from aseme_dsl.runtime.chart.plan import ActivityInfo
 from aseme_dsl.runtime.conversation.conversation import Conversations
 from aseme_dsl.runtime.conversation.directory import Directory
 from aseme_dsl.runtime.message.convert import Messages
@@ -20,6 +20,22 @@ from aseme_dsl.runtime.ports import Driver, Stepping
 from aseme_dsl.runtime.time.timers import Timer
 from aseme_dsl.runtime.trace.trace import Trace
 from aseme_dsl.runtime.world.body import Body
+
+
+class Requests(Protocol):
+    """What activities ask of their agent."""
+
+    def perform(self, execution: Execution, doing: c.Doing) -> None: ...
+    def take_mail(
+        self,
+        execution: Execution,
+        performative: str | None,
+        message: str | None,
+        sender: str | None,
+        identity: Identity | None = None,
+    ) -> AgentMessage | None: ...
+    def check_registered(self, wanted: bool) -> None: ...
+    def check_send(self, branch: str | None, performative: str, message: str, to: str) -> None: ...
 
 
 class Host(Stepping, Protocol):
@@ -38,19 +54,8 @@ class Host(Stepping, Protocol):
     @property
     def messages(self) -> Messages: ...
     def errand(self, call: Errand) -> None: ...
-    def perform(self, execution: Execution, doing: c.Doing) -> None: ...
-    def take_mail(
-        self,
-        execution: Execution,
-        performative: str | None,
-        message: str | None,
-        sender: str | None,
-        identity: Identity | None = None,
-    ) -> AgentMessage | None: ...
-    def branch_of(self, label: str) -> str | None: ...
-    def variable_of(self, name: str, label: str) -> Variable: ...
-    def check_registered(self, wanted: bool) -> None: ...
-    def check_send(self, branch: str | None, performative: str, message: str, to: str) -> None: ...
+    @property
+    def requests(self) -> Requests: ...
 
 
 class Owner(Protocol):
@@ -231,7 +236,7 @@ class Execution:
 
     def variable(self, name: str) -> Any:
         agent = self.owner.agent
-        variable = agent.variable_of(name, self.label)
+        variable = agent.plan.variable_of(name, self.label)
         access.check_get(self.info, variable, name)
         with agent.driver.guard(agent):
             return agent.chart.variable(variable.name)
@@ -243,7 +248,7 @@ class Execution:
             raise LookupError(f"{self.activity} is not part of a protocol's participant here")
         agent = self.owner.agent
         with agent.driver.guard(agent):
-            return agent.take_mail(self, performative, message, sender)
+            return agent.requests.take_mail(self, performative, message, sender)
 
     def received(self) -> tuple[AgentMessage, ...]:
         if self.branch is None:
@@ -259,7 +264,7 @@ class Execution:
         elif self.opens is not None:
             self.held.append(doing)
         else:
-            self.owner.agent.perform(self, doing)
+            self.owner.agent.requests.perform(self, doing)
 
     # ---- its end -----------------------------------------------------------------------------
 

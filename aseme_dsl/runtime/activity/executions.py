@@ -190,7 +190,7 @@ class Executions:
                 kind = info.kind if code is None else kind_of(code, info.kind)
         except ActivityError as raised:
             error = raised
-        return _Node(info, code, kind, error, self.agent.branch_of(start.label))
+        return _Node(info, code, kind, error, self.agent.plan.branch_of(start.label))
 
     def _begin_when_free(self, node: _Node) -> None:
         """Begin what is next, unless the old one has not returned or the period is not over."""
@@ -299,7 +299,7 @@ class Executions:
         execution.opens = None
         held, execution.held = execution.held, []
         for doing in held:
-            self.agent.perform(execution, doing)
+            self.agent.requests.perform(execution, doing)
         if execution.has_returned:
             self.agent.errand(lambda: self._end(execution))
 
@@ -423,7 +423,7 @@ class Executions:
                 self._check_kind(channel, message)
                 access.check_publish(execution.info, channel)
             case c.SetVariable(name, value):
-                variable = self.agent.variable_of(name, execution.label)
+                variable = self.agent.plan.variable_of(name, execution.label)
                 if not _fits(variable.type, value):
                     raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
                 access.check_set(execution.info, variable, name)
@@ -431,11 +431,11 @@ class Executions:
                 if isinstance(message, type) or not is_dataclass(message):
                     raise TypeError(f"what is prepared is a message, not {message!r}")
             case c.Send(performative, message, to):
-                self.agent.check_send(execution.branch, performative, type(message).__name__, to)
+                self.agent.requests.check_send(execution.branch, performative, type(message).__name__, to)
             case Offer(anew=anew):
-                self.agent.check_registered(anew)
+                self.agent.requests.check_registered(anew)
             case Withdraw():
-                self.agent.check_registered(True)
+                self.agent.requests.check_registered(True)
 
     def frozen(self, execution: Execution) -> c.Port:
         """The port of a context that goes on with what its activity sees just now."""

@@ -302,7 +302,7 @@ class Modules:
         execution.opens = None
         held, execution.held = execution.held, []
         for doing in held:
-            self.agent.perform(execution, doing)
+            self.agent.requests.perform(execution, doing)
         if execution.has_returned:
             self.agent.errand(lambda: self._ended(module, execution))
 

@@ -248,7 +248,7 @@ def snapshot_of(execution: Execution) -> Snapshot:
     variables: dict[str, tuple[Variable, Any]] = {}
     for name in sorted(names):
         try:
-            variable = agent.variable_of(name, execution.label)
+            variable = agent.plan.variable_of(name, execution.label)
         except LookupError:
             continue  # the variable of a participant that the activity is no part of
         variables[name] = variable, agent.chart.variable(variable.name)
@@ -279,7 +279,7 @@ def tell(execution: Execution, told: Told) -> None:
                     execution.take(channel, sender)
         case TookMail(identity):
             with agent.driver.guard(agent):
-                agent.take_mail(execution, None, None, None, identity)
+                agent.requests.take_mail(execution, None, None, None, identity)
         case _:
             execution.do(told)
 

@@ -5,17 +5,18 @@ from __future__ import annotations
 import itertools
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
 from typing import Any
 
-from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.activity.executions import Executions
 from aseme_dsl.runtime.activity.modules import Modules
 from aseme_dsl.runtime.activity.returning import frames_of, reason_of
 from aseme_dsl.runtime.agent.behaviours import JadeLikeAgent, agent_class
+from aseme_dsl.runtime.agent.course import changed_states, cycle, place_of_failure
 from aseme_dsl.runtime.agent.overload import Overload
+from aseme_dsl.runtime.agent.renewal import is_for_any_plan, renewed
+from aseme_dsl.runtime.agent.requests import Requests
 from aseme_dsl.runtime.agent.state_transfer import Carried
 from aseme_dsl.runtime.channel.bus import SELECT, Bus
 from aseme_dsl.runtime.chart.board import QUEUE
@@ -24,12 +25,9 @@ from aseme_dsl.runtime.chart.input_queue import Errand, Intake, Posted, Writer
 from aseme_dsl.runtime.chart.inputs import (
     AgentMessage,
     Cancel,
-    Completed,
-    Crashed,
     Effect,
     Fault,
     FunctionResult,
-    Happened,
     Identity,
     Input,
     Joined,
@@ -41,14 +39,10 @@ from aseme_dsl.runtime.chart.inputs import (
     Sample,
     Sending,
     Start,
-    Written,
 )
-from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, Variable
-from aseme_dsl.runtime.conversation import directory as d
+from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.conversation.conversation import Conversations
-from aseme_dsl.runtime.message.acl import AgentIdentifier
-from aseme_dsl.runtime.message.as_json import to_json
-from aseme_dsl.runtime.message.convert import Messages, arrived, converted, like, mailed
+from aseme_dsl.runtime.message.convert import Messages, converted
 from aseme_dsl.runtime.ports import Driver
 from aseme_dsl.runtime.time.timers import Timer
 from aseme_dsl.runtime.trace.trace import Trace
@@ -101,6 +95,7 @@ class Agent:
         """Is told of a message that says which plan is to run, and by whom it is."""
         self.executions = Executions(self, find)
         self.modules = Modules(self, self.executions, find)
+        self.requests = Requests(self, bus)
         self.intake = Intake(_queued(self.plan), not driver.clock.virtual, queue)
         self.overload = Overload(self, queue)
         self._queue = chart.queue = queue
@@ -119,9 +114,7 @@ class Agent:
         self._following = 0
         self._inputs: list[Posted] | None = None
         self._due: Timer | None = None
-        self._prepared: dict[tuple[str | None, str], Any] = {}
         self._configuration: tuple[str, ...] = ()
-        self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
         self._info_of = {info.label: info for info in self.plan.branches}
         self.shown: JadeLikeAgent | None = None
         """The agent with its behaviours, if it is shown so; made before the first step."""
@@ -200,9 +193,9 @@ class Agent:
             if not isinstance(item, Posted):
                 item()
             elif self._counts(item):
-                renewed = self._renewed(item, None) if self.messages else item
-                if renewed is not None:
-                    inputs.append(renewed)
+                wanted = self._renewed(item, None) if self.messages else item
+                if wanted is not None:
+                    inputs.append(wanted)
         self._inputs = None
         if self.intake.left_out or self.intake.refused:
             self.overload.at_the_door(self.intake)
@@ -236,8 +229,9 @@ class Agent:
         if not self.driver.clock.virtual:
             chart.pending = lambda: self._ahead(ahead)
         drained, chart.drains = chart.drains, False
+        given = [item.input for item in inputs]
         try:
-            outcome = chart.step(now, [item.input for item in inputs])
+            outcome = chart.step(now, given)
         except Exception as error:  # nothing in a document can do that; the other agents play on
             self.trace.step(
                 now, self.name, self.plan, self.steps, _identities(inputs), ahead, Outcome(), None
@@ -245,7 +239,7 @@ class Agent:
             self.fail(f"the step raised {reason_of(error)}", frames_of(error, own=True))
             return
         self.recent.extend(outcome.taken)
-        self._note_moments(now, inputs, outcome)
+        self.since.update(dict.fromkeys(changed_states(self.plan, self.steps == 1, given, outcome), now))
         configuration = chart.configuration() if self.trace.active else ()
         changed = configuration != self._configuration
         self._configuration = configuration
@@ -280,19 +274,6 @@ class Agent:
             if self.over:
                 return
         self._sleep(now)
-
-    def _note_moments(self, now: int, inputs: list[Posted], outcome: Outcome) -> None:
-        """Note what has just been entered, and which activities have returned."""
-        if self.steps == 1:
-            self.since[self.plan.states[0].label] = now
-        for item in inputs:
-            if isinstance(item.input, Completed):
-                self.since[item.input.label] = now
-        transitions = self.plan.transitions
-        for numbers in outcome.taken:
-            last = transitions[numbers[-1]]
-            if last.kind == "way":
-                self.since[last.target] = now
 
     def _follow(self, has_inputs: bool) -> None:
         """Count the steps in a row that only variables have asked for, and stop an agent that makes them for
@@ -345,14 +326,8 @@ class Agent:
     # ---- the end -----------------------------------------------------------------------------
 
     def _note_failure(self, now: int, outcome: Outcome) -> None:
-        reason = outcome.failure or ""
-        states = self.plan.states
-        at = next((state.at for state in states if f" of state {state.label} failed: " in reason), "")
-        if not at:
-            taken = [self.plan.transitions[numbers[0]] for numbers in outcome.taken]
-            at = next((way.at for way in reversed(taken) if way.kind != "exit"), "")
-        self.failed_at = at
-        self.trace.failure(now, self.name, reason, at)
+        self.failed_at = place_of_failure(self.plan, outcome)
+        self.trace.failure(now, self.name, outcome.failure or "", self.failed_at)
 
     def fail(self, reason: str, frames: list[dict[str, Any]] | None = None) -> None:
         """Stop the agent for a reason that its chart does not know. Called while the agent is guarded."""
@@ -399,16 +374,13 @@ class Agent:
         self.executions.carry(labels, find)
         if carried.chart.started:
             self._show(labels)
-        self._prepared = {
-            (branch if branch is None else labels.get(branch, ""), name): self.understood(content)
-            for (branch, name), content in self._prepared.items()
-        }
+        self.requests.renew(labels, self.understood)
         with self.conversations.still():  # nobody posts mail for a branch by its old name
             self.conversations.carry(self, labels, messages)
-            renewed = (
+            waiting = (
                 self._renewed(item, labels) if isinstance(item, Posted) else item for item in self.take()
             )
-            self.intake.put_back([item for item in renewed if item is not None])
+            self.intake.put_back([item for item in waiting if item is not None])
         for effect in carried.effects:
             self._carried_out[type(effect)](effect)
         if changed or is_due:
@@ -435,16 +407,16 @@ class Agent:
             self.shown = None
         with self.conversations.still():
             self.conversations.gone(self, f"{self.name} has left its plan")
-            items = [item for item in self.take() if _is_for_any_plan(item)]
+            items = [item for item in self.take() if is_for_any_plan(item)]
             chart.tokens = old.tokens
             self._adopt(chart)
             self.messages = messages
             self.executions.forget(find)
             self.modules.forget(find)
-            self._prepared.clear()
+            self.requests.prepared.clear()
             self.intake.put_back(items)
         if self._inputs is not None:  # it chose this itself, in a message that came with others
-            self._inputs[:] = [item for item in self._inputs if _is_for_any_plan(item)]
+            self._inputs[:] = [item for item in self._inputs if is_for_any_plan(item)]
         self.begin()
 
     def crash(self) -> None:
@@ -477,7 +449,6 @@ class Agent:
         self.chart.queue = self._queue
         self.plan = chart.PLAN
         self.intake.queued = _queued(self.plan)
-        self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
         self._info_of = {info.label: info for info in self.plan.branches}
         self.recent.clear()
         self._configuration = chart.configuration() if chart.started and self.trace.active else ()
@@ -488,32 +459,13 @@ class Agent:
             self._due = None
 
     def _renewed(self, item: Posted, labels: Mapping[str, str] | None) -> Posted | None:
-        """An input with its message and, by `labels`, its labels as the agent's plan has them, or None."""
-        found = item.input
+        """An input as the agent's plan has it; None, told in the trace, where it has nothing of that name."""
         try:
-            match found:
-                case Sample(channel):
-                    if channel in self.chart.READERS:
-                        found = arrived(found, self.messages)
-                    if labels is not None and found.written_by is not None:
-                        found = replace(found, written_by=labels.get(found.written_by, ""))
-                case AgentMessage():
-                    found = mailed(found, self.messages)
-                    if labels is not None:
-                        found = replace(found, branch=labels[found.branch])
-                case Completed(label) | Crashed(label):
-                    if labels is not None:
-                        found = replace(found, label=labels[label])
-                case Written(variable):
-                    name, _, scope = variable.partition("@")
-                    key = f"{name}@{labels[scope]}" if scope and labels is not None else variable
-                    example = self.chart.variable(key)
-                    found = Written(key, like(found.value, example, self.messages))
+            return renewed(item, self.chart, self.messages, labels)
         except LookupError as error:
             text = f"an input of {item.identity[0]} is left out: {error.args[0]}"
             self.trace.fault(self.driver.clock.now(), self.name, text)
             return None
-        return item if found is item.input else replace(item, input=found)
 
     def understood(self, content: Any) -> Any:
         """The content of an agent message as the agent's plan has it; as it is, where it has none."""
@@ -530,15 +482,7 @@ class Agent:
 
     def cycle(self) -> str:
         """The transitions taken last, for messages about what does not end."""
-        transitions = self.plan.transitions
-        names = [self.plan.way(numbers) for numbers in self.recent]
-        activities = [
-            activity
-            for numbers in self.recent
-            if (activity := self.plan.by_label[transitions[numbers[-1]].target].activity)
-        ]
-        text = ", ".join(dict.fromkeys(names)) or "no transition"
-        return text + (f" (activities {', '.join(dict.fromkeys(activities))})" if activities else "")
+        return cycle(self.plan, self.recent)
 
     # ---- effects -----------------------------------------------------------------------------
 
@@ -550,11 +494,7 @@ class Agent:
         self.bus.publish(self, effect.channel, effect.message, effect.host, region=effect.region)
 
     def _send(self, effect: Sending) -> None:
-        content = effect.content
-        for key in ((effect.branch, effect.message), (None, effect.message)):
-            if not effect.filled and key in self._prepared:
-                content = self._prepared.pop(key)
-                break
+        content = self.requests.content_of(effect)
         performative, message = effect.performative, effect.message
         if effect.to is not None:
             self.conversations.send_to_agent(self, effect.branch, performative, message, content, effect.to)
@@ -563,132 +503,11 @@ class Agent:
                 self, effect.branch, performative, message, content, effect.participant, effect.excepts
             )
 
-    # ---- what activities do ------------------------------------------------------------------
-
-    def perform(self, execution: Execution, doing: c.Doing) -> None:
-        """Do what an activity asks for. Called from the activity's thread."""
-        now = self.driver.clock.now()
-        activity = execution.activity
-        match doing:
-            case c.Publish(channel, message, host):
-                self.bus.publish(self, channel, message, host, activity=activity)
-            case c.SetVariable(name, value):
-                key = self.variable_of(name, execution.label).name
-                identity = self.identity()
-                self.trace.write(
-                    "variable",
-                    now,
-                    agent=self.name,
-                    sequence=identity[1],
-                    variable=key,
-                    value=to_json(value),
-                    activity=activity,
-                    label=execution.label,
-                )
-                self.post(identity, Written(key, value), execution)
-            case c.RaiseEvent(name):
-                identity = self.identity()
-                self.trace.write(
-                    "event",
-                    now,
-                    agent=self.name,
-                    sequence=identity[1],
-                    event=name,
-                    activity=activity,
-                    label=execution.label,
-                )
-                self.post(identity, Happened(name), execution)
-            case c.Prepare(message):
-                self._prepared[execution.branch, type(message).__name__] = message
-            case c.Send(performative, message, to, within):
-                branch, name = execution.branch, type(message).__name__
-                assert branch is not None  # checked before
-                by = None if within is None else now + within
-                self.conversations.send(self, branch, performative, name, message, to, reply_by=by)
-            case d.Offer(services, lease, anew):
-                entry = d.Entry(AgentIdentifier(self.name), services)
-                directory = self.conversations.directory
-                self._settle(lambda: (directory.modify if anew else directory.register)(entry, lease))
-            case d.Withdraw():
-                self._settle(lambda: self.conversations.directory.deregister(self.name))
-            case c.Log(text):
-                self.trace.write(
-                    "log", now, agent=self.name, activity=activity, label=execution.label, text=text
-                )
-
-    def _settle(self, change: Callable[[], object]) -> None:
-        """Change what is registered; tell if that cannot be any more."""
-        try:
-            change()
-        except d.DirectoryError as problem:
-            self.trace.fault(self.driver.clock.now(), self.name, f"the directory: {problem}")
-
-    def take_mail(
-        self,
-        execution: Execution,
-        performative: str | None,
-        message: str | None,
-        sender: str | None,
-        identity: Identity | None = None,
-    ) -> AgentMessage | None:
-        """The oldest agent message that waits in the activity's branch. Called while the agent is guarded."""
-        branch = execution.branch
-        if branch is None or execution.cancelled:
-            return None
-        waiting = self.chart.mail[branch]
-        for item in waiting:
-            if c.matches(item, performative, message, sender) and identity in (None, item.identity):
-                waiting.remove(item)
-                self.trace.write(
-                    "consumed",
-                    self.driver.clock.now(),
-                    agent=self.name,
-                    input=list(item.identity),
-                    label=execution.label,
-                    activity=execution.activity,
-                    token=execution.start.token,
-                )
-                self.conversations.taken(self, branch, item.identity)
-                return item
-        return None
-
     # ---- questions ---------------------------------------------------------------------------
-
-    def branch_of(self, label: str) -> str | None:
-        """The label of the innermost protocol branch around a state, or None."""
-        return next((b.label for b in self._branches if (label + ".").startswith(b.label + ".")), None)
 
     def branch_info(self, label: str) -> BranchInfo:
         """What the plan says of a branch."""
         return self._info_of[label]
-
-    def variable_of(self, name: str, label: str) -> Variable:
-        """The variable that a state's activity means by a name: the innermost. Raises LookupError."""
-        found = [
-            variable
-            for variable in self.plan.variables
-            if variable.name.partition("@")[0] == name
-            and (variable.scope is None or (label + ".").startswith(variable.scope + "."))
-        ]
-        if not found:
-            known = ", ".join(sorted({v.name.partition("@")[0] for v in self.plan.variables})) or "none"
-            raise LookupError(f"no variable {name} here; {self.role} has {known}")
-        return max(found, key=lambda variable: len(variable.scope or ""))
-
-    def check_registered(self, wanted: bool) -> None:
-        """Raises DirectoryError if the agent has registered what it offers, or (`wanted`) if it has not."""
-        if self.conversations.directory.has_registered(self.name) != wanted:
-            raise (d.not_registered if wanted else d.already_registered)(self.name)
-
-    def check_send(self, branch: str | None, performative: str, message: str, to: str) -> None:
-        """Raises LookupError if an activity of this branch cannot send such a message to `to`."""
-        if branch is None:
-            raise LookupError("only an activity of a protocol's participant sends agent messages")
-        info = self.branch_info(branch)
-        if (performative, message) not in info.sends:
-            known = ", ".join(" ".join(pair) for pair in info.sends) or "nothing"
-            raise LookupError(f"{info.participant} sends {known}, not {performative} {message}")
-        self.conversations.check_receiver(self, branch, to)
 
 
 def _stop(outcome: Outcome) -> int:
@@ -701,11 +520,6 @@ def _stop(outcome: Outcome) -> int:
 
 def _identities(inputs: Iterable[Posted]) -> list[Identity]:
     return [item.identity for item in inputs]
-
-
-def _is_for_any_plan(item: Posted | Errand) -> bool:
-    """Whether what has come in means something to another plan than the one that it came for."""
-    return not isinstance(item, Posted) or isinstance(item.input, Sample | Happened)
 
 
 def _is_said(effect: Effect) -> bool:

@@ -241,6 +241,24 @@ class Plan:
                 widths[state.parent] = beside + width if together else max(beside, width)
         return widths.get(self.states[0].label, 0)
 
+    def branch_of(self, label: str) -> str | None:
+        """The label of the innermost protocol branch around a state, or None."""
+        around = [info.label for info in self.branches if (label + ".").startswith(info.label + ".")]
+        return max(around, key=len, default=None)
+
+    def variable_of(self, name: str, label: str) -> Variable:
+        """The variable that a state's activity means by a name: the innermost. Raises LookupError."""
+        found = [
+            variable
+            for variable in self.variables
+            if variable.name.partition("@")[0] == name
+            and (variable.scope is None or (label + ".").startswith(variable.scope + "."))
+        ]
+        if not found:
+            known = ", ".join(sorted({v.name.partition("@")[0] for v in self.variables})) or "none"
+            raise LookupError(f"no variable {name} here; {self.name} has {known}")
+        return max(found, key=lambda variable: len(variable.scope or ""))
+
     def outgoing(self, label: str) -> tuple[tuple[int, Transition], ...]:
         """The transitions of a source with their numbers, in the order in which they are tried."""
         found = [(n, t) for n, t in enumerate(self.transitions) if t.source == label and t.kind != "exit"]

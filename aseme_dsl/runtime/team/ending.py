@@ -163,7 +163,7 @@ def waits_of(agent: Agent) -> tuple[Waiting, ...]:
 def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str], since: int) -> Waiting:
     """The entry of a leaf, or of a state around that is complete, which came to rest `since` at least."""
     running = _runs(agent, leaf)
-    branch = agent.branch_of(leaf.label)
+    branch = agent.plan.branch_of(leaf.label)
     conversation, is_entered = (
         agent.conversations.place(agent, branch) if branch is not None else (None, False)
     )
