@@ -116,9 +116,9 @@ class NAME:
             os.setsid()
             for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
                 signal.signal(number, signal.SIG_IGN)
-            if os.fork():
+            if second := os.fork():
+                note(second)  # before the activity returns, so that the numbers have an order
                 os._exit(0)
-            note(os.getpid())
             os.closerange(0, 100)
             time.sleep(600)
             os._exit(0)
