@@ -112,7 +112,7 @@ def test_agents_in_one_process_have_one_address(
         started(net, "ann", "bob").join()
     hosts["bob"] = hosts["ann"]
     both = started(net, "ann", "bob")
-    wait_until(lambda: both.team.transport._link._platform._place)  # type: ignore[attr-defined]
+    wait_until(lambda: both.team.transport.state.link._platform._place)  # type: ignore[attr-defined]
 
 
 class Theirs(mango.Agent):
@@ -130,7 +130,7 @@ def test_a_mango_agent_of_somebody_else_talks_with_ours(
     net: Generated, started: Callable[..., Part], hosts: dict[str, tuple[str, int]]
 ) -> None:
     bob = started(net, "bob")
-    wait_until(lambda: bob.team.transport._link._platform._place)  # type: ignore[attr-defined]
+    wait_until(lambda: bob.team.transport.state.link._platform._place)  # type: ignore[attr-defined]
     said = {"protocol": "net", "conversation_id": "c1", "reply_with": "q1"}
 
     async def talk() -> list[tuple[Any, dict[str, Any]]]:
@@ -187,7 +187,7 @@ def test_nonsense_makes_nobody_deaf(
     net: Generated, started: Callable[..., Part], hosts: dict[str, tuple[str, int]], data: bytes
 ) -> None:
     bob = started(net, "bob")
-    wait_until(lambda: bob.team.transport._link._platform._place)  # type: ignore[attr-defined]
+    wait_until(lambda: bob.team.transport.state.link._platform._place)  # type: ignore[attr-defined]
     with socket.create_connection(hosts["bob"]) as wire:
         wire.sendall(struct.pack("!L", len(data)) + data)
     boss = started(net, "ann")
@@ -199,9 +199,9 @@ def test_what_our_conversations_raise_makes_nobody_deaf(
     net: Generated, started: Callable[..., Part], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     bob = started(net, "bob")
-    wait_until(lambda: bob.team.transport._link._platform._place)  # type: ignore[attr-defined]
-    post, failed = bob.team.transport, []
-    arrived = post.arrived  # type: ignore[attr-defined]
+    wait_until(lambda: bob.team.transport.state.link._platform._place)  # type: ignore[attr-defined]
+    inbox, failed = bob.team.transport.inbox, []  # type: ignore[attr-defined]
+    arrived = inbox.arrived
 
     def fails(*arguments: Any) -> None:
         if not failed:
@@ -209,7 +209,7 @@ def test_what_our_conversations_raise_makes_nobody_deaf(
             raise RuntimeError("once")
         arrived(*arguments)
 
-    monkeypatch.setattr(post, "arrived", fails)
+    monkeypatch.setattr(inbox, "arrived", fails)
     boss = started(net, "ann")
     boss.join()
     assert failed and boss.of("received", performative="propose")

@@ -272,7 +272,7 @@ def alice(server: Server) -> Iterator[Outsider]:
 
 def test_a_hand_written_agent_talks_with_ours(net: Generated, server: Server, alice: Outsider) -> None:
     bob = started(net, server, "bob")
-    wait_until(lambda: bob.team.transport._link._platform.here())  # type: ignore[attr-defined]
+    wait_until(lambda: bob.team.transport.state.link._platform.here())  # type: ignore[attr-defined]
     cfp = {"performative": "cfp", "protocol": "net", "conversation-id": "c1", "reply-with": "q1"}
     alice.say("bob@localhost", cfp, '{"n": 3}')
     wait_until(lambda: alice.heard)
@@ -308,7 +308,7 @@ def test_what_cannot_be_brought_to_an_outsider_is_told(
 ) -> None:
     """Prosody says so; SPADE's own server stores it for whenever somebody of that name comes."""
     bob = started(net, server, "bob")
-    wait_until(lambda: bob.team.transport._link._platform.here())  # type: ignore[attr-defined]
+    wait_until(lambda: bob.team.transport.state.link._platform.here())  # type: ignore[attr-defined]
     cfp = {"performative": "cfp", "protocol": "net", "reply-to": "nobody@localhost", "reply-with": "q1"}
     alice.say("bob@localhost", cfp, '{"n": 3}')
     wait_until(lambda: bob.of("agent_message"))
@@ -333,7 +333,7 @@ def test_a_server_that_is_not_there_is_said(net: Generated, monkeypatch: pytest.
 
 def test_a_wrong_password_is_said_at_once(net: Generated, server: Server) -> None:
     first = started(net, server, "bob")
-    wait_until(lambda: first.team.transport._link._platform.here())  # type: ignore[attr-defined]
+    wait_until(lambda: first.team.transport.state.link._platform.here())  # type: ignore[attr-defined]
     first.stop()
     wrong = PlatformLink(SpadePlatform(server.settings(password="other"), NAMES), "Net", NAMES)
     found = part(net, ["bob"], {}, wrong).start()
@@ -354,7 +354,7 @@ def test_the_certificate_of_the_project_is_trusted(net: Generated, server: Serve
         pytest.skip("the embedded server makes its own, and nobody else knows it")
     settings = server.settings(verify=True, authority=server.folder / "localhost.crt")
     found = part(net, ["bob"], {}, PlatformLink(SpadePlatform(settings, NAMES), "Net", NAMES)).start()
-    wait_until(lambda: found.team.transport._link._platform.here())  # type: ignore[attr-defined]
+    wait_until(lambda: found.team.transport.state.link._platform.here())  # type: ignore[attr-defined]
     found.stop()
 
 
@@ -391,6 +391,6 @@ def test_the_embedded_server_ends_with_its_standard_input(server: Server) -> Non
 def test_spades_event_loop_policy_is_not_left_behind(net: Generated, server: Server) -> None:
     before = asyncio.get_event_loop_policy()
     bob = started(net, server, "bob")
-    wait_until(lambda: bob.team.transport._link._platform.here())  # type: ignore[attr-defined]
+    wait_until(lambda: bob.team.transport.state.link._platform.here())  # type: ignore[attr-defined]
     bob.stop()
     assert asyncio.get_event_loop_policy() is before

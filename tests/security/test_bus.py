@@ -219,7 +219,7 @@ def test_a_copied_token_is_nobody(wire: Generated, mouth: Mouth) -> None:
     kept += [session.liveliness().declare_token(keeper.token("bob", LAST))]
     kept += [session.liveliness().declare_token(keeper.token("ann", life)) for life in range(1, 9)]
     bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, Network())).start()
-    wait_until(lambda: "ann" in bob.post._others and len(bob.post._others["ann"].present) == 9)
+    wait_until(lambda: "ann" in bob.post.state.others and len(bob.post.state.others["ann"].present) == 9)
     ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, Network())).start()
     wait_until(lambda: bob.team.transport.is_there("ann"))
     talks_on(mouth, ann, bob, 1)

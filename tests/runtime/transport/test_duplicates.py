@@ -122,18 +122,22 @@ def a_signal(ann: Part, bob: Part, wire: Generated) -> tuple[Envelope, bytes]:
     return (
         Envelope(
             envelopes.MESSAGE, bob.post.model, ann.post.incarnation, bob.post.incarnation, 1, sequence=1,
-            time=time.monotonic_ns(), clock=ann.post._clock, channel="team.signal.M",
+            time=time.monotonic_ns(), clock=ann.post.state.clock, channel="team.signal.M",
         ),
         payload,
     )  # fmt: skip
 
 
 def a_ping(ann: Part, bob: Part, wire: Generated) -> tuple[Envelope, bytes]:
-    return Envelope(envelopes.PING, bob.post.model, ann.post.incarnation, time=1, clock=ann.post._clock), b""
+    return Envelope(
+        envelopes.PING, bob.post.model, ann.post.incarnation, time=1, clock=ann.post.state.clock
+    ), b""
 
 
 def an_acknowledgement(ann: Part, bob: Part, wire: Generated) -> tuple[Envelope, bytes]:
-    return Envelope(envelopes.ACKNOWLEDGE, bob.post.model, ann.post.incarnation, clock=ann.post._clock), b""
+    return Envelope(
+        envelopes.ACKNOWLEDGE, bob.post.model, ann.post.incarnation, clock=ann.post.state.clock
+    ), b""
 
 
 def of_another_life(ann: Part, bob: Part, wire: Generated) -> tuple[Envelope, bytes]:
@@ -154,7 +158,7 @@ def test_twice_as_many_duplicates_are_twice_the_work_of_a_robot(
     def flood(times: int) -> int:
         def send() -> None:
             for _ in range(times):
-                bob.post.arrived("bob", "ann", envelope, payload)
+                bob.post.inbox.arrived("bob", "ann", envelope, payload)
 
         return instructions(send)
 

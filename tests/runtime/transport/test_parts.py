@@ -350,7 +350,7 @@ def test_a_robot_whose_clock_was_set_back_is_known_again(talk: Generated, box: B
     first.stop()
     wait_until(lambda: "bob gone" in ann.news())
     second = part(talk, ["bob"], box.activities, air.link())
-    second.post.incarnation = 12345  # it is 1970 again
+    second.post.state.incarnation = 12345  # it is 1970 again
     second.start()
     wait_until(lambda: "bob restarted" in ann.news())
     box.say += [("team.signal.M", 1, None)]

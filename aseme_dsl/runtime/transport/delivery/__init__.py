@@ -1,0 +1,1 @@
+"""Delivery: the parts of the reliable delivery between processes."""

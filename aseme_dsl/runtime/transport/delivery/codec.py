@@ -1,0 +1,33 @@
+"""Codec: messages of one version of the model as bytes, and back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from aseme_dsl.runtime.message.wire import Schema, WireError
+
+
+@dataclass(frozen=True, slots=True)
+class Codec:
+    """How the messages of a version of the model travel."""
+
+    schema: Schema
+    model: str
+    """The MODEL of the generated package; messages of another one are refused."""
+    readable: bool
+    """Whether they travel as JSON."""
+    largest: int | None
+
+    def encode(self, message: Any) -> bytes:
+        """The payload of a message. Raises WireError."""
+        payload = self.schema.encode_json(message) if self.readable else self.schema.encode(message)
+        if self.largest is not None and len(payload) > self.largest:
+            raise WireError(f"it has {len(payload)} bytes, and at the most {self.largest} travel here")
+        return payload
+
+    def read(self, kind: type[Any], payload: bytes) -> Any:
+        """The message that a payload is. Raises WireError."""
+        if self.readable:
+            return self.schema.decode_json(kind, payload)
+        return self.schema.decode(kind, payload)

@@ -1,0 +1,208 @@
+"""Presence: which agents elsewhere are there, and which life each of them leads."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.delivery.records import Other
+from aseme_dsl.runtime.transport.delivery.reports import count, lose, meet_stranger, tell
+from aseme_dsl.runtime.transport.delivery.sending import (
+    hurry,
+    ping,
+    pump,
+    say,
+)
+from aseme_dsl.runtime.transport.delivery.state import Delivery
+from aseme_dsl.runtime.transport.envelope import Envelope
+from aseme_dsl.runtime.transport.stream import Incoming, Letter, Samples
+
+MOST_HOPED = 4
+"""So many lives of an agent are asked whether they are there."""
+TWIN_SECONDS = 2.0
+"""How long a newer life of an agent may take to answer, and after how long it is asked again."""
+PINGS = 4
+"""So many PINGs in each lease; who answers none of so many is gone."""
+
+
+def appeared(state: Delivery, agent: str, incarnation: int) -> None:
+    """An agent elsewhere is there now."""
+    state.gate.wait()
+    if agent in state.here:
+        if incarnation > state.incarnation:
+            if state.lease is None:
+                replaced(state, agent)
+            elif incarnation not in state.twins:
+                state.twins.add(incarnation)
+                threading.Thread(
+                    target=ask_twin, args=(state, agent, incarnation), name="aseme twin", daemon=True
+                ).start()
+        return
+    if state.lease is None:
+        end_before(state, agent, incarnation)
+    with state.lock:
+        other = state.others.get(agent)
+        if other is None:
+            meet_stranger(state, agent)
+            return
+        other.present.add(incarnation)
+        if incarnation != other.life and is_next(state, other, incarnation):
+            if state.lease is None:
+                begin_life(state, other, incarnation)
+            else:
+                knock(state, other)
+                state.stir()
+        elif incarnation == other.life:
+            if other.alive:
+                hurry(state, [key for key in state.ways if key[1] == agent])
+            elif state.lease is None:
+                come_back(state, other)
+            else:
+                ping(state, state.mine, other)
+    if other.alive:
+        state.team.conversations.appeared(agent)
+
+
+def replaced(state: Delivery, agent: str) -> None:
+    """One of our agents is played by a newer process: this one stops."""
+    now = state.now()
+    state.team.trace.write("peer", now, agent=agent, peer=agent, what="replaced")
+    state.team.driver.stop("replaced")
+
+
+def ask_twin(state: Delivery, agent: str, life: int) -> None:
+    """Stop if a newer life of one of our agents answers, as long as something says that it is there."""
+    while not state.closing and life in state.twins:
+        if state.link.ask(agent, "history", b"{}", TWIN_SECONDS, life):
+            replaced(state, agent)
+            return
+        time.sleep(TWIN_SECONDS)
+
+
+def come_back(state: Delivery, other: Other) -> None:
+    """An agent that was gone leads the same life still. Called with the lock."""
+    other.alive = True
+    tell(state, other, "reconnected")
+    hurry(state, [key for key in state.ways if key[1] == other.name])
+
+
+def end_before(state: Delivery, agent: str, life: int) -> None:
+    """An agent leads one life: the one before has ended, also if it was not seen to. Called without the
+    lock, since conversations are told."""
+    other = state.others.get(agent)
+    if other is None or not other.alive or other.life is None:
+        return
+    if life > other.life and life not in other.ended:
+        vanished(state, agent, other.life)
+
+
+def vanished(state: Delivery, agent: str, incarnation: int) -> None:
+    """An agent elsewhere is not there any more."""
+    state.gate.wait()
+    if agent in state.here:
+        state.twins.discard(incarnation)
+    with state.lock:
+        other = state.others.get(agent)
+        if other is None or state.closing:
+            return
+        other.present.discard(incarnation)
+        if state.lease is not None and other.life == incarnation:
+            other.ended.add(incarnation)
+        if other.life != incarnation or not other.alive:
+            return
+        other.alive, other.gone_at = False, time.monotonic()
+        tell(state, other, "gone")
+    state.team.conversations.vanished(agent)
+    with state.lock:
+        others = other.present - other.ended
+        if other.alive or not others:
+            return
+        if state.lease is not None:
+            knock(state, other)
+            return
+        begin_life(state, other, max(others))
+    state.team.conversations.appeared(agent)
+
+
+def begin_life(state: Delivery, other: Other, life: int) -> None:
+    """An agent is there for the first time, or again after it had ended. Called with the lock."""
+    first = other.life is None
+    other.life, other.alive, other.clock = life, True, None
+    other.measured.clear()
+    other.unanswered, other.answered_at, other.ask_at = 0, time.monotonic_ns(), 0
+    tell(state, other, "connected" if first else "restarted")
+    for (mine, name), way in state.ways.items():
+        if name != other.name:
+            continue
+        flying, waiting = way.out.restart()
+        lose(state, name, flying, "it ended while this was on its way")
+        way.into, way.samples, way.owed, way.sample = Incoming(), Samples(), 0, 0
+        way.pinged = 0  # what was asked stays: the answer may be how this life began
+        for kept in state.archive.news_for(mine, name):
+            way.out.put(Letter(kept.sent, len(kept.sent.payload), kept.replaces))
+        for letter in waiting:
+            if letter.item.what != "state":
+                way.out.put(Letter(letter.item, letter.size))
+        pump(state, way, other)
+    state.stir()
+
+
+def hoped(state: Delivery, other: Other) -> list[int]:
+    """The lives of an agent that may be its next one, and have said nothing to us yet."""
+    found = [life for life in other.present if life != other.life and is_next(state, other, life)]
+    return sorted(found)[-MOST_HOPED:]
+
+
+def knock(state: Delivery, other: Other) -> None:
+    """Have lives say themselves that they are there: tokens may be copies. Called with the lock."""
+    mine = state.mine
+    for life in hoped(state, other):
+        envelope = state.envelope(envelopes.PING)
+        state.ways[mine, other.name].asked.append(envelope.time)
+        say(state, mine, other.name, "ping", envelope, life)
+
+
+def is_next(state: Delivery, other: Other, life: int) -> bool:
+    """Whether this life comes after the one that is known.
+
+    A robot whose clock was set back begins one with a lower number: it counts when the other has ended.
+    """
+    if life in other.ended:
+        return False
+    return other.life is None or life > other.life or (not other.alive and life in other.present)
+
+
+def is_fresh(state: Delivery, envelope: Envelope) -> bool:
+    """Whether an envelope was made for this life of ours: what is replayed may be for an earlier one."""
+    return envelope.addressee == state.incarnation or (state.lease is None and envelope.addressee == 0)
+
+
+def is_current(state: Delivery, other: Other, envelope: Envelope) -> bool:
+    """Whether an envelope is from the life that its sender leads, and for ours. Called with the lock."""
+    life = envelope.incarnation
+    if life != other.life and not is_next(state, other, life):
+        count(state, other, "late", "it is of an earlier life of its sender")
+        return False
+    if not is_fresh(state, envelope):
+        if envelope.kind == envelopes.PING:  # who looks for another life of ours is none of our business
+            other.counts["late"] = other.counts.get("late", 0) + 1
+        else:
+            count(state, other, "late", "it is for an earlier life of its receiver")
+        return False
+    if life != other.life:
+        begin_life(state, other, life)
+    return True
+
+
+def silent(state: Delivery) -> list[tuple[str, int]]:
+    """Who has not answered for a lease, though its token is there: anybody may hold a copy of that."""
+    if state.lease is None:
+        return []
+    before = time.monotonic_ns() - state.lease
+    return [
+        (other.name, other.life)
+        for other in state.others.values()
+        # Not by time alone: we may have been suspended ourselves.
+        if other.alive and other.life is not None and other.unanswered >= PINGS and other.answered_at < before
+    ]

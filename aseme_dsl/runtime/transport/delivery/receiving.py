@@ -1,0 +1,177 @@
+"""Receiving: what has come for one of our agents, put in order and handed on."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from typing import Any
+
+from aseme_dsl.runtime.message.acl import JSON, AclMessage, name_of
+from aseme_dsl.runtime.message.wire import WireError
+from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.delivery.clocks import deadline_of, moment_of
+from aseme_dsl.runtime.transport.delivery.presence import (
+    come_back,
+)
+from aseme_dsl.runtime.transport.delivery.records import Got, Other, Way
+from aseme_dsl.runtime.transport.delivery.reports import count, meet_stranger, tell_once
+from aseme_dsl.runtime.transport.delivery.sending import (
+    acknowledge,
+    hand_over,
+    pump,
+    say,
+)
+from aseme_dsl.runtime.transport.delivery.state import Delivery
+from aseme_dsl.runtime.transport.envelope import Envelope
+
+OWED = 64
+"""After so many letters an acknowledgement is sent at once."""
+
+
+def accepted(
+    state: Delivery, to: str, other: Other, read: Envelope, payload: bytes, came: int
+) -> Sequence[tuple[Envelope, Any] | None]:
+    """What can be handed on after something has come. Called with the lock."""
+    way = state.ways[to, other.name]
+    if read.kind == envelopes.ACKNOWLEDGE:
+        for place, letter in way.out.acknowledge(read.upto, read.missing, came):
+            hand_over(state, other, letter.item, place=place)
+        pump(state, way, other)
+        return ()
+    if read.kind == envelopes.PING:
+        if read.time <= way.pinged:
+            count(state, other, "duplicated", "one came twice; the second was dropped")
+            return ()
+        way.pinged = read.time
+        if way.owed:
+            acknowledge(state, to, other.name, way)
+        say(state, to, other.name, "pong", state.envelope(envelopes.PONG, asked=read.time, heard=came))
+        return ()
+    if read.kind == envelopes.PONG:
+        if read.asked not in way.asked:
+            count(state, other, "duplicated", "one came twice; the second was dropped")
+            return ()
+        way.asked.remove(read.asked)
+        other.unanswered, other.answered_at = 0, came
+        trip = (came - read.asked) - (read.time - read.heard)
+        other.measured.append((trip, ((read.asked - read.heard) + (came - read.time)) // 2))
+        if not other.alive and state.lease is not None and not state.closing:
+            come_back(state, other)
+        return ()
+    # Not before its turn: what comes twice is looked into once.
+    return [decoded(state, other, *item) for item in in_order(state, to, other, way, read, payload)]
+
+
+def sender_of(state: Delivery, to: str, sender: str) -> Other | None:
+    """Who has sent something to one of ours; None for a stranger, told. Called with the lock."""
+    if state.closing or to not in state.here:
+        return None
+    other = state.others.get(sender)
+    if other is None:
+        meet_stranger(state, sender)
+    return other
+
+
+def decoded(state: Delivery, other: Other, envelope: Envelope, payload: bytes) -> tuple[Envelope, Any] | None:
+    """The message in an envelope; None, after telling why, if it is none for us."""
+    mail = envelope.kind == envelopes.MAIL
+    name = envelope.message if mail else envelope.channel
+    if envelope.model != state.codec.model:
+        reason = f"{name} is of the model {envelope.model or '(none)'}; ours is {state.codec.model}"
+        count(state, other, "refused", reason, about=name)
+        return None
+    kind: Any = state.codec.schema.channels.get(name)
+    if mail:
+        kind = next((k for k in state.codec.schema.classes if k.__name__ == name), None)
+    if kind is None:
+        count(state, other, "refused", f"there is no {'message' if mail else 'channel'} {name}", about=name)
+        return None
+    try:
+        return envelope, state.codec.read(kind, payload)
+    except WireError as problem:
+        count(state, other, "unreadable", f"{name}: {problem}", about=name)
+        return None
+
+
+def in_order(
+    state: Delivery, to: str, other: Other, way: Way, envelope: Envelope, payload: bytes
+) -> list[Got]:
+    """What is to be handed on now that this has come. Called with the lock."""
+    if envelope.place == 0:
+        return sampled(state, other, way, envelope, payload)
+    if envelope.addressee != state.incarnation:
+        count(state, other, "late", "it is for an earlier life of its receiver")
+        return []
+    if envelope.place > way.into.upto + 1:
+        count(state, other, "reordered", "one came before its predecessor")
+    had_gap = way.into.has_gap
+    found = way.into.take(envelope.place, (envelope, payload), len(payload))
+    if not way.owed:
+        way.owed_since = time.monotonic_ns()
+    way.owed += 1
+    if found is None:
+        count(state, other, "duplicated", "one came twice; the second was dropped")
+    if way.owed >= OWED or (way.into.has_gap and not had_gap):
+        acknowledge(state, to, other.name, way)
+    else:
+        state.stir()
+    return found or []
+
+
+def sampled(state: Delivery, other: Other, way: Way, envelope: Envelope, payload: bytes) -> list[Got]:
+    """Data, which comes once or not at all."""
+    number = envelope.sample
+    if envelope.kind != envelopes.MESSAGE or not number or ".data." not in envelope.channel:
+        count(state, other, "unreadable", "it has no place in the stream", about=envelope.channel)
+        return []
+    missed = way.samples.take(number)
+    if missed is None:
+        count(state, other, "duplicated", "one came twice; the second was dropped")
+        return []
+    if missed < 0:
+        count(state, other, "reordered", "one came before its predecessor")
+    elif missed:
+        tell_once(state, other, "dropped", "data did not come: too much was sent at once, or the link broke")
+    if missed:
+        other.counts["dropped"] = other.counts.get("dropped", 0) + missed
+    return [(envelope, payload)]
+
+
+def hand_on(state: Delivery, to: str, other: Other, envelope: Envelope, message: Any) -> None:
+    """Give a message to the agent that it is for. Called without the lock."""
+    agent = state.here[to]
+    team = state.team
+    other.counts["taken"] = other.counts.get("taken", 0) + 1
+    identity = (other.name, envelope.sequence)
+    try:
+        if envelope.kind == envelopes.MAIL:
+            acl = AclMessage(
+                envelope.performative,
+                other.name,
+                envelope.receivers,
+                envelope.message,
+                message,
+                envelope.protocol,
+                envelope.conversation,
+                envelope.participant,
+                envelope.to,
+                identity,
+                ontology=envelope.ontology or team.system,
+                reply_with=envelope.reply_with or name_of(identity),
+                in_reply_to=envelope.in_reply_to,
+                reply_by=deadline_of(state, other, envelope),
+                reply_to=envelope.reply_to,
+                language=envelope.language or JSON,
+                encoding=envelope.encoding,
+            )
+            team.conversations.arrived(agent, acl, dict(envelope.parts))
+        else:
+            moment = moment_of(state, other, envelope)
+            host = envelope.host or None
+            channel = envelope.channel
+            reason = team.bus.arrived(agent, channel, message, other.name, identity, moment, host)
+            if reason is not None:
+                count(state, other, "refused", reason, about=channel)
+    except Exception as problem:  # the link's thread has nobody above who would tell
+        reason = f"what {other.name} sent could not be taken: {type(problem).__name__}: {problem}"
+        team.trace.fault(team.driver.clock.now(), to, reason)

@@ -1,0 +1,88 @@
+"""Records: what is on its way to an agent elsewhere, and what is known of it."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import dataclass, field
+
+from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.transport.envelope import Envelope
+from aseme_dsl.runtime.transport.stream import Incoming, Outgoing, Samples
+
+QUESTIONS = 8
+"""Of so many measurements of another clock the quickest counts."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sent:
+    """What a letter is about: enough to send it, and to tell of it if it is lost."""
+
+    way: str
+    envelope: Envelope
+    payload: bytes
+    sender: str
+    what: str
+    """signal, state, data or mail."""
+
+    @property
+    def identity(self) -> Identity:
+        return self.sender, self.envelope.sequence
+
+
+Got = tuple[Envelope, bytes]
+"""What has come, with its payload."""
+
+
+@dataclass(slots=True)
+class Way:
+    """Between one of our agents and one elsewhere."""
+
+    out: Outgoing[Sent] = field(default_factory=Outgoing)
+    into: Incoming[Got] = field(default_factory=Incoming)
+    owed: int = 0
+    """How many letters have come since the last acknowledgement."""
+    owed_since: int = 0
+    """When the first of them came, in ns."""
+    sample: int = 0
+    """The number of the last sample that was sent."""
+    samples: Samples = field(default_factory=Samples)
+    """Those that came."""
+    pinged: int = 0
+    """The time of the newest PING that came, in the sender's clock."""
+    asked: deque[int] = field(default_factory=lambda: deque(maxlen=16))
+    """The times of our PINGs that have no answer yet."""
+
+
+@dataclass(slots=True)
+class Other:
+    """An agent elsewhere: which life it leads, and what came from it."""
+
+    name: str
+    alive: bool = False
+    life: int | None = None
+    present: set[int] = field(default_factory=set)
+    """The lives that say that they are there; there may be two for a while."""
+    ended: set[int] = field(default_factory=set)
+    """The lives that were gone: where links have a lease, only the answer to a PING brings one back."""
+    unanswered: int = 0
+    """How many PINGs were sent since the last answer."""
+    answered_at: int = 0
+    """When that came, in ns."""
+    gone_at: float = -math.inf
+    """When it was told last that it is not there any more, in seconds."""
+    clock: int | None = None
+    measured: deque[tuple[int, int]] = field(default_factory=lambda: deque(maxlen=QUESTIONS))
+    """(round trip, difference) of the last measurements of its clock."""
+    ask_at: int = 0
+    counts: dict[str, int] = field(default_factory=dict)
+    told: set[tuple[str, str]] = field(default_factory=set)
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """A state or a sample that is kept for those who come later."""
+
+    sent: Sent
+    to: tuple[str, ...]
+    replaces: tuple[str, ...] | None

@@ -1,0 +1,73 @@
+"""Reports: what is counted and traced of agents elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from aseme_dsl.runtime.transport.delivery.records import Other, Sent
+from aseme_dsl.runtime.transport.delivery.state import Delivery
+from aseme_dsl.runtime.transport.stream import Letter
+
+LONGEST_NAME = 100
+"""So many characters of what somebody else has named are told."""
+
+
+def count(state: Delivery, other: Other, what: str, reason: str, about: str = "") -> None:
+    """Count what is wrong with something that came; the first of its kind is told."""
+    other.counts[what] = other.counts.get(what, 0) + 1
+    tell_once(state, other, what, reason, about)
+
+
+def tell_once(state: Delivery, other: Other, what: str, reason: str, about: str = "") -> None:
+    """Trace something of an agent elsewhere, the first time that it happens."""
+    if (what, about) not in other.told and len(other.told) < 1000:
+        other.told.add((what, about))
+        tell(state, other, what, reason=reason)
+
+
+def tell(state: Delivery, other: Other, what: str, **members: Any) -> None:
+    """Trace what has become of an agent elsewhere."""
+    mine = state.mine
+    now = state.now()
+    state.team.trace.write("peer", now, agent=mine, peer=other.name, what=what, **members)
+
+
+def tell_own(state: Delivery, agent: str, what: str, reason: str) -> None:
+    """Trace what has become of the connection of one of our agents."""
+    now = state.now()
+    state.team.trace.write("peer", now, agent=agent, peer=agent, what=what, reason=reason)
+
+
+def lose(state: Delivery, name: str, letters: Iterable[Letter[Sent]], reason: str) -> None:
+    """Tell what will not be brought to an agent. A state that a newer one replaces is none of it."""
+    now = state.now()
+    other = state.others[name]
+    for letter in letters:
+        sent = letter.item
+        if sent.what in ("state", "data"):
+            continue
+        other.counts["lost"] = other.counts.get("lost", 0) + 1
+        envelope = sent.envelope
+        state.team.trace.write(
+            "lost",
+            now,
+            agent=sent.sender,
+            input=list(sent.identity),
+            peer=name,
+            channel=envelope.channel or None,
+            conversation=envelope.conversation or None,
+            reason=reason,
+        )
+
+
+def meet_stranger(state: Delivery, name: str) -> None:
+    """Somebody who is not of the team uses its name on the network."""
+    state.strange += 1
+    name = name[:LONGEST_NAME]
+    if name in state.strangers or len(state.strangers) > 100:
+        return
+    state.strangers.add(name)
+    mine = state.mine
+    now = state.now()
+    state.team.trace.write("peer", now, agent=mine, peer=name, what="untrusted")

@@ -1,0 +1,104 @@
+"""Sending: what goes to the agents elsewhere, now or when that is possible."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.runtime.message.wire import WireError
+from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.delivery.records import Other, Sent, Way
+from aseme_dsl.runtime.transport.delivery.reports import lose
+from aseme_dsl.runtime.transport.delivery.state import Delivery
+from aseme_dsl.runtime.transport.envelope import Envelope
+from aseme_dsl.runtime.transport.link import Stamp
+from aseme_dsl.runtime.transport.stream import Letter
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.chart.plan import ChannelInfo
+
+
+def encoded(state: Delivery, sender: str, what: str, message: Any) -> bytes | None:
+    """The payload of a message; None, after telling why, if it cannot travel."""
+    try:
+        return state.codec.encode(message)
+    except WireError as problem:
+        state.team.trace.fault(state.now(), sender, f"{what} cannot be sent to other robots: {problem}")
+        return None
+
+
+def dispatch(
+    state: Delivery, way: Way, other: Other, sent: Sent, rules: ChannelInfo | None, key: tuple[str, ...]
+) -> None:
+    """Send a message to one agent, now or when that is possible. Called with the lock."""
+    if sent.what == "data":
+        if other.alive:
+            way.sample += 1
+            hand_over(state, other, sent, sample=way.sample)
+        return
+    if other.life is None and sent.what == "state":
+        return  # it gets the latest when it comes
+    replaces = key if sent.what == "state" else None
+    if sent.what == "signal" and not other.alive and not (rules is not None and rules.queued):
+        replaces = key
+    given_up = way.out.put(Letter(sent, len(sent.payload), replaces))
+    lose(state, other.name, given_up, "a newer one took its place before it could be sent")
+    pump(state, way, other)
+
+
+def pump(state: Delivery, way: Way, other: Other) -> None:
+    """Send what may be sent. Called with the lock."""
+    if not other.alive:
+        return
+    pump_quietly(state, way, other)
+    if way.out.flying:
+        state.stir()
+
+
+def pump_quietly(state: Delivery, way: Way, other: Other) -> None:
+    """Send what may be sent to an agent that is there."""
+    for place, letter in way.out.ready(time.monotonic_ns()):
+        hand_over(state, other, letter.item, place=place)
+
+
+def hand_over(state: Delivery, other: Other, sent: Sent, place: int = 0, sample: int = 0) -> None:
+    """Give something to the link."""
+    stamp = Stamp(other.life or 0, place, sample)
+    state.link.send(other.name, sent.sender, sent.way, sent.envelope, stamp, sent.payload, place > 0)
+
+
+def say(state: Delivery, mine: str, name: str, way: str, envelope: Envelope, life: int | None = None) -> None:
+    """Send something of the post's own, to the life that the other one leads or to another."""
+    stamp = Stamp(state.others[name].life or 0 if life is None else life)
+    state.link.send(name, mine, way, envelope, stamp, b"", True)
+
+
+def acknowledge(state: Delivery, mine: str, name: str, way: Way) -> None:
+    """Acknowledge all that has come. Called with the lock."""
+    way.owed = 0
+    envelope = state.envelope(envelopes.ACKNOWLEDGE, upto=way.into.upto, missing=way.into.missing())
+    say(state, mine, name, "ack", envelope)
+
+
+def acknowledge_all(state: Delivery) -> None:
+    """Called with the lock."""
+    for (mine, name), way in state.ways.items():
+        if way.owed and state.others[name].alive:
+            acknowledge(state, mine, name, way)
+
+
+def ping(state: Delivery, mine: str, other: Other) -> None:
+    """Called with the lock."""
+    envelope = state.envelope(envelopes.PING)
+    state.ways[mine, other.name].asked.append(envelope.time)
+    other.unanswered += 1
+    say(state, mine, other.name, "ping", envelope)
+
+
+def hurry(state: Delivery, ways: Iterable[tuple[str, str]]) -> None:
+    """A link was broken: what was on its way is sent again at once. Called with the lock."""
+    for key in ways:
+        state.ways[key].out.hurry()
+        pump(state, state.ways[key], state.others[key[1]])
+    state.stir()

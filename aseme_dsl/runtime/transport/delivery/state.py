@@ -1,0 +1,78 @@
+"""Delivery: what the parts of the reliable delivery share."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.runtime.transport.delivery.archive import Archive
+from aseme_dsl.runtime.transport.delivery.codec import Codec
+from aseme_dsl.runtime.transport.delivery.records import Other, Way
+from aseme_dsl.runtime.transport.envelope import Envelope
+from aseme_dsl.runtime.transport.link import Link
+from aseme_dsl.runtime.transport.port import Connected
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.ports import Receiver
+
+SOON = 33_000_000
+"""An acknowledgement is not put off where it would be by less than so many ns: the beat puts it off, too."""
+
+
+class Delivery:
+    """The agents here and elsewhere, the streams between them, and the lock that guards all of it."""
+
+    def __init__(self, link: Link, codec: Codec, incarnation: int, clock: int) -> None:
+        self.link = link
+        self.codec = codec
+        self.incarnation = incarnation
+        self.clock = clock
+        self.delay = max(0, link.patience // 3 - SOON)
+        """How long an acknowledgement waits for others, in ns."""
+        self.lease = link.lease
+        self.archive = Archive()
+        self.team: Connected
+        self.here: Mapping[str, Receiver] = {}
+        self.others: dict[str, Other] = {}
+        self.ways: dict[tuple[str, str], Way] = {}
+        self.origin = 0
+        self.lock = threading.RLock()
+        self.rest = threading.Condition(self.lock)
+        self.resting = False
+        self.closing = False
+        self.gate = threading.Event()
+        """Set when what comes may be handed on."""
+        self.strangers: set[str] = set()
+        self.strange = 0
+        """How much has come from strangers, and from nobody who says a name."""
+        self.twins: set[int] = set()
+        """Newer lives of our own agents of which something says that they are there."""
+
+    @property
+    def mine(self) -> str:
+        """One of our agents: what concerns no other is told in its name."""
+        return next(iter(self.here))
+
+    def now(self) -> int:
+        """The time of our run."""
+        return self.team.driver.clock.now()
+
+    def envelope(self, kind: int, sequence: int = 0, moment: int = 0, **members: Any) -> Envelope:
+        """An envelope of this life of ours, of now or of a moment of the machine's clock."""
+        return Envelope(
+            kind,
+            self.codec.model,
+            self.incarnation,
+            sequence=sequence,
+            time=moment or time.monotonic_ns(),
+            clock=self.clock,
+            **members,
+        )
+
+    def stir(self) -> None:
+        """There is something to look after. Called with the lock."""
+        if self.resting:
+            self.resting = False
+            self.rest.notify()
