@@ -9,7 +9,7 @@ import pytest
 from aseme_dsl.amola.operators import Operator
 from aseme_dsl.editor.answers.constructs import constructs, meanings, words
 from aseme_dsl.editor.answers.hover import hover
-from aseme_dsl.grammar.formulas.expression import _BINDING
+from aseme_dsl.grammar.formulas.expression import BINDING
 from aseme_dsl.grammar.text.lexer import Tokens
 from tests.editor.authoring import opened
 
@@ -64,7 +64,7 @@ def test_every_operator_of_formulas_means_something(sign: str) -> None:
     assert found and {item.section for item in found} == {"Formulas"}
 
 
-@pytest.mark.parametrize("sign", sorted({*_BINDING, "!", "and", "or", "not"}))
+@pytest.mark.parametrize("sign", sorted({*BINDING, "!", "and", "or", "not"}))
 def test_every_operator_of_expressions_means_something(sign: str) -> None:
     found = meanings(sign, ("Values",))
     assert found and {item.section for item in found} == {"Values"}

@@ -1,7 +1,7 @@
 """Slots: what may come next inside a transition expression, a value or a formula.
 
 These are flat lists of tokens for the grammar; their structure is read by hand
-(grammar/formulas/expression.py), and so it is here, from the tokens before the cursor, which need not make
+(grammar/formulas/transition.py), and so it is here, from the tokens before the cursor, which need not make
 sense yet.
 """
 

@@ -10,16 +10,10 @@ from aseme_dsl.amola.operators import USUAL
 from aseme_dsl.diagnostics import Diagnostic, Problem, Related
 from aseme_dsl.diagnostics.problems.syntax import characters
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
-from aseme_dsl.grammar.formulas.expression import (
-    Malformed,
-    read_duration,
-    read_expression,
-    read_path,
-    read_text,
-    read_transition,
-)
+from aseme_dsl.grammar.formulas.expression import read_duration, read_expression, read_path, read_text
 from aseme_dsl.grammar.formulas.formula import read_formula
-from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED
+from aseme_dsl.grammar.formulas.transition import read_transition
+from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED, Malformed
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.lexer import HOLE, PLACEHOLDER
 from aseme_dsl.grammar.text.recovery import BLOCKS

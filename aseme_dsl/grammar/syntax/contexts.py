@@ -162,7 +162,7 @@ EXPRESSION_WORDS: dict[str, str] = {
     "read_messages": r"(?!\s*\()",
     "write_messages": r"(?=\s*\.)",
 }
-"""The words of transition expressions, which expression.py reads, and what must follow."""
+"""The words of transition expressions, which transition.py reads, and what must follow."""
 
 CONTENT = "content of a message"
 """The context between the braces of a message in an expression."""

@@ -8,7 +8,7 @@ import re
 
 import pytest
 
-from aseme_dsl.grammar.formulas import expression
+from aseme_dsl.grammar.formulas import expression, transition
 from aseme_dsl.grammar.formulas.words import RESERVED
 from aseme_dsl.grammar.syntax import files
 from aseme_dsl.grammar.syntax.contexts import EXPRESSION_WORDS
@@ -31,23 +31,18 @@ def test_every_word_of_the_grammar_is_in_every_file() -> None:
 
 
 NO_WORDS = {"if", "as"}
-"""What expression.py compares with because people write it by mistake."""
+"""What transition.py compares with because people write it by mistake."""
 
 
 def test_the_words_of_expressions_are_those_that_the_parser_asks_for() -> None:
     """Expressions are read by hand, so their words stand in a table of their own."""
-    tree = ast.parse(inspect.getsource(expression))
-    asked: set[str] = set()
-    for node in ast.walk(tree):
-        if isinstance(node, ast.FunctionDef) and node.name.startswith("_"):
-            continue  # what is wrong, and how it is said
-        for part in ast.iter_child_nodes(node) if isinstance(node, ast.FunctionDef) else ():
-            for compared in ast.walk(part):
-                if isinstance(compared, ast.Compare):
-                    asked |= {
-                        item.value
-                        for item in ast.walk(compared)
-                        if isinstance(item, ast.Constant) and isinstance(item.value, str)
-                    }
+    asked = {
+        item.value
+        for module in (expression, transition)
+        for compared in ast.walk(ast.parse(inspect.getsource(module)))
+        if isinstance(compared, ast.Compare)
+        for item in ast.walk(compared)
+        if isinstance(item, ast.Constant) and isinstance(item.value, str)
+    }
     found = {word for word in asked if re.fullmatch(r"[a-z][a-z_]+", word)} - NO_WORDS
     assert found - set(EXPRESSION_WORDS) - set(RESERVED) == set(), "enter the new word in EXPRESSION_WORDS"

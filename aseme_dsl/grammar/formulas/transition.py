@@ -1,0 +1,229 @@
+"""From the tokens of a transition expression to its tree."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from aseme_dsl.diagnostics import Edit
+from aseme_dsl.diagnostics.problems.syntax import formulas as problems
+from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
+from aseme_dsl.grammar.formulas.expression import BINDING, operation, read_path, value
+from aseme_dsl.grammar.formulas.filling import apart
+from aseme_dsl.grammar.formulas.reader import Reader, is_word
+from aseme_dsl.grammar.formulas.transition_mistakes import (
+    after_transition,
+    bare_condition,
+    check_content,
+    condition_with_if,
+    no_colon,
+    no_from,
+)
+from aseme_dsl.grammar.formulas.words import RESERVED
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.grammar.text.lexer import HOLE
+from aseme_dsl.grammar.text.token import Token
+from aseme_dsl.source import Source, Span
+
+_BEGINS_NO_ACTION = ("", ";", "/", "]", ")", "[", ",", "=", ".")
+_ARE_NO_ACTION = ("else", "when", "and", "or")
+
+_LATER_VERBS = ("on", "exit", "resume")
+"""The verbs that are so only before a term and `:`, and may be names elsewhere."""
+
+
+def read_transition(source: Source, tokens: Sequence[Token], place: Span) -> tree.TransitionExpression:
+    """`event [condition] / action; action`; `place` is where an empty one stands.
+
+    Raises:
+        Malformed: As `read_expression`.
+    """
+    if not tokens:
+        return tree.TransitionExpression((), False, False, None, (), place)
+    return _transition(Reader(source, apart(tokens)))
+
+
+def _transition(reader: Reader) -> tree.TransitionExpression:
+    start = reader.tokens[0].start
+    events: list[tree.Event] = []
+    when = False
+    otherwise = False
+    condition: tree.Expression | None = None
+    actions: list[tree.Action] = []
+    if reader.next == "else":
+        word = reader.take()
+        otherwise = True
+        if reader.next == "[":
+            raise reader.error(problems.ElseWithCondition(), word)
+    elif reader.next not in ("[", "/"):
+        while True:
+            if reader.next == "when":
+                reader.take()
+                when = True
+            else:
+                events.append(_event(reader))
+            if reader.next not in ("or", "||"):
+                break
+            reader.take()
+    if reader.next == "[":
+        opener = reader.take()
+        condition = _hole(reader) or operation(reader)
+        reader.need("]", opener)
+    elif when:
+        wrong = bare_condition(reader, reader.index) if is_word(reader.next) else None
+        raise wrong or reader.unexpected(Wanted.CONDITION)
+    if reader.next == "/":
+        reader.take()
+        while True:
+            actions.append(_action(reader))
+            if reader.next != ";":
+                break
+            reader.take()
+    if reader.index < len(reader.tokens):
+        raise after_transition(reader, bool(actions), condition is not None or otherwise)
+    return tree.TransitionExpression(
+        tuple(events), when, otherwise, condition, tuple(actions), reader.since(start)
+    )
+
+
+def _hole(reader: Reader) -> tree.Hole | None:
+    """The `?` of `[?]`."""
+    if reader.next != HOLE or reader.tokens[reader.index + 1 : reader.index + 2] != ["]"]:
+        return None
+    return tree.Hole(reader.span(reader.take()))
+
+
+def _event(reader: Reader) -> tree.Event:
+    start = reader.index
+    if not is_word(reader.next) or reader.next in RESERVED:
+        if start == 0:
+            raise bare_condition(reader, 0)
+        raise reader.unexpected(Wanted.EVENT)
+    first = reader.take()
+    following = reader.next
+    if first in ("send", "read_messages") or first.startswith("write_messages"):
+        fix = f"/ {first}" if start == 0 else None
+        raise reader.error(problems.ActionWithoutSlash(first), first, fix)
+    if first in _LATER_VERBS and (following == "(" or (is_word(following) and following not in RESERVED)):
+        raise no_colon(reader, first)
+    if first == "after" and following == "(":
+        opener = reader.take()
+        duration = operation(reader)
+        reader.need(")", opener)
+        return tree.After(duration, reader.since(first.start))
+    if first == "if" and following == "[":
+        between = Edit(Span(reader.source, first.start, reader.tokens[reader.index].start), "")
+        raise reader.error(problems.ConditionWithIf(None), first, edits=(between,))
+    if (
+        following
+        and is_word(following)
+        and following not in RESERVED
+        and "." not in first
+        and "." not in following
+    ):
+        if first == "if" and reader.tokens[reader.index : reader.index + 2][1:] != ["from"]:
+            raise condition_with_if(reader, first)
+        if first == "lost":
+            return _lost(reader, first)
+        reader.index -= 1
+        performative = reader.need_name(Wanted.PERFORMATIVE)
+        message = reader.need_name(Wanted.MESSAGE)
+        name = None
+        if is_word(reader.next) and reader.tokens[reader.index + 1 : reader.index + 2] == ["from"]:
+            name = reader.need_name(Wanted.MESSAGE_NAME)
+        if reader.next != "from":
+            raise no_from(reader)
+        reader.take()
+        participant = reader.need_name(Wanted.SENDING_PARTICIPANT)
+        if reader.next == "as" and name is None and reader.index + 1 < len(reader.tokens):
+            called = reader.tokens[reader.index + 1]
+            problem = problems.NameBehindFrom(performative.text, message.text, called, participant.text)
+            raise reader.error(problem, reader.tokens[reader.index])
+        return tree.Received(performative, message, participant, reader.since(first.start), name)
+    if "." in first or following in ("(", "and") or (following in BINDING and following not in ("||", "/")):
+        raise bare_condition(reader, start)
+    return tree.Raised(tree.Name(str(first), reader.span(first)), reader.span(first))
+
+
+def _lost(reader: Reader, word: Token) -> tree.Lost:
+    if reader.next == "from":
+        raise reader.unexpected(Wanted.PARTICIPANT)
+    participant = reader.need_name(Wanted.PARTICIPANT)
+    name = None
+    if is_word(reader.next) and reader.next not in RESERVED:
+        name = reader.need_name(Wanted.AGENT_NAME)
+    return tree.Lost(participant, name, reader.since(word.start))
+
+
+def _action(reader: Reader) -> tree.Action:
+    check_content(reader)
+    if reader.next[:1] in _BEGINS_NO_ACTION or reader.next in _ARE_NO_ACTION:
+        raise reader.unexpected(Wanted.ACTION)
+    first = reader.tokens[reader.index]
+    following = reader.tokens[reader.index + 1] if reader.index + 1 < len(reader.tokens) else ""
+    if first == "send" and following and is_word(following):
+        return _send(reader)
+    if first == "read_messages" and following != "(":
+        reader.take()
+        return tree.ReadMessages(reader.span(first))
+    head, dot, _ = first.partition(".")
+    if head.strip() == "write_messages" and following not in ("(", "="):
+        path = read_path(reader.source, first)
+        reader.take()
+        if not dot:
+            raise reader.error(problems.PublishWithoutChannel(), first)
+        topic = tree.Path(path.segments[1:], path.segments[1].span.to(path.span))
+        fills = _fills(reader) if reader.next == "{" else None
+        return tree.Publish(topic, reader.since(first.start), fills)
+    expression = operation(reader)
+    if reader.next != "=":
+        return tree.Evaluate(expression, reader.since(first.start))
+    equals = reader.take()
+    if not isinstance(expression, tree.Path):
+        raise reader.error(problems.NotAssignable(), equals)
+    value = operation(reader)
+    return tree.Assign(expression, value, reader.since(first.start))
+
+
+def _send(reader: Reader) -> tree.Send:
+    start = reader.take().start
+    performative = reader.need_name(Wanted.PERFORMATIVE)
+    message = reader.need_name(Wanted.MESSAGE)
+    fills = _fills(reader) if reader.next == "{" else None
+    if reader.next != "to":
+        raise reader.unexpected(Wanted.RECEIVER)
+    reader.take()
+    participant, receiver = None, None
+    if reader.index + 1 < len(reader.tokens) and reader.tokens[reader.index + 1] in ("(", "["):
+        receiver = value(reader)
+    else:
+        participant = reader.need_name(Wanted.RECEIVING_PARTICIPANT)
+    excepts: list[tree.Expression] = []
+    if reader.next == "except":
+        reader.take()
+        excepts.append(value(reader))
+        while reader.next == ",":
+            reader.take()
+            excepts.append(value(reader))
+    return tree.Send(performative, message, participant, reader.since(start), fills, receiver, tuple(excepts))
+
+
+def _fills(reader: Reader) -> tuple[tree.Fill, ...]:
+    """`{ f = v, g.h = v }`"""
+    opener = reader.take()
+    found: list[tree.Fill] = []
+    while reader.next != "}":
+        if reader.index == len(reader.tokens) or not is_word(reader.next) or reader.next in RESERVED:
+            raise reader.unexpected(Wanted.MEMBER, "}", related=(reader.still_open(opener),))
+        name = reader.take()
+        if reader.next != "=":
+            at = reader.tokens[min(reader.index, len(reader.tokens) - 1)]
+            raise reader.error(problems.MemberWithoutValue(("=",), name, at), at)
+        reader.take()
+        value = operation(reader)
+        found.append(tree.Fill(read_path(reader.source, name), value, reader.since(name.start)))
+        if reader.next in (",", ";"):
+            reader.take()
+        elif reader.next != "}":
+            raise reader.unexpected(Wanted.OPERATOR, ",", "}", related=(reader.still_open(opener),))
+    reader.take()
+    return tuple(found)
