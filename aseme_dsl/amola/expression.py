@@ -215,6 +215,19 @@ class StateValue:
 
 
 @dataclass(frozen=True, slots=True)
+class RoundValue:
+    """`invited(q)`, `answered(q)`, `all_answered(q)`: to how many agents the participant's last send to `q`
+    went, how many of them have answered or are lost, and whether all have. Never absent."""
+
+    question: str
+    participant: str
+    type: Type
+    named: Span
+    """Where the name stands."""
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Holds:
     """Whether a condition holds: never absent. Nobody writes it: `reactive` says it of other conditions."""
 
@@ -316,6 +329,7 @@ Value = (
     | Index
     | Random
     | StateValue
+    | RoundValue
     | Not
     | Logic
     | Compare
@@ -779,6 +793,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = "random()"
             case StateValue(question=question, state=state):
                 text = f"{question}({state})"
+            case RoundValue(question=question, participant=participant):
+                text = f"{question}({participant})"
             case Holds(operand=operand):
                 text = f"holds({show(operand)})"
             case Not(operand=operand):

@@ -19,6 +19,7 @@ from aseme_dsl.amola.expression import (
     ReadMessages,
     Received,
     Send,
+    RoundValue,
     Sender,
     Value,
     VariableValue,
@@ -106,7 +107,7 @@ def _of_transition(transition: Transition) -> Iterator[Limit]:
 
 def _of_value(value: Value) -> AgentFeature | None:
     match value:
-        case Bound() | Sender():
+        case Bound() | Sender() | RoundValue():
             return AgentFeature.AGENT_MESSAGES
         case Age():
             return AgentFeature.AGES

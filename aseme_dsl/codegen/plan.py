@@ -74,6 +74,8 @@ def value_term(value: e.Value) -> Term:
             return ("random",)
         case e.StateValue(question=question, state=state):
             return (question, state)
+        case e.RoundValue(question=question, participant=participant):
+            return (question, participant)
         case e.Holds(operand=operand):
             return ("holds", value_term(operand))
         case e.Not(operand=operand):
@@ -392,6 +394,7 @@ def _branch(system: System, chart: Statechart, node: Node, version: str) -> str:
             ("receives", receives, ()),
             ("version", version, ""),
             ("loses", _lost_in(chart, node.label), ()),
+            ("counts", _counted_in(chart, node.label), ()),
             ("participants", _sizes(system, node.origin.owner), ()),
         ],
     )
@@ -407,6 +410,13 @@ def _lost_in(chart: Statechart, branch: str) -> tuple[str, ...]:
     inside = (item for item in chart.transitions if item.source.startswith(f"{branch}."))
     events = (event for item in inside for event in item.expression.events)
     return tuple(dict.fromkeys(event.participant for event in events if isinstance(event, e.Lost)))
+
+
+def _counted_in(chart: Statechart, branch: str) -> tuple[str, ...]:
+    """The participants whose answers a transition of a branch counts."""
+    inside = (item for item in chart.transitions if item.source.startswith(f"{branch}."))
+    values = (value for item in inside for value in e.values_of(item.expression))
+    return tuple(dict.fromkeys(value.participant for value in values if isinstance(value, e.RoundValue)))
 
 
 def protocol_versions(

@@ -197,6 +197,9 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W522": ("warning", "message never published"),
     "W523": ("warning", "averaging window shorter than the period"),
     "W524": ("warning", "unmatched agent message"),
+    # Content and answers of agent messages (E57x, E58x, W58x, N76x)
+    "E575": ("error", "answers counted outside a condition"),
+    "E576": ("error", "answers of a participant without messages"),
     # The Python of the activities and modules (E54x, W53x, W54x)
     "E540": ("error", "undeclared access in activity code"),
     "E541": ("error", "Python function not found"),

@@ -147,6 +147,7 @@ def asks(branch: Transition) -> bool:
             | e.Expired
             | e.Outcome
             | e.StateValue
+            | e.RoundValue
             | e.Index
             | e.Call
             | e.Element,
@@ -188,8 +189,8 @@ def _closers(chart: Statechart, fork: Fork) -> tuple[Way, ...] | None:
 
 
 def _asks_of_states(condition: e.Value) -> bool:
-    """Whether it waits for what else the agent does."""
-    return any(isinstance(part, e.StateValue) for part in e.walk(condition))
+    """Whether it waits for what else the agent does, or for answers."""
+    return any(isinstance(part, e.StateValue | e.RoundValue) for part in e.walk(condition))
 
 
 def _is_worth_it(fork: Fork, vocabulary: Vocabulary) -> bool:
@@ -251,7 +252,8 @@ def _free_atom(value: e.Value, vocabulary: Vocabulary) -> e.Value | None:
             for part in e.walk(atom)
         )
         return atom if is_unknown_function(atom) and plain else None
-    kinds = e.Member | e.Bound | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.Index | e.Has
+    kinds = e.Member | e.Bound | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.RoundValue
+    kinds |= e.Index | e.Has
     if isinstance(atom, e.Has) and not isinstance(atom.message, e.VariableValue) and atom.message.path:
         return None  # it depends on the message around it, too
     return atom if isinstance(atom, kinds) else None

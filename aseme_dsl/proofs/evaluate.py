@@ -131,6 +131,7 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
             | e.Expired()
             | e.Outcome()
             | e.StateValue()
+            | e.RoundValue()
             | e.Index()
             | e.Has()
             | e.Holds()

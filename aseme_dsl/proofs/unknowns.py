@@ -79,6 +79,8 @@ def identity(value: e.Value) -> Key:
             raise AssertionError("no condition is left to chance")
         case e.StateValue(question=question, state=state):
             return (STATE, question, state)
+        case e.RoundValue(question=question, participant=participant):
+            return (STATE, question, participant)
         case e.Member(host=host, channel=channel, path=path):
             return (VALUE, host, channel, path)
         case e.Bound(message=message, path=path):
@@ -178,7 +180,14 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
             case e.VariableValue():
                 yield from _presence_unknowns(part, vocabulary)
                 yield Unknown(identity(part), e.value_text(part), part.type, presences(part, vocabulary))
-            case e.Expired() | e.Outcome() | e.StateValue() | e.Index() | e.Sender():
+            case (
+                e.Expired()
+                | e.Outcome()
+                | e.StateValue()
+                | e.RoundValue()
+                | e.Index()
+                | e.Sender()
+            ):
                 yield Unknown(identity(part), e.value_text(part), part.type)
             case e.Call() if is_unknown_function(part):
                 read = list(_needs(part, vocabulary))
@@ -240,7 +249,14 @@ def sources(value: e.Value) -> frozenset[Key]:
         match part:
             case e.Member(host=host, channel=channel):
                 found.add((HAS, host, channel))
-            case e.VariableValue() | e.Expired() | e.Outcome() | e.StateValue() | e.Index():
+            case (
+                e.VariableValue()
+                | e.Expired()
+                | e.Outcome()
+                | e.StateValue()
+                | e.RoundValue()
+                | e.Index()
+            ):
                 found.add(identity(part))
             case e.Bound(message=message):
                 found.add((TAKEN, None, message, ()))

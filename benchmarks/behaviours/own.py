@@ -28,6 +28,7 @@ from aseme_dsl.amola.expression import (
     Raised,
     Random,
     StartTimer,
+    RoundValue,
     StateValue,
     VariableValue,
     values_of,
@@ -359,6 +360,8 @@ def _refused(transition: Transition) -> Iterator[str]:
                     yield "chance"
                 case StateValue(question=question, state=state):
                     yield f"`{question}({state})`"
+                case RoundValue(question=question, participant=participant):
+                    yield f"`{question}({participant})`"
                 case Outcome():
                     yield "how an activity has ended"
                 case ParameterValue():

@@ -16,6 +16,7 @@ from random import Random
 from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import (
+    Addressed,
     AgentMessage,
     Cancel,
     Completed,
@@ -32,6 +33,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Publication,
     Sample,
     Sending,
+    Settled,
     Start,
     Written,
 )
@@ -174,6 +176,8 @@ class Reference:
         self.chance: Random | None = None
         self.writes: list[tuple[str, str, Any]] = []
         """The writes of the step to variables: (region, variable, value)."""
+        self.rounds: dict[tuple[str, str], dict[str, Any]] = {}
+        self.earlier: dict[tuple[str, str], list[str]] = {}
         self.mailbox: dict[str, list[AgentMessage]] = {branch.label: [] for branch in plan.branches}
         self.found: dict[int, AgentMessage | None] = {}
         """What each transition that speaks of it would take, when it was looked at last."""
@@ -361,6 +365,36 @@ class Reference:
             case AgentMessage():
                 # "mail is put into the mailbox of the participation (protocol branch) it names"
                 self.mailbox[item.branch].append(item)
+            case Addressed(branch, participant, agents, name):
+                # "since the last send to `q` in this conversation: how many agents were addressed"
+                if self.rounds.get((branch, participant), {}).get("name") != "":
+                    self.begin_round(branch, participant)
+                self.rounds[branch, participant] |= {"agents": agents, "name": name}
+            case Settled(branch, participant, agent, reply):
+                # "(a message … refused or unexpected) or are lost"
+                if reply not in self.earlier.get((branch, participant), []):
+                    self.rounds.get((branch, participant), {"settled": set()})["settled"].add(agent)
+
+    def begin_round(self, branch: str, participant: str) -> None:
+        """Nobody is addressed yet: whoever answers an earlier message does not answer this one."""
+        before = self.rounds.get((branch, participant), {}).get("name", "")
+        self.earlier.setdefault((branch, participant), []).extend([before] if before else [])
+        self.rounds[branch, participant] = {"agents": (), "name": "", "taken": set(), "settled": set()}
+
+    def round_of(self, question: str, participant: str) -> bool | int:
+        """ "how many agents were addressed, how many have answered …, whether all have (false if none was
+        addressed)"; "what waits counts when it is taken" """
+        branch = self.branch_of(self.asking)
+        found = self.rounds.get((branch, participant), {"agents": ()})
+        wait = {m.sender for m in self.mailbox[branch] if m.message and m.participant == participant}
+        counted = [
+            name
+            for name in found["agents"]
+            if name in found["taken"] or (name in found["settled"] and name not in wait)
+        ]
+        if question == "all_answered":
+            return len(counted) == len(found["agents"]) > 0
+        return len(found["agents"] if question == "invited" else counted)
 
     def note_end(self, label: str, outcome: str | Absent) -> None:
         self.ended = {other: end for other, end in self.ended.items() if other != label} | {label: outcome}
@@ -648,6 +682,9 @@ class Reference:
                 case ("in" | "done" | "count" as question, name) if len(term) == 2:
                     self.asking = transition.source
                     found.append((self.answer(question, name),))
+                case ("invited" | "answered" | "all_answered" as question, participant):
+                    self.asking = transition.source
+                    found.append((self.round_of(question, participant),))
         return found
 
     def is_complete(self, label: str) -> bool:
@@ -801,11 +838,19 @@ class Reference:
                 # … also where it would come only as an input of the next step
                 around.read_ahead.add(message.identity)
 
+    def forget_rounds(self, branch: str) -> None:
+        for kept in (self.rounds, self.earlier):
+            for key in [key for key in kept if key[0] == branch]:
+                del kept[key]  # type: ignore[attr-defined]
+
     def take_mail(self, mail: AgentMessage) -> None:
         """ "An agent message waits … until exactly one transition or activity takes it" """
         box = self.mailbox[mail.branch]
         if any(other is mail for other in box):
             self.mailbox[mail.branch] = [other for other in box if other is not mail]
+            key = (mail.branch, mail.participant)
+            if key in self.rounds and mail.message and mail.in_reply_to not in self.earlier.get(key, []):
+                self.rounds[key]["taken"].add(mail.sender)
             self.outcome.effects.append(MailTaken(mail.branch, mail.identity))
 
     def leave(self, label: str) -> None:
@@ -836,6 +881,7 @@ class Reference:
         if label in self.mailbox:
             # "entering/leaving a participation gives Joined/Left"; what waits in its conversation is given up
             self.mailbox[label].clear()
+            self.forget_rounds(label)
             self.outcome.effects.append(Left(label))
         if label in self.regions and label != self.root():
             # "leaving the region drops its timers", and its blackboard "is dropped when the AND is left"
@@ -872,6 +918,7 @@ class Reference:
                 for region in self.regions.values():
                     region.variables[variable.name] = variable.initial
         if label in self.mailbox:
+            self.forget_rounds(label)
             self.outcome.effects.append(Joined(label))
 
         match state.type:
@@ -981,6 +1028,7 @@ class Reference:
             case ("send", performative, message, participant):
                 branch = self.branch_of(self.plan.transitions[number].source)
                 content = self.messages[message]()
+                self.begin_round(branch, participant)
                 self.outcome.effects.append(Sending(branch, performative, message, content, participant))
             case ("send", performative, message, participant, fills, to, _):
                 branch = self.branch_of(self.plan.transitions[number].source)
@@ -988,6 +1036,8 @@ class Reference:
                 for path, _ in fills or ():
                     content = with_member(content, path, values.pop(0))
                 receiver = None if to is None else values.pop(0)
+                if to is None:
+                    self.begin_round(branch, participant)
                 self.outcome.effects.append(
                     Sending(
                         branch,
@@ -1116,6 +1166,8 @@ class Reference:
                 return term
             case ("in" | "done" | "count" as question, name):
                 return ("const", self.answer(question, name))
+            case ("invited" | "answered" | "all_answered" as question, participant):
+                return ("const", self.round_of(question, participant))
             case ("has", ("member", host, channel, path)):
                 # "`has(x)` is never absent."
                 return ("const", self.read_member(host, channel, path, region) is not ABSENT)

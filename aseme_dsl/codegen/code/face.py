@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from functools import partial
 from typing import assert_never
 
-from aseme_dsl.amola.expression import StateValue
+from aseme_dsl.amola.expression import RoundValue, StateValue
 from aseme_dsl.amola.meant import states_meant
 from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.amola.statechart import Node, NodeType, Variable, transition_text
@@ -150,6 +150,11 @@ class Face:
         """Let the names of states mean what they mean in an expression that belongs to a state."""
         names.outcomes = partial(self.registers.asked_of, source)
         names.states = partial(self.about_states, source)
+        names.rounds = partial(self.about_rounds, source)
+
+    def about_rounds(self, source: str, value: RoundValue) -> Expr:
+        """The code of `invited(q)`, `answered(q)` or `all_answered(q)` in a transition out of `source`."""
+        return own_call(value.question, Const(self.chart.branch_of(source)), Const(value.participant))
 
     def about_states(self, source: str, value: StateValue) -> Expr:
         """The code of `in(T)`, `done(T)` or `count(T)` in a transition out of `source`."""

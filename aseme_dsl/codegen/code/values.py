@@ -35,6 +35,7 @@ from aseme_dsl.amola.expression import (
     Outcome,
     ParameterValue,
     Random,
+    RoundValue,
     Sender,
     Size,
     StateValue,
@@ -95,6 +96,10 @@ def _nowhere(value: StateValue) -> Expr:
     raise LookupError(f"no transition asks {value.question}({value.state})")
 
 
+def _in_no_branch(value: RoundValue) -> Expr:
+    raise LookupError(f"no transition of a participant asks {value.question}({value.participant})")
+
+
 def _by_key(call: Call, arguments: Sequence[Expr]) -> Expr:
     return own_call("call", Const(function_key(call)), *arguments)
 
@@ -130,6 +135,8 @@ class Names:
     """The code for the outcome of that of some states which was entered or has ended last."""
     states: Callable[[StateValue], Expr] = _nowhere
     """The code that answers a question about a state."""
+    rounds: Callable[[RoundValue], Expr] = _in_no_branch
+    """The code that counts the answers to what was sent."""
     timer: Callable[[str], Expr] = _of_board
     """The code for the moment at which a timer runs out."""
     called: Callable[[Call, Sequence[Expr]], Expr] = _by_key
@@ -305,6 +312,8 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return Piece(own_call("random"), known=known)
         case StateValue():
             return Piece(names.states(value), known=known)
+        case RoundValue():
+            return Piece(names.rounds(value), known=known)
         case Call():
             return _call(value, names, known)
         case ListValue():

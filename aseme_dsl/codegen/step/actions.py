@@ -13,6 +13,7 @@ from aseme_dsl.amola.expression import (
     Outcome,
     Publish,
     ReadMessages,
+    RoundValue,
     Send,
     StartTimer,
     StateValue,
@@ -192,6 +193,8 @@ class Actions(Part):
                     values.setdefault(own_call("last_outcome", Const(labels)))
                 case StateValue():
                     values.setdefault(self.names.about_states(transition.source, value))
+                case RoundValue():
+                    values.setdefault(self.names.about_rounds(transition.source, value))
         method = self.names.writing(region)
         parts = [
             "(" + "".join(f"{method.code(code)}, " for code in found).strip() + ")"

@@ -35,6 +35,9 @@ FORMS: dict[str, str] = {
     "in": "in(Formula)",
     "done": "done(Formula)",
     "count": "count(Activity) < 3",
+    "invited": "invited(participant) > 0",
+    "answered": "answered(participant) >= 3",
+    "all_answered": "all_answered(participant)",
     "sender": "sender(message)",
     "size": "size(topic.state.Message.members)",
     "contains": "contains(topic.state.Message.members, value)",
@@ -42,7 +45,10 @@ FORMS: dict[str, str] = {
 """What looks like a function and is part of the language, with an example of its use."""
 
 STATE_QUESTIONS = ("in", "done", "count")
-YIELDING = frozenset(("outcome", "random", "sender", "size", "contains", *STATE_QUESTIONS))
+ROUND_QUESTIONS = ("invited", "answered", "all_answered")
+YIELDING = frozenset(
+    ("outcome", "random", "sender", "size", "contains", *STATE_QUESTIONS, *ROUND_QUESTIONS)
+)
 """The forms that came later: a function that a document declares under such a name goes before."""
 
 PERFORMATIVES = tuple(

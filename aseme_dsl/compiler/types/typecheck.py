@@ -11,7 +11,7 @@ from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, STRING, Kind, 
 from aseme_dsl.compiler.names.checker import Checker
 from aseme_dsl.compiler.names.paths import channel_of, member_of, through_optional, value_of_path
 from aseme_dsl.compiler.names.scope import Scope
-from aseme_dsl.compiler.read.builtins import ACTIONS, FORMS, PERFORMATIVES, STATE_QUESTIONS
+from aseme_dsl.compiler.read.builtins import ACTIONS, FORMS, PERFORMATIVES, ROUND_QUESTIONS, STATE_QUESTIONS
 from aseme_dsl.compiler.read.constants import LARGEST_INT, NotConstant, fold
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.compiler.types import exchange, lists
@@ -24,6 +24,7 @@ from aseme_dsl.compiler.types.calls import (
 )
 from aseme_dsl.compiler.types.operators import COMPARISONS, arithmetic, compare, is_condition, negate
 from aseme_dsl.compiler.types.outcome_values import alone, compare_outcome, is_about_outcome
+from aseme_dsl.compiler.types.round_values import round_value
 from aseme_dsl.compiler.types.state_values import state_value
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.diagnostics.problems.expressions import paths as problems
@@ -289,6 +290,8 @@ def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
         return None
     if name in STATE_QUESTIONS and not checker.scope.symbols.overloads(name):
         return state_value(checker, name, written)
+    if name in ROUND_QUESTIONS and not checker.scope.symbols.overloads(name):
+        return round_value(checker, name, written)
     if name is None and len(written.function.segments) == 1:
         near = closest(written.function.text, (*checker.scope.symbols.function_names, *FORMS))
         if near in ("expired", "start_timer") or "timer" in written.function.text.lower():

@@ -13,12 +13,14 @@ class ExchangeOutsideProtocol(Problem):
     """What only a participant of a protocol does: send, receive or ask for who is lost."""
 
     code = "E205"
-    what: Literal["sent", "received", "lost"]
+    what: Literal["sent", "received", "lost", "answered"]
 
     @property
     def message(self) -> str:
         if self.what == "lost":
             return "who is lost is a participant of a protocol"
+        if self.what == "answered":
+            return "the answers to an agent message are those of a participant of a protocol"
         return f"an agent message is {self.what} by a participant of a protocol"
 
     hint = "write it in the `control` of a participant of an `aip`"
@@ -148,6 +150,31 @@ class InitialAgent(Problem):
     code = "E534"
     message = "a variable of type agent has no initial value"
     hint = "it is set when a message has come: `/ best = sender(b)`"
+
+
+class AnswersInAction(Problem):
+    code = "E575"
+    question: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.question}` is used outside a condition"
+
+    hint = "use it in the condition of the transition, in two lines if necessary"
+
+
+class AnswersOfNobody(Problem):
+    code = "E576"
+    participant: str
+    asked: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.participant}` sends `{self.asked}` no message that it could answer"
+
+    @property
+    def hint(self) -> str:
+        return f"name a participant that `{self.participant}` sends a message to"
 
 
 class BoundNameUnused(Problem):

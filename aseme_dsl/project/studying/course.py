@@ -138,8 +138,7 @@ def player(chart: Chart, steps: Sequence[Given]) -> Callable[[], None]:
 def _take_away(chart: Chart, label: str, item: Sample | AgentMessage) -> None:
     """An activity takes a signal or an agent message."""
     if isinstance(item, AgentMessage):
-        waiting = chart.mail[item.branch]
-        chart.mail[item.branch] = [other for other in waiting if other.identity != item.identity]
+        chart.give_mail(item)
         return
     board = chart.board_of(label)
     for host in (None, item.sender):

@@ -17,6 +17,7 @@ from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.inputs import (
     LOST,
+    Addressed,
     AgentMessage,
     Completed,
     Crashed,
@@ -24,8 +25,10 @@ from aseme_dsl.runtime.chart.inputs import (
     Identity,
     Input,
     Sample,
+    Settled,
     Written,
 )
+from aseme_dsl.runtime.message.acl import name_of
 from aseme_dsl.runtime.message.as_json import from_json
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.trace.trace_reading import Record, TraceReader
@@ -276,6 +279,9 @@ class _Reading:
         record = self.brought.get((agent, identity)) or self.said.get(identity)
         if record is None:
             return None
+        if record["kind"] == "agent_message" and record["agent"] == agent and agent not in record["to"]:
+            branch = self.branches[agent, record["conversation"], record["participant"]]
+            return Addressed(branch, record["receiver"], tuple(record["to"]), name_of(identity))
         match record["kind"]:
             case "message" | "radio_received" | "arrived":
                 return self._message(agent, identity, record)
@@ -291,6 +297,9 @@ class _Reading:
                 return Completed(record["label"], record["token"], record.get("outcome"))
             case "activity":
                 return Crashed(record["label"], record["token"], record.get("reason", ""))
+            case _ if record["what"] == "settled":
+                reply = record.get("in_reply_to", "")
+                return Settled(record["branch"], record["played"], record["peer"], reply)
             case _:
                 part = record["played"]
                 return AgentMessage(record["branch"], LOST, "", None, part, record["peer"], identity)
@@ -309,7 +318,17 @@ class _Reading:
         content = from_json(self.messages[name], record["content"]) if name in self.messages else None
         branch = self.branches[agent, record["conversation"], record["receiver"]]
         part = record["participant"]
-        return AgentMessage(branch, record["performative"], name, content, part, identity[0], identity)
+        answered = [name_of(_identity(item)) for item in record.get("answers", ()) if item[0] == agent]
+        return AgentMessage(
+            branch,
+            record["performative"],
+            name,
+            content,
+            part,
+            identity[0],
+            identity,
+            in_reply_to=record.get("in_reply_to") or next(iter(answered), ""),
+        )
 
 
 def _identity(value: Sequence[Any]) -> Identity:

@@ -23,6 +23,7 @@ from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.input_queue import Errand, Intake, Posted, Writer
 from aseme_dsl.runtime.chart.inputs import (
+    Addressed,
     AgentMessage,
     Cancel,
     Effect,
@@ -38,6 +39,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Publication,
     Sample,
     Sending,
+    Settled,
     Start,
 )
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
@@ -214,6 +216,8 @@ class Agent:
             return False
         if isinstance(item.input, AgentMessage):
             return self.conversations.arrives(self, item.input, item.conversation)
+        if isinstance(item.input, Addressed | Settled):
+            return self.conversations.place(self, item.input.branch)[0] == item.conversation
         if isinstance(item.input, Sample) and item.input.channel == SELECT:
             self.chosen(self, item.input.message.plan, item.input.sender)
             return SELECT in self.chart.READERS

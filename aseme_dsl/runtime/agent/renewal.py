@@ -7,7 +7,16 @@ from dataclasses import replace
 
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.input_queue import Errand, Posted
-from aseme_dsl.runtime.chart.inputs import AgentMessage, Completed, Crashed, Happened, Sample, Written
+from aseme_dsl.runtime.chart.inputs import (
+    Addressed,
+    AgentMessage,
+    Completed,
+    Crashed,
+    Happened,
+    Sample,
+    Settled,
+    Written,
+)
 from aseme_dsl.runtime.message.convert import Messages, arrived, like, mailed
 
 
@@ -28,6 +37,9 @@ def renewed(item: Posted, chart: Chart, messages: Messages, labels: Mapping[str,
             found = mailed(found, messages)
             if labels is not None:
                 found = replace(found, branch=labels[found.branch])
+        case Addressed(branch) | Settled(branch):
+            if labels is not None:
+                found = replace(found, branch=labels[branch])
         case Completed(label) | Crashed(label):
             if labels is not None:
                 found = replace(found, label=labels[label])

@@ -130,7 +130,7 @@ class Requests:
         waiting = agent.chart.mail[branch]
         for item in waiting:
             if c.matches(item, performative, message, sender) and identity in (None, item.identity):
-                waiting.remove(item)
+                agent.chart.give_mail(item)
                 agent.trace.write(
                     "consumed",
                     agent.driver.clock.now(),
@@ -141,5 +141,7 @@ class Requests:
                     token=execution.start.token,
                 )
                 agent.conversations.taken(agent, branch, item.identity)
+                if agent.branch_info(branch).counts:
+                    agent.begin()  # a condition may wait for just this
                 return item
         return None

@@ -466,6 +466,7 @@ class _Carrying:
         return labels.get(transition.source), transition.text
 
     def _mail(self) -> None:
+        self.new.rounds = self.old.rounds.carried(self.labels)
         for branch, waiting in self.old.mail.items():
             label = self.labels.get(branch)
             if label in self.new.mail:

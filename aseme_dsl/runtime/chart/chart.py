@@ -134,11 +134,13 @@ class Chart(ChartState):
 
     def join(self, branch: str) -> None:
         """A protocol branch is entered."""
+        self.rounds.forget(branch)
         self.effects.append(Joined(branch))
 
     def part(self, branch: str) -> None:
         """A protocol branch is left; what waits there is given up."""
         self.mail[branch].clear()
+        self.rounds.forget(branch)
         self.effects.append(Left(branch))
 
     def fault(self, transition: int, reason: object) -> bool:
@@ -211,7 +213,27 @@ class Chart(ChartState):
         """A transition takes an agent message, unless another part of it has done so."""
         if any(other is item for other in self.mail[item.branch]):
             self.mail[item.branch] = [other for other in self.mail[item.branch] if other is not item]
+            self.rounds.taken(item)
             self.effects.append(MailTaken(item.branch, item.identity))
+
+    def give_mail(self, item: AgentMessage) -> None:
+        """An activity takes an agent message. Between two steps."""
+        waiting = self.mail[item.branch]
+        self.mail[item.branch] = [other for other in waiting if other.identity != item.identity]
+        self.rounds.taken(item)
+
+    def invited(self, branch: str, participant: str) -> int:
+        """How many agents the last send to a participant went to."""
+        return self.rounds.count(branch, participant, ())[0]
+
+    def answered(self, branch: str, participant: str) -> int:
+        """How many of them have answered, or are lost."""
+        return self.rounds.count(branch, participant, self.mail[branch])[1]
+
+    def all_answered(self, branch: str, participant: str) -> bool:
+        """Whether all of them have, and there is one."""
+        invited, answered = self.rounds.count(branch, participant, self.mail[branch])
+        return 0 < invited == answered
 
     def publish(self, region: int, board: Board, channel: str, drafts: Board | None = None) -> None:
         """Publish the region's drafts of a channel; the region itself sees a message to all at once.
@@ -238,6 +260,8 @@ class Chart(ChartState):
         """Send an agent message with these members, or with the content that was prepared for it."""
         content = built(self.MESSAGES[message](), members or {})
         filled = members is not None
+        if to is None:
+            self.rounds.sent(branch, participant)
         self.effects.append(Sending(branch, performative, message, content, participant, filled, to, excepts))
 
     def read_messages(self, region: int, board: Board) -> None:

@@ -96,9 +96,31 @@ class AgentMessage:
     """What an answer to it calls it."""
     reply_by: int | None = None
     """Until when its sender wants an answer, in ns of the run, if it says so."""
+    in_reply_to: str = ""
+    """What the message that it answers is called, if its sender says so."""
 
 
-Input = Sample | Completed | Crashed | Happened | Written | AgentMessage
+@_made_often
+class Addressed:
+    """A message that the branch has sent to a participant goes to these agents; answers call it `name`."""
+
+    branch: str
+    participant: str
+    agents: tuple[str, ...]
+    name: str
+
+
+@_made_often
+class Settled:
+    """Nothing can be taken of an agent that was addressed: it is lost, or what it sent is not accepted."""
+
+    branch: str
+    participant: str
+    agent: str
+    in_reply_to: str = ""
+
+
+Input = Sample | Completed | Crashed | Happened | Written | AgentMessage | Addressed | Settled
 
 
 # ---- effects -----------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ Conditions and values are nested tuples whose first item says what they are:
     ("list", value, …)  ("element", list, value, ("name",))  ("size", list)  ("contains", list, value)
     ("age", member)  ("at", member, value)  ("mean", member, value)  ("expired", timer)
     ("outcome", activity)  ("index",)  ("random",)  ("in" | "done" | "count", state name)
+    ("invited" | "answered" | "all_answered", participant)
     ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)  ("holds", value)
     ("==" | "!=" | "<" | "<=" | ">" | ">=", value, value)
     ("+" | "-" | "*" | "/" | "//" | "%", value, value)
@@ -152,6 +153,8 @@ class BranchInfo:
     """The hash of how the system plays the protocol: those who play the same may meet in one run of it."""
     loses: tuple[str, ...] = ()
     """The participants of which it waits to hear that an agent is gone."""
+    counts: tuple[str, ...] = ()
+    """The participants whose answers a condition counts (`all_answered(q)`)."""
     participants: tuple[tuple[str, int, int | None], ...] = ()
     """All participants of the protocol: name, and how many agents of each take part at least and at most."""
 

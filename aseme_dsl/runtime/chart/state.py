@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 from aseme_dsl.runtime.chart.board import QUEUE, Board
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Outcome, Sample
 from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.chart.rounds import Rounds
 
 
 class ChartState:
@@ -36,6 +37,7 @@ class ChartState:
         "outcomes",
         "pending",
         "queue",
+        "rounds",
         "seed",
         "spent",
         "started",
@@ -91,6 +93,8 @@ class ChartState:
         self.spent: set[tuple[int, str]] = set()
         """The events that a transition of a region has taken in this step."""
         self.mail: dict[str, list[AgentMessage]] = {info.label: [] for info in self.PLAN.branches}
+        self.rounds = Rounds()
+        """Who was addressed in the branches, and who has answered."""
         self.writes: list[tuple[int, str, Any]] = []
         self.drains = False
         """Whether a step has dropped a signal behind which another one waits; reset like `woken`."""

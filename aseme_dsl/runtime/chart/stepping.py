@@ -7,6 +7,7 @@ from typing import Any
 
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.inputs import (
+    Addressed,
     AgentMessage,
     Cancel,
     Completed,
@@ -16,6 +17,7 @@ from aseme_dsl.runtime.chart.inputs import (
     LeftOut,
     Outcome,
     Sample,
+    Settled,
     Written,
 )
 from aseme_dsl.runtime.chart.state import ChartState
@@ -168,5 +170,7 @@ RECEIVE: Mapping[type[Input], Callable[[Any, Any], None]] = {
     Happened: _happened,
     Written: _written,
     AgentMessage: _mailed,
+    Addressed: lambda chart, item: chart.rounds.addressed(item),
+    Settled: lambda chart, item: chart.rounds.settled(item),
 }
 """What each kind of input does to a chart."""

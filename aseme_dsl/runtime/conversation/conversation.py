@@ -26,6 +26,7 @@ from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.conversation import external_agents
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
+from aseme_dsl.runtime.conversation.counting import Counting
 from aseme_dsl.runtime.conversation.directory import Directory
 from aseme_dsl.runtime.conversation.invitations import Part
 from aseme_dsl.runtime.conversation.management import Management
@@ -66,6 +67,7 @@ class Conversations:
         self.directory = Directory(driver, trace)
         self._driver = driver
         self._told = ConversationTrace(driver, trace)
+        self._counting = Counting(self._told, self.directory.is_gone)
         self._transport = transport
         self._queue = queue
         self._agents: dict[str, Receiver] = {}
@@ -151,7 +153,10 @@ class Conversations:
                     self._told.fault(agent.name, text)
                     return
                 receivers = tuple(name for name in invited if name not in excepts)
-                self._send(agent, place, performative, message, content, receivers, part, reply_by)
+                is_round = place.info.knows(to)
+                self._send(
+                    agent, place, performative, message, content, receivers, part, reply_by, is_round=is_round
+                )
 
     def send_to_agent(
         self, agent: Receiver, branch: str, performative: str, message: str, content: Any, to: str
@@ -211,6 +216,8 @@ class Conversations:
         receivers: tuple[str, ...],
         part: str,
         reply_by: int | None = None,
+        *,
+        is_round: bool = False,
     ) -> None:
         assert place.conversation is not None
         identity = agent.identity()
@@ -232,6 +239,8 @@ class Conversations:
         )
         answered = place.answered
         self._told.sent(acl, [answered[name].identity for name in receivers if name in answered])
+        if is_round:
+            self._counting.sent(agent, place, self._conversations[place.conversation], acl)
         for name in receivers:
             heard = answered.get(name)
             self._bring(name, acl if heard is None else replace(acl, in_reply_to=heard.reply_with))
@@ -286,6 +295,8 @@ class Conversations:
         self._desks[agent.name].free.get(part, {}).pop(place.info.label, None)
         conversation = self._conversations[name]
         conversation.places[agent.name, part[1]] = place
+        if place.info.counts:
+            conversation.counting[agent.name, part[1]] = agent, place
         members = conversation.members.setdefault(part[1], [])
         if agent.name not in members:
             members.append(agent.name)
@@ -502,6 +513,9 @@ class Conversations:
                     for part, who in conversation.members.items()
                     if name in who and (name, part) not in conversation.past
                 ]
+                for part in parts:
+                    if part in place.info.counts:
+                        self._counting.settled(agent, place, part, name)
                 awaited = [part for part in parts if part in place.info.loses]
                 for part in awaited:
                     identity = agent.identity()
@@ -578,6 +592,7 @@ class Conversations:
             acl.identity,
             acl.reply_with,
             acl.reply_by,
+            acl.in_reply_to,
         )
         place.waiting[acl.identity] = mail
         agent.post(acl.identity, mail, conversation=acl.conversation)
@@ -593,6 +608,7 @@ class Conversations:
     def _unexpected(self, agent: Receiver, acl: AclMessage, reason: str) -> None:
         """Tell of a message that nobody expects, and answer it, but never an answer to that."""
         self._told.unexpected(agent.name, acl, reason)
+        self._counting.unexpected(agent, self._conversations.get(acl.conversation), acl)
         if acl.performative != NOT_UNDERSTOOD:
             self._answer(agent, acl, reason)
 
@@ -658,7 +674,9 @@ class Conversations:
             name = place.conversation
             conversation = self._conversations[name]
             conversation.places.pop((agent.name, place.info.participant), None)
+            conversation.counting.pop((agent.name, place.info.participant), None)
             conversation.past.add((agent.name, place.info.participant))
+            self._counting.gone(conversation, agent.name, place.info.participant)
             self._told.takes_part("leave", agent.name, place, name, untaken=tuple(place.waiting))
             self._close(name)
 

@@ -131,8 +131,9 @@ class ConversationTrace:
         peer: str | None = None,
         played: str | None = None,
         identity: Identity | None = None,
+        in_reply_to: str = "",
     ) -> None:
-        """An agent opens, joins or leaves a conversation, or hears that another one is gone."""
+        """An agent opens, joins or leaves a conversation, or hears that another one is gone or `settled`."""
         info = place.info
         self._trace.write(
             "conversation",
@@ -147,6 +148,7 @@ class ConversationTrace:
             untaken=[list(item) for item in untaken] or None,
             peer=peer,
             played=played,
+            in_reply_to=in_reply_to or None,
         )
 
 

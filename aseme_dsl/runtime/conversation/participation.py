@@ -9,6 +9,7 @@ from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity
 from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation.invitations import Invitations, Part
 from aseme_dsl.runtime.message.acl import AgentIdentifier
+from aseme_dsl.runtime.ports import Receiver
 
 REMEMBERED = 4096
 """So many messages from elsewhere are known again, and of so many conversations that are over it is known who
@@ -43,6 +44,8 @@ class Conversation:
     past: set[tuple[str, str]] = field(default_factory=set)
     places: dict[tuple[str, str], Participation] = field(default_factory=dict)
     """The branches here that take part, by agent and participant."""
+    counting: dict[tuple[str, str], tuple[Receiver, Participation]] = field(default_factory=dict)
+    """Those of them in which a condition counts answers."""
     invitations: int = 0
     """How many of its messages wait here for a participant to be entered or free."""
     outsiders: dict[str, tuple[AgentIdentifier, ...]] = field(default_factory=dict)
