@@ -180,14 +180,7 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
             case e.VariableValue():
                 yield from _presence_unknowns(part, vocabulary)
                 yield Unknown(identity(part), e.value_text(part), part.type, presences(part, vocabulary))
-            case (
-                e.Expired()
-                | e.Outcome()
-                | e.StateValue()
-                | e.RoundValue()
-                | e.Index()
-                | e.Sender()
-            ):
+            case e.Expired() | e.Outcome() | e.StateValue() | e.RoundValue() | e.Index() | e.Sender():
                 yield Unknown(identity(part), e.value_text(part), part.type)
             case e.Call() if is_unknown_function(part):
                 read = list(_needs(part, vocabulary))
@@ -249,14 +242,7 @@ def sources(value: e.Value) -> frozenset[Key]:
         match part:
             case e.Member(host=host, channel=channel):
                 found.add((HAS, host, channel))
-            case (
-                e.VariableValue()
-                | e.Expired()
-                | e.Outcome()
-                | e.StateValue()
-                | e.RoundValue()
-                | e.Index()
-            ):
+            case e.VariableValue() | e.Expired() | e.Outcome() | e.StateValue() | e.RoundValue() | e.Index():
                 found.add(identity(part))
             case e.Bound(message=message):
                 found.add((TAKEN, None, message, ()))

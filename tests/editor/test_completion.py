@@ -212,6 +212,11 @@ def test_behind_an_operand_no_operand_is_offered() -> None:
     assert found == ["A"]  # the formula that comes next
 
 
+def test_answers_are_counted_of_participants() -> None:
+    text = instead(WAREHOUSE, "inform Done from contractor or", f"when [all_answered({CURSOR})]  //")
+    assert labels(text)[:2] == ["manager", "contractor"]
+
+
 def test_control_is_offered_for_formulas_that_have_none() -> None:
     text = instead(SOCCER, "  control Guard {", "  control ‸ {")
     assert labels(text) == ["Guard", "goalie"]

@@ -258,3 +258,32 @@ def test_an_editor_that_cannot_rename_files_is_told_what_is_left(hand: Path) -> 
     assert found is not None and found.changes is not None and found.document_changes is None
     assert {Path(uri).name for uri in found.changes} == {"hand.aseme", "grasp.py", "touch.py"}
     assert len(said) == 1 and "grasp.py to take_hold.py" in said[0]
+
+
+def test_a_participant_is_renamed_where_its_answers_are_counted() -> None:
+    text = renamed(COUNTED, "participant ^bidder", "rival")
+    assert "when [all_answered(rival)]" in text and "bidder" not in text
+
+
+COUNTED = """
+system Market
+message Task { string id }
+aip auction {
+  participant seller {
+    sends    cfp Task
+    receives refuse Task
+    process  = Collect+
+  }
+  participant bidder [1..*] {
+    sends    refuse Task
+    receives cfp Task
+    process  = Offer
+  }
+  control seller {
+    enter  Collect+ : / send cfp Task { id = "t1" } to bidder
+    repeat Collect : refuse Task from bidder
+    leave  Collect : when [all_answered(bidder)]
+  }
+  control bidder { enter Offer : cfp Task from seller / send refuse Task { id = "t1" } to seller }
+}
+"""

@@ -22,6 +22,7 @@ from aseme_dsl.codegen.code.tree import (
     any_of,
     compared,
     own,
+    own_call,
     within,
 )
 from aseme_dsl.codegen.code.values import Names, constant_names, in_brackets

@@ -46,9 +46,7 @@ FORMS: dict[str, str] = {
 
 STATE_QUESTIONS = ("in", "done", "count")
 ROUND_QUESTIONS = ("invited", "answered", "all_answered")
-YIELDING = frozenset(
-    ("outcome", "random", "sender", "size", "contains", *STATE_QUESTIONS, *ROUND_QUESTIONS)
-)
+YIELDING = frozenset(("outcome", "random", "sender", "size", "contains", *STATE_QUESTIONS, *ROUND_QUESTIONS))
 """The forms that came later: a function that a document declares under such a name goes before."""
 
 PERFORMATIVES = tuple(

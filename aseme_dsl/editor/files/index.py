@@ -14,7 +14,7 @@ from aseme_dsl.amola.liveness import Argument, Formula, names
 from aseme_dsl.amola.messages import BUILT_IN
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.names.usecases import folded
-from aseme_dsl.compiler.read.builtins import COMM_TYPES, PERFORMATIVES
+from aseme_dsl.compiler.read.builtins import COMM_TYPES, PERFORMATIVES, ROUND_QUESTIONS
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source, Span
 
@@ -572,6 +572,8 @@ def _path(node: Any, name: str, path: tree.Path, around: Around) -> Iterator[Occ
             return _called(around, path)
         case tree.Call() if node.function.text in TERM_FORMS and len(path.segments) == 1:
             return iter((Occurrence(path.segments[0].span, around.term(path.text), Use.READ, node),))
+        case tree.Call() if node.function.text in ROUND_QUESTIONS and path.text in around.parties:
+            return iter((Occurrence(path.segments[0].span, around.parties[path.text], Use.READ, node),))
         case tree.Call() if node.function.text in TIMER_FORMS and path is node.arguments[0]:
             timer = Symbol(Kind.TIMER, path.text, around.owner)
             use = Use.WRITE if node.function.text == "start_timer" else Use.READ

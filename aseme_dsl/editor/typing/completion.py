@@ -16,7 +16,7 @@ from aseme_dsl.amola.operators import INFIX
 from aseme_dsl.compiler.chart.aip_to_eac import PROCESS
 from aseme_dsl.compiler.formula.terms import Terms, ways
 from aseme_dsl.compiler.names.scope import Party
-from aseme_dsl.compiler.read.builtins import STATE_QUESTIONS
+from aseme_dsl.compiler.read.builtins import ROUND_QUESTIONS, STATE_QUESTIONS
 from aseme_dsl.editor.files.known import Known, used_names
 from aseme_dsl.editor.files.place import Place, place_at
 from aseme_dsl.editor.typing.around import Around, around
@@ -283,6 +283,10 @@ def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
                 return
             if slot.calls and slot.calls[-1].function in STATE_QUESTIONS:
                 yield from _states(ask, party)
+                return
+            if slot.calls and slot.calls[-1].function in ROUND_QUESTIONS:
+                for other in scope.parties:
+                    yield Item(other, ItemKind.PARTICIPANT, "participant", rank=int(party is None))
                 return
             named = tuple(outcomes(scope, slot))
             yield from named or values(scope, ask.known, slot, ask.place.text)

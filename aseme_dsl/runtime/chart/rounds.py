@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.runtime.chart.inputs import LOST, Addressed, AgentMessage, Settled
@@ -87,7 +87,7 @@ class Rounds:
         }
         return len(found.agents), found.count(waiting)
 
-    def carried(self, labels: dict[str, str]) -> Rounds:
+    def carried(self, labels: Mapping[str, str]) -> Rounds:
         """The same rounds in a chart in which the branches have these labels."""
         new = Rounds()
         for (branch, participant), found in self._rounds.items():

@@ -1,4 +1,4 @@
-"""Counting answers: tells the charts whose conditions count them who was addressed, and who will not answer."""
+"""Counting answers: tells charts that count them who was addressed, and who will not answer."""
 
 from __future__ import annotations
 
@@ -18,7 +18,9 @@ class Counting:
         self._told = told
         self._is_gone = is_gone
 
-    def sent(self, agent: Receiver, place: Participation, conversation: Conversation, acl: AclMessage) -> None:
+    def sent(
+        self, agent: Receiver, place: Participation, conversation: Conversation, acl: AclMessage
+    ) -> None:
         """A branch sends to a participant; it is told before anybody can answer."""
         if acl.to not in place.info.counts:
             return
