@@ -176,7 +176,7 @@ class Agent:
         return self.intake.take()
 
     def begin(self) -> None:
-        """Ask for the first step."""
+        """Ask for a step, also if nothing comes in: the first one, or one more."""
         self.errand(self._want)
 
     def _want(self) -> None:
