@@ -80,7 +80,7 @@ LISTED: dict[str, str] = {
     "editor/server.py: did_change: open": NO_FILE,
     "editor/server.py: did_open: open": NO_FILE,
     "editor/viewer.py: page: read_text": OWN,
-    "grammar/parsing/build.py: text: read_text": NO_FILE,
+    "grammar/parsing/declarations/pieces.py: text: read_text": NO_FILE,
     "grammar/formulas/expression.py: _whole: read_text": NO_FILE,
     "grammar/formulas/formula.py: read_formula: read": NO_FILE,
     "grammar/parsing/rules.py: checksum: read_text": OWN,

@@ -1,0 +1,1 @@
+"""Declarations: one file a subject, from the objects that textX makes to the tree."""

@@ -1,0 +1,78 @@
+"""Teams, scenarios and properties, from the objects that textX makes to the tree."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from aseme_dsl.diagnostics.problems.syntax import entries as problems
+from aseme_dsl.grammar.formulas.expression import read_expression
+from aseme_dsl.grammar.parsing.declarations.pieces import Pieces
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.grammar.text.token import Token
+from aseme_dsl.source import Span
+
+
+def team(pieces: Pieces, node: Any) -> tree.Team:
+    """A team."""
+    return tree.Team(pieces.new_name(node.name, "team"), pieces.all(_agents, node.entries), pieces.span(node))
+
+
+def _agents(pieces: Pieces, node: Any) -> tree.TeamAgents:
+    names = tuple(
+        (pieces.new_name(item.name, "agent"), _agent_range(pieces, item) if item.least else None)
+        for item in node.names
+    )
+    settings = pieces.all(_setting, node.settings)
+    return tree.TeamAgents(names, pieces.name(node.role), pieces.span(node), settings)
+
+
+def _setting(pieces: Pieces, node: Any) -> tree.Setting | None:
+    value = pieces.tried(lambda: read_expression(pieces.source, node.tokens))
+    return tree.Setting(pieces.name(node.name), value, pieces.span(node)) if value is not None else None
+
+
+def _agent_range(pieces: Pieces, node: Any) -> tuple[int, int] | None:
+    least, most = pieces.integer(node.least), pieces.integer(node.most)
+    if least is None or most is None:
+        return None
+    if most < least:
+        span = Span(pieces.source, node.least.start, node.most.end)
+        pieces.report(problems.EmptyRange(least, most), span, fix=f"{most}..{least}")
+        return None
+    return least, most
+
+
+def scenario(pieces: Pieces, node: Any) -> tree.Scenario:
+    """A scenario, as its statements."""
+    statements: list[list[tree.Name]] = []
+    depth = 0
+    for name, first_on_line in _body_tokens(pieces, node):
+        begins = depth == 0 and first_on_line and (name.text[0].isalpha() or name.text[0] == "_")
+        if begins or not statements:
+            statements.append([])
+        statements[-1].append(name)
+        depth += (name.text in ("{", "(", "[")) - (name.text in ("}", ")", "]"))
+    return tree.Scenario(pieces.text(node.title), tuple(map(tuple, statements)), pieces.span(node))
+
+
+def property_(pieces: Pieces, node: Any) -> tree.Property:
+    """A property, as its words."""
+    return tree.Property(
+        pieces.text(node.title), tuple(name for name, _ in _body_tokens(pieces, node)), pieces.span(node)
+    )
+
+
+def _body_tokens(pieces: Pieces, node: Any) -> list[tuple[tree.Name, bool]]:
+    """The tokens between the braces, and whether each is the first on its line."""
+    found: list[tuple[tree.Name, bool]] = []
+    text = pieces.source.text
+    todo = list(reversed(node.tokens))
+    end = node.title.end
+    while todo:
+        item = todo.pop()
+        if not isinstance(item, Token):
+            todo += [item.close, *reversed(item.tokens), item.open]
+            continue
+        found.append((tree.Name(str(item), pieces.spot(item)), "\n" in text[end : item.start]))
+        end = item.end
+    return found

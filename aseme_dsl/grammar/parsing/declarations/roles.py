@@ -1,0 +1,73 @@
+"""Roles: capabilities, functionalities and what they play, from the objects that textX makes to the tree."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from aseme_dsl.grammar.parsing.declarations.activities import activity, module
+from aseme_dsl.grammar.parsing.declarations.control import control
+from aseme_dsl.grammar.parsing.declarations.formulas import formula, let, var
+from aseme_dsl.grammar.parsing.declarations.pieces import Once, Pieces, by_kind
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.grammar.text.recovery import BLOCKS
+
+
+def srm(pieces: Pieces, node: Any) -> tree.Srm:
+    """A role."""
+    words = BLOCKS["JunkSrm"].words
+    kinds = by_kind(node.entries)
+    return tree.Srm(
+        pieces.new_name(node.name, "role"),
+        tuple(_plays(pieces, part) for entry in kinds["Plays"] for part in entry.parts),
+        pieces.all(_capability, kinds["Capability"]),
+        pieces.all(lambda pieces, entry: var(pieces, entry, words), kinds["Var"]),
+        pieces.all(lambda pieces, entry: let(pieces, entry, words), kinds["Let"]),
+        pieces.all(formula, (formula for entry in kinds["Liveness"] for formula in entry.formulas)),
+        pieces.all(activity, (item for entry in kinds["Activities"] for item in entry.activities)),
+        pieces.all(module, (item for entry in kinds["Modules"] for item in entry.modules)),
+        pieces.all(_functionality, kinds["Functionality"]),
+        pieces.all(control, kinds["Control"]),
+        pieces.span(node),
+        tuple(pieces.name(role) for entry in kinds["Inclusion"] for role in entry.roles),
+        bool(node.abstract),
+    )
+
+
+def _plays(pieces: Pieces, node: Any) -> tree.Plays:
+    return tree.Plays(
+        pieces.name(node.protocol),
+        pieces.name(node.participant),
+        pieces.new_name(node.alias, "participant", ("with",)) if node.alias else None,
+        tuple(
+            tree.Binding(pieces.name(item.abstract), pieces.name(item.own), pieces.span(item))
+            for item in node.bindings
+        ),
+        pieces.span(node),
+    )
+
+
+def _capability(pieces: Pieces, node: Any) -> tree.Capability:
+    description = pieces.text(node.description) if node.description else None
+    return tree.Capability(
+        pieces.new_name(node.name, "capability"),
+        description,
+        pieces.names(node.activities),
+        pieces.span(node),
+    )
+
+
+def _functionality(pieces: Pieces, node: Any) -> tree.Functionality:
+    texts: dict[str, tree.Text] = {}
+    said = Once(pieces)
+    for entry in node.entries:
+        if not isinstance(entry, str):
+            said.check(str(entry.kind), pieces.span(entry))
+            texts[str(entry.kind)] = pieces.text(entry.text)
+    return tree.Functionality(
+        pieces.new_name(node.name, "functionality"),
+        texts.get("technology"),
+        texts.get("permissions"),
+        texts.get("environment"),
+        texts.get("algorithm"),
+        pieces.span(node),
+    )
