@@ -8,7 +8,7 @@ import signal
 import sys
 import threading
 import time
-from dataclasses import asdict, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -25,6 +25,7 @@ from aseme_dsl.cli.playing import (
     platform_option,
     seed_option,
     state_option,
+    telling_of,
     telling_options,
     trace_option,
 )
@@ -45,7 +46,6 @@ from aseme_dsl.cli.shared import (
     refuse,
     refuse_options,
     target_argument,
-    wants_colour,
 )
 from aseme_dsl.diagnostics import has_errors
 from aseme_dsl.diagnostics.problems.running import (
@@ -61,11 +61,47 @@ from aseme_dsl.project.settings.platform_settings import IN_PROCESS, PLATFORMS
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from aseme_dsl.project.building.build import Choice
+    from aseme_dsl.project.playing.play import Played, Request
     from aseme_dsl.project.settings.configuration import Configuration
     from aseme_dsl.runtime.control.control import Changed
+    from aseme_dsl.runtime.version.loading import Loaded
 
 GRACE = 2.0
 """After so many seconds without its supervisor a robot ends, whatever it does."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Options:
+    """What is on the command line."""
+
+    robot: str
+    target: str
+    source: Path | None
+    output: Path | None
+    system: str | None
+    duration: int | None
+    seed: int | None
+    platform: str | None
+    script: Path | None
+    trace: Path | None
+    state: Path | None
+    activities: Path | None
+    backends: tuple[str, ...]
+    bodies: dict[str, str]
+    control: Path | None
+    quiet: bool
+    verbose: bool
+    project: Path | None
+    world_at: str | None
+    version: str | None
+    supervised: bool
+    colour: str
+
+    @property
+    def folder(self) -> Path:
+        """What is given to run: an output folder, or what is to be built."""
+        return self.source or Path(self.target)
 
 
 @click.command(
@@ -105,150 +141,171 @@ GRACE = 2.0
 @click.option("--in-version", "version", hidden=True)
 @click.option("--supervised", is_flag=True, hidden=True)
 @colour_option
-def command(
-    robot: str,
-    target: str,
-    source: Path | None,
-    output: Path | None,
-    system: str | None,
-    duration: int | None,
-    seed: int | None,
-    platform: str | None,
-    script: Path | None,
-    trace: Path | None,
-    state: Path | None,
-    activities: Path | None,
-    backends: tuple[str, ...],
-    bodies: dict[str, str],
-    control: Path | None,
-    quiet: bool,
-    verbose: bool,
-    project: Path | None,
-    world_at: str | None,
-    version: str | None,
-    supervised: bool,
-    colour: str,
-) -> int:
+def command(**given: Any) -> int:
     """Run; 1 if there are errors, it cannot be run, or the agent fails."""
-    from aseme_dsl.cli.telling import Telling
-    from aseme_dsl.project.building.build import activities_folder, choose
-    from aseme_dsl.project.playing.play import (
-        NoSuchPlan,
-        PlayError,
-        Request,
-        carried,
-        in_version,
-        is_output,
-        load,
-        play,
-    )
-    from aseme_dsl.project.playing.supervisor import WORLD
-    from aseme_dsl.project.settings.configuration import find_configuration, read_configuration
-    from aseme_dsl.project.settings.deployment import Deployment
+    from aseme_dsl.project.playing.play import NoSuchPlan, PlayError
 
-    if trace is not None:
-        check_outputs([(trace, "trace")], [target, *([script] if script is not None else [])])
-    folder = source or Path(target)
-    played_as_it_is = source is not None or is_output(folder)
-    given = given_options()
-    unused: list[OptionWithoutEffect] = []
-    if source is not None and "TARGET" in given:
-        unused.append(WithFrom(f"TARGET {target}"))
-    if played_as_it_is and output is not None:
-        unused.append(OnOutput("-o"))
-    if not played_as_it_is and system is not None:
-        unused.append(OnOneSystem("--system"))
-    if quiet and verbose:
-        unused.append(WithQuiet("--verbose"))
-    if code := refuse_options(unused, str(folder), False, colour):
+    options = _Options(**given)
+    if options.trace is not None:
+        inputs: list[Path | str] = [options.target, *([options.script] if options.script is not None else [])]
+        check_outputs([(options.trace, "trace")], inputs)
+    if code := refuse_options(_without_effect(options), str(options.folder), False, options.colour):
         return code
     try:
-        if played_as_it_is:
-            configuration: Configuration
-            configuration, problems = read_configuration(project) if project else find_configuration(folder)
-            if has_errors(problems):
-                return refuse(problems, False, colour)
-            choice = choose(configuration, backends=backends, activities=activities)
-            there = carried(folder, configuration, choice)
-            check_choice(choice, backends, [role for item in there for role in item.charts])
-            systems = [item for item in there if system in (None, item.name)]
-            if len(systems) != 1:
-                known = tuple(item.name for item in there)
-                raise NoSuchPlan(NoSuchSystem(system, known))
-            loaded = systems[0] if version is None else in_version(systems[0], version, configuration)
-        else:
-            built = build_target(target, output, activities, None, False, False, colour, backends)
-            if isinstance(built, int):
-                return built
-            report, configuration, choice, bare = built
-            if not quiet:
-                for line in lines_without_code(bare, target, output):
-                    click.echo(line)
-            folder = report.folder
-            loaded = load(folder, report.system, configuration, choice)
-        if control is not None:
-            deploy = replace(configuration.deploy or Deployment(), control=control)
-            configuration = replace(configuration, deploy=deploy)
-        telling = Telling(
-            loaded,
-            alone=None,
-            activities=not quiet
-            and (verbose or configuration.run is None or configuration.run.progress is None),
-            transitions=verbose and not quiet,
-            progress=False,
-            colour=wants_colour(colour, sys.stderr),
-            stream=sys.stdout,
-        )
-        key = bytes.fromhex(os.environ.get(WORLD, ""))
-        request = Request(
-            duration=duration,
-            seed=seed,
-            real=True,
-            script=script,
-            trace=trace or folder / f"trace.{robot}.jsonl",
-            bodies=bodies,
-            state=state,
-            platform=platform or (configuration.platform if configuration.platform != IN_PROCESS else None),
-            robot=robot,
-            world_at=(world_at, key) if world_at is not None else None,
-            begin=_told_to_begin() if supervised else lambda: None,
-            changed=_tell_change if supervised else None,
-        )
-        with ending_left_processes():
-            played = play(
-                loaded,
-                activities_folder(folder, choice),
-                configuration,
-                request,
-                tell=telling.line,
-                listeners=(telling,),
-            )
+        prepared = _prepared(options)
+        return prepared if isinstance(prepared, int) else _run(options, *prepared)
     except PlayError as problem:
         refused = WronglyUsed if isinstance(problem, NoSuchPlan) else Refused
-        raise refused(problem.problems(str(source or target)), colour) from problem
+        raise refused(problem.problems(str(options.source or options.target)), options.colour) from problem
+
+
+def _is_output(options: _Options) -> bool:
+    """Whether an output folder is run as it is, without a build."""
+    from aseme_dsl.project.playing.play import is_output
+
+    return options.source is not None or is_output(options.folder)
+
+
+def _without_effect(options: _Options) -> list[OptionWithoutEffect]:
+    """The options that would be ignored."""
+    unused: list[OptionWithoutEffect] = []
+    if options.source is not None and "TARGET" in given_options():
+        unused.append(WithFrom(f"TARGET {options.target}"))
+    if _is_output(options):
+        if options.output is not None:
+            unused.append(OnOutput("-o"))
+    elif options.system is not None:
+        unused.append(OnOneSystem("--system"))
+    if options.quiet and options.verbose:
+        unused.append(WithQuiet("--verbose"))
+    return unused
+
+
+def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice] | int:
+    """The system, its folder and its settings; or the exit code, after telling why."""
+    from aseme_dsl.project.building.build import choose
+    from aseme_dsl.project.playing.play import NoSuchPlan, carried, in_version, load
+    from aseme_dsl.project.settings.configuration import find_configuration, read_configuration
+
+    folder = options.folder
+    if not _is_output(options):
+        built = build_target(
+            options.target,
+            options.output,
+            options.activities,
+            None,
+            False,
+            False,
+            options.colour,
+            options.backends,
+        )
+        if isinstance(built, int):
+            return built
+        report, configuration, choice, bare = built
+        if not options.quiet:
+            for line in lines_without_code(bare, options.target, options.output):
+                click.echo(line)
+        loaded = load(report.folder, report.system, configuration, choice)
+        return loaded, report.folder, configuration, choice
+    configuration, problems = (
+        read_configuration(options.project) if options.project else find_configuration(folder)
+    )
+    if has_errors(problems):
+        return refuse(problems, False, options.colour)
+    choice = choose(configuration, backends=options.backends, activities=options.activities)
+    there = carried(folder, configuration, choice)
+    check_choice(choice, options.backends, [role for item in there for role in item.charts])
+    systems = [item for item in there if options.system in (None, item.name)]
+    if len(systems) != 1:
+        known = tuple(item.name for item in there)
+        raise NoSuchPlan(NoSuchSystem(options.system, known))
+    loaded = systems[0]
+    if options.version is not None:
+        loaded = in_version(loaded, options.version, configuration)
+    return loaded, folder, configuration, choice
+
+
+def _run(
+    options: _Options, loaded: Loaded, folder: Path, configuration: Configuration, choice: Choice
+) -> int:
+    """Run the agent; the exit code."""
+    from aseme_dsl.project.building.build import activities_folder
+    from aseme_dsl.project.playing.play import play
+    from aseme_dsl.project.settings.deployment import Deployment
+
+    if options.control is not None:
+        deploy = replace(configuration.deploy or Deployment(), control=options.control)
+        configuration = replace(configuration, deploy=deploy)
+    telling = telling_of(
+        loaded,
+        configuration,
+        options.quiet,
+        options.verbose,
+        options.colour,
+        alone=None,
+        progress=False,
+        stream=sys.stdout,
+    )
+    with ending_left_processes():
+        played = play(
+            loaded,
+            activities_folder(folder, choice),
+            configuration,
+            _request(options, folder, configuration),
+            tell=telling.line,
+            listeners=(telling,),
+        )
     telling.end()
+    _print(options, played)
+    code = exit_code(played.result, (), INTERRUPTED)
+    if played.result.left:
+        leave_at_once(code)
+    return code
+
+
+def _request(options: _Options, folder: Path, configuration: Configuration) -> Request:
+    """How the agent is to be run."""
+    from aseme_dsl.project.playing.play import Request
+    from aseme_dsl.project.playing.supervisor import WORLD
+
+    usual = configuration.platform if configuration.platform != IN_PROCESS else None
+    world_at = options.world_at
+    return Request(
+        duration=options.duration,
+        seed=options.seed,
+        real=True,
+        script=options.script,
+        trace=options.trace or folder / f"trace.{options.robot}.jsonl",
+        bodies=options.bodies,
+        state=options.state,
+        platform=options.platform or usual,
+        robot=options.robot,
+        world_at=(world_at, bytes.fromhex(os.environ.get(WORLD, ""))) if world_at is not None else None,
+        begin=_told_to_begin() if options.supervised else lambda: None,
+        changed=_tell_change if options.supervised else None,
+    )
+
+
+def _print(options: _Options, played: Played) -> None:
+    """How the agent has ended, and what is left behind."""
     result = played.result
     for agent in result.agents:
         if agent.failure is not None:
             place = f" ({agent.at})" if agent.at else ""
             click.echo(f"{agent.name} ({agent.role}) failed: {agent.failure}{place}", err=True)
     if result.reason == "replaced":
-        click.echo(f"{robot} stopped: a newer process runs it", err=True)
+        click.echo(f"{options.robot} stopped: a newer process runs it", err=True)
     if result.trace_error is not None:
         click.echo(result.trace_error, err=True)
-    elif not supervised:
+    elif not options.supervised:
         click.echo(f"stopped after {result.end_ns / 1e9:g} s\n  trace: {played.trace}")
     lines = list(end_lines(result))
-    if supervised:
+    if options.supervised:
         agents = [asdict(agent) for agent in result.agents]
         _tell_end({"result": {"agents": agents, **end_data(result)}, "lines": lines})
     else:
         for line in lines:
             click.echo(f"  {line}")
-    code = exit_code(result, (), INTERRUPTED)
-    if result.left:
-        leave_at_once(code)
-    return code
 
 
 def _told_to_begin() -> Callable[[], int | None]:

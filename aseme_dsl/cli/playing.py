@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TextIO
 
 import click
 
@@ -19,14 +20,17 @@ from aseme_dsl.cli.shared import (
     one_system,
     print_diagnostics,
     refuse,
+    wants_colour,
     written_summary,
 )
 from aseme_dsl.diagnostics import has_errors
 
 if TYPE_CHECKING:
+    from aseme_dsl.cli.telling import Telling
     from aseme_dsl.project.building.build import Choice, Report
     from aseme_dsl.project.code.activity_files import WithoutCode
     from aseme_dsl.project.settings.configuration import Configuration
+    from aseme_dsl.runtime.version.loading import Loaded
 
 INTERRUPTED = 130
 """The exit code of what was ended by a signal."""
@@ -164,6 +168,32 @@ def lines_without_code(found: WithoutCode, target: str, output: Path | None) -> 
     if found.empty:
         lines.append(f"simulated (empty stub): {', '.join(found.empty)}")
     return lines
+
+
+def telling_of(
+    loaded: Loaded,
+    configuration: Configuration,
+    quiet: bool,
+    verbose: bool,
+    colour: str,
+    *,
+    alone: str | None,
+    progress: bool,
+    stream: TextIO,
+) -> Telling:
+    """What a run tells while it goes on; what the project tells by itself is enough."""
+    from aseme_dsl.cli.telling import Telling
+
+    told_by_project = configuration.run is not None and configuration.run.progress is not None
+    return Telling(
+        loaded,
+        alone=alone,
+        activities=not quiet and (verbose or not told_by_project),
+        transitions=verbose and not quiet,
+        progress=progress,
+        colour=wants_colour(colour, sys.stderr),
+        stream=stream,
+    )
 
 
 def ending_left_processes() -> AbstractContextManager[None]:

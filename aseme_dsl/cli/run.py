@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +21,7 @@ from aseme_dsl.cli.playing import (
     platform_option,
     seed_option,
     state_option,
+    telling_of,
     telling_options,
     trace_option,
 )
@@ -44,7 +46,6 @@ from aseme_dsl.cli.shared import (
     refuse_options,
     stats_option,
     target_argument,
-    wants_colour,
 )
 from aseme_dsl.diagnostics import has_errors
 from aseme_dsl.diagnostics.problems.running import (
@@ -62,7 +63,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from aseme_dsl.cli.telling import Telling
-    from aseme_dsl.project.building.build import Report
+    from aseme_dsl.project.building.build import Choice, Report
     from aseme_dsl.project.code.activity_files import WithoutCode
     from aseme_dsl.project.playing.play import Played, Request
     from aseme_dsl.project.settings.configuration import Configuration
@@ -73,6 +74,50 @@ def _world(context: click.Context, parameter: click.Parameter, value: str | None
     if value is not None and not is_function(value):
         raise click.BadParameter(f"{value!r} does not have the form MODULE:FUNCTION.")
     return value
+
+
+@dataclass(frozen=True, slots=True)
+class _Options:
+    """What is on the command line."""
+
+    target: str
+    output: Path | None
+    plan: str | None
+    agent: str | None
+    list_: bool
+    duration: int | None
+    seed: int | None
+    real: bool
+    team: bool
+    process_per_agent: bool
+    platform: str | None
+    script: Path | None
+    trace: Path | None
+    state: Path | None
+    activities: Path | None
+    templates: Path | None
+    world: str | None
+    backends: tuple[str, ...]
+    bodies: dict[str, str]
+    force: bool
+    allowed: tuple[str, ...]
+    quiet: bool
+    verbose: bool
+    stats: bool
+    as_json: bool
+    colour: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Prepared:
+    """What is to be run, and what has been built for it."""
+
+    systems: tuple[Loaded, ...]
+    folder: Path
+    configuration: Configuration
+    choice: Choice
+    report: Report | None
+    bare: WithoutCode | None
 
 
 @click.command(
@@ -118,190 +163,218 @@ def _world(context: click.Context, parameter: click.Parameter, value: str | None
 @telling_options
 @json_option
 @colour_option
-def command(
-    target: str,
-    output: Path | None,
-    plan: str | None,
-    agent: str | None,
-    list_: bool,
-    duration: int | None,
-    seed: int | None,
-    real: bool,
-    team: bool,
-    process_per_agent: bool,
-    platform: str | None,
-    script: Path | None,
-    trace: Path | None,
-    state: Path | None,
-    activities: Path | None,
-    templates: Path | None,
-    world: str | None,
-    backends: tuple[str, ...],
-    bodies: dict[str, str],
-    force: bool,
-    allowed: tuple[str, ...],
-    quiet: bool,
-    verbose: bool,
-    stats: bool,
-    as_json: bool,
-    colour: str,
-) -> int:
+def command(**given: Any) -> int:
     """Run; 1 if the file has errors, it cannot be run, or an agent fails or is in a deadlock."""
-    from aseme_dsl.backends.backend import AGENTS
-    from aseme_dsl.cli.telling import Telling
-    from aseme_dsl.project.building.build import activities_folder, choose
-    from aseme_dsl.project.playing.play import (
-        NoSuchPlan,
-        PlayError,
-        Request,
-        carried,
-        is_output,
-        load,
-        play,
-        select,
-    )
-    from aseme_dsl.project.settings.configuration import find_configuration
+    options = _Options(**given)
+    _check_usage(options)
+    if code := refuse_options(_without_effect(options), options.target, options.as_json, options.colour):
+        return code
+    from aseme_dsl.project.playing.play import NoSuchPlan, PlayError
 
-    if plan is not None and (team or process_per_agent):
+    try:
+        prepared = _prepared(options)
+        return prepared if isinstance(prepared, int) else _run(options, prepared)
+    except PlayError as problem:
+        found = problem.problems(options.target)
+        if options.as_json:
+            print_json({"result": None, "problem": str(problem), **diagnostics_json(found)})
+        refused = WronglyUsed if isinstance(problem, NoSuchPlan) else Refused
+        raise refused(found, options.colour) from problem
+
+
+def _check_usage(options: _Options) -> None:
+    """Refuse, as wrong use, options that exclude each other, and a trace that would overwrite something."""
+    plan, platform = options.plan, options.platform
+    if plan is not None and (options.team or options.process_per_agent):
         raise click.UsageError("--role runs one role: not with --team or --process-per-agent.")
     if plan is not None and platform not in (None, IN_PROCESS):
         raise click.UsageError("--role runs one role in this process: not with --platform.")
-    if process_per_agent and platform == IN_PROCESS:
+    if options.process_per_agent and platform == IN_PROCESS:
         raise click.UsageError("--process-per-agent needs a transport between processes, such as zenoh.")
-    if trace is not None:
-        check_outputs([(trace, "trace")], [target, *([script] if script is not None else [])])
-    report: Report | None = None
-    bare: WithoutCode | None = None
-    played_as_it_is = is_output(Path(target))
+    if options.trace is not None:
+        inputs: list[Path | str] = [options.target, *([options.script] if options.script is not None else [])]
+        check_outputs([(options.trace, "trace")], inputs)
+
+
+def _without_effect(options: _Options) -> list[OptionWithoutEffect]:
+    """The options that would be ignored."""
+    from aseme_dsl.backends.backend import AGENTS
+    from aseme_dsl.project.playing.play import is_output
+
     unused: list[OptionWithoutEffect] = []
-    if agent is not None and plan is None and not list_:
+    if options.agent is not None and options.plan is None and not options.list_:
         unused.append(AgentWithoutRole("--agent"))
-    if list_:
+    if options.list_:
         unused += [WithList(option) for option in given_options() if option not in _LISTED]
-    elif quiet and verbose:
+    elif options.quiet and options.verbose:
         unused.append(WithQuiet("--verbose"))
-    if played_as_it_is:
-        given = {"-o": output, "--templates": templates, "--force": force or None, "--stats": stats or None}
+    if is_output(Path(options.target)):
+        given = {
+            "-o": options.output,
+            "--templates": options.templates,
+            "--force": options.force or None,
+            "--stats": options.stats or None,
+        }
         unused += [OnOutputOfTarget(option) for option, value in given.items() if value is not None]
-        for name in dict.fromkeys(item.rpartition("=")[2] for item in backends):
-            if name in AGENTS and not (Path(target) / name).is_dir():
+        for name in dict.fromkeys(item.rpartition("=")[2] for item in options.backends):
+            if name in AGENTS and not (Path(options.target) / name).is_dir():
                 unused.append(OnOutputWithoutBackend(f"--backend {name}", name))
-    if code := refuse_options(unused, target, as_json, colour):
-        return code
-    try:
-        if played_as_it_is:
-            folder = Path(target)
-            configuration, problems = find_configuration(folder)
-            if has_errors(problems):
-                return refuse(problems, as_json, colour)
-            choice = choose(configuration, backends=backends, activities=activities)
-            systems = carried(folder, configuration, choice)
-            check_choice(choice, backends, [role for item in systems for role in item.charts])
-        else:
-            built = build_target(target, output, activities, templates, force, as_json, colour, backends)
-            if isinstance(built, int):
-                return built
-            report, configuration, choice, bare = built
-            folder = report.folder
-            systems = (load(folder, report.system, configuration, choice),)
-        if list_:
-            return _list(systems, as_json)
-        if trace is None and configuration.run is not None and configuration.run.trace is not None:
-            check_outputs([(configuration.run.trace, "trace")])
-        loaded, plan = select(systems, plan)
-        if platform is None and plan is None and (real or process_per_agent):
-            platform = configuration.platform
-        if platform == ZENOH or process_per_agent:
-            if allowed:
-                return refuse_options([WithProcesses("--allow")], target, as_json, colour)
-            if not quiet and not as_json and bare is not None:
-                for line in lines_without_code(bare, target, output):
-                    click.echo(line)
-            request = Request(
-                duration=duration,
-                seed=seed,
-                trace=trace,
-                world=world,
-                bodies=bodies,
-                platform=platform if platform != IN_PROCESS else None,
-            )
-            options = _options_of_robots(
-                configuration, duration, seed, script, state, backends, bodies, quiet, verbose, colour
-            )
-            place = activities_folder(folder, choice)
-            code = _supervise(loaded, folder, place, configuration, request, options, quiet, as_json)
-            if stats and report is not None and not as_json:
-                for line in count_lines(report.count):
-                    click.echo(line)
-            return code
-        if configuration.run is None or configuration.run.trace is None:
-            trace = trace or folder / "trace.jsonl"
-        real = real or platform not in (None, IN_PROCESS)
-        request = Request(
-            plan, agent, duration, seed, real, script, trace, world, bodies, state=state, platform=platform
-        )
-        telling = Telling(
+    return unused
+
+
+def _prepared(options: _Options) -> _Prepared | int:
+    """The systems of an output folder, or that which is built; or the exit code, after telling why."""
+    from aseme_dsl.project.building.build import choose
+    from aseme_dsl.project.playing.play import carried, is_output, load
+    from aseme_dsl.project.settings.configuration import find_configuration
+
+    folder = Path(options.target)
+    if is_output(folder):
+        configuration, problems = find_configuration(folder)
+        if has_errors(problems):
+            return refuse(problems, options.as_json, options.colour)
+        choice = choose(configuration, backends=options.backends, activities=options.activities)
+        systems = carried(folder, configuration, choice)
+        check_choice(choice, options.backends, [role for item in systems for role in item.charts])
+        return _Prepared(systems, folder, configuration, choice, None, None)
+    built = build_target(
+        options.target,
+        options.output,
+        options.activities,
+        options.templates,
+        options.force,
+        options.as_json,
+        options.colour,
+        options.backends,
+    )
+    if isinstance(built, int):
+        return built
+    report, configuration, choice, bare = built
+    system = load(report.folder, report.system, configuration, choice)
+    return _Prepared((system,), report.folder, configuration, choice, report, bare)
+
+
+def _run(options: _Options, prepared: _Prepared) -> int:
+    """List the roles, or run them in this process or in one for each agent; the exit code."""
+    from aseme_dsl.project.playing.play import select
+
+    if options.list_:
+        return _list(prepared.systems, options.as_json)
+    run = prepared.configuration.run
+    if options.trace is None and run is not None and run.trace is not None:
+        check_outputs([(run.trace, "trace")])
+    loaded, plan = select(prepared.systems, options.plan)
+    platform = options.platform
+    if platform is None and plan is None and (options.real or options.process_per_agent):
+        platform = prepared.configuration.platform
+    if platform == ZENOH or options.process_per_agent:
+        return _run_processes(options, prepared, loaded, platform)
+    return _run_here(options, prepared, loaded, plan, platform)
+
+
+def _run_processes(options: _Options, prepared: _Prepared, loaded: Loaded, platform: str | None) -> int:
+    """Run each agent in a process of its own; the exit code."""
+    from aseme_dsl.project.building.build import activities_folder
+    from aseme_dsl.project.playing.play import Request
+
+    if options.allowed:
+        return refuse_options([WithProcesses("--allow")], options.target, options.as_json, options.colour)
+    if not options.quiet and not options.as_json and prepared.bare is not None:
+        for line in lines_without_code(prepared.bare, options.target, options.output):
+            click.echo(line)
+    request = Request(
+        duration=options.duration,
+        seed=options.seed,
+        trace=options.trace,
+        world=options.world,
+        bodies=options.bodies,
+        platform=platform if platform != IN_PROCESS else None,
+    )
+    place = activities_folder(prepared.folder, prepared.choice)
+    code = _supervise(
+        loaded,
+        prepared.folder,
+        place,
+        prepared.configuration,
+        request,
+        _options_of_robots(options),
+        options.quiet,
+        options.as_json,
+    )
+    if options.stats and prepared.report is not None and not options.as_json:
+        for line in count_lines(prepared.report.count):
+            click.echo(line)
+    return code
+
+
+def _run_here(
+    options: _Options, prepared: _Prepared, loaded: Loaded, plan: str | None, platform: str | None
+) -> int:
+    """Run all agents in this process; the exit code."""
+    from aseme_dsl.project.building.build import activities_folder
+    from aseme_dsl.project.playing.play import Request, play
+
+    configuration, trace = prepared.configuration, options.trace
+    if configuration.run is None or configuration.run.trace is None:
+        trace = trace or prepared.folder / "trace.jsonl"
+    real = options.real or platform not in (None, IN_PROCESS)
+    request = Request(
+        plan,
+        options.agent,
+        options.duration,
+        options.seed,
+        real,
+        options.script,
+        trace,
+        options.world,
+        options.bodies,
+        state=options.state,
+        platform=platform,
+    )
+    telling = telling_of(
+        loaded,
+        configuration,
+        options.quiet,
+        options.verbose,
+        options.colour,
+        alone=plan,
+        progress=not options.quiet,
+        stream=sys.stderr if options.as_json else sys.stdout,
+    )
+    with ending_left_processes():
+        played = play(
             loaded,
-            alone=plan,
-            # What the project tells by itself is enough.
-            activities=not quiet
-            and (verbose or configuration.run is None or configuration.run.progress is None),
-            transitions=verbose and not quiet,
-            progress=not quiet,
-            colour=wants_colour(colour, sys.stderr),
-            stream=sys.stderr if as_json else sys.stdout,
+            activities_folder(prepared.folder, prepared.choice),
+            configuration,
+            request,
+            tell=telling.line,
+            listeners=(telling,),
+            tick=telling.tick,
         )
-        with ending_left_processes():
-            played = play(
-                loaded,
-                activities_folder(folder, choice),
-                configuration,
-                request,
-                tell=telling.line,
-                listeners=(telling,),
-                tick=telling.tick,
-            )
-    except PlayError as problem:
-        found = problem.problems(target)
-        if as_json:
-            print_json({"result": None, "problem": str(problem), **diagnostics_json(found)})
-        refused = WronglyUsed if isinstance(problem, NoSuchPlan) else Refused
-        raise refused(found, colour) from problem
     telling.end()
-    code = exit_code(played.result, allowed, INTERRUPTED)
-    _print(played, loaded, report, folder, telling, as_json, bare, target, output, real, stats)
+    code = exit_code(played.result, options.allowed, INTERRUPTED)
+    _print(options, prepared, played, loaded, telling, real)
     if played.result.left:
         leave_at_once(code)
     return code
 
 
-def _options_of_robots(
-    configuration: Configuration,
-    duration: int | None,
-    seed: int | None,
-    script: Path | None,
-    state: Path | None,
-    backends: tuple[str, ...],
-    bodies: dict[str, str],
-    quiet: bool,
-    verbose: bool,
-    colour: str,
-) -> list[str]:
+def _options_of_robots(options: _Options) -> list[str]:
     """What is passed on to the process of each robot."""
-    options = ["--color", colour]
-    if duration is not None:
-        options += ["--for", f"{duration // 1_000_000}.{duration % 1_000_000:06}ms"]
-    if seed is not None:
-        options += ["--seed", str(seed)]
-    if script is not None:
-        options += ["--input", str(script.absolute())]
-    if state is not None:
-        options += ["--state", str(state.absolute())]
-    for backend in backends:
-        options += ["--backend", backend]
-    for agent, function in bodies.items():
-        options += ["--body", f"{agent}={function}" if agent else function]
-    return options + ["-q"] * quiet + ["-v"] * verbose
+    found = ["--color", options.colour]
+    if options.duration is not None:
+        found += ["--for", f"{options.duration // 1_000_000}.{options.duration % 1_000_000:06}ms"]
+    if options.seed is not None:
+        found += ["--seed", str(options.seed)]
+    if options.script is not None:
+        found += ["--input", str(options.script.absolute())]
+    if options.state is not None:
+        found += ["--state", str(options.state.absolute())]
+    for backend in options.backends:
+        found += ["--backend", backend]
+    for agent, function in options.bodies.items():
+        found += ["--body", f"{agent}={function}" if agent else function]
+    return found + ["-q"] * options.quiet + ["-v"] * options.verbose
 
 
 def _supervise(
@@ -380,23 +453,13 @@ def _list(systems: Iterable[Loaded], as_json: bool) -> int:
 
 
 def _print(
-    played: Played,
-    loaded: Loaded,
-    report: Report | None,
-    folder: Path,
-    telling: Telling,
-    as_json: bool,
-    bare: WithoutCode | None,
-    target: str,
-    output: Path | None,
-    real: bool,
-    stats: bool,
+    options: _Options, prepared: _Prepared, played: Played, loaded: Loaded, telling: Telling, real: bool
 ) -> None:
     """How it ended, and what is left behind."""
     from dataclasses import asdict
 
-    result = played.result
-    if as_json:
+    result, report, bare = played.result, prepared.report, prepared.bare
+    if options.as_json:
         print_json(
             {
                 "result": {
@@ -410,7 +473,7 @@ def _print(
                     "untaken": telling.untaken,
                     "unexpected": telling.unexpected,
                     "summary": played.summary,
-                    "folder": str(folder),
+                    "folder": str(prepared.folder),
                     "trace": str(played.trace),
                     "trace_error": result.trace_error,
                     "without_code": asdict(bare) if bare is not None else None,
@@ -434,15 +497,15 @@ def _print(
             click.echo(f"  {agent.name} ({agent.role}) completed")
     for line in end_lines(result):
         click.echo(f"  {line}")
-    for line in lines_without_code(bare, target, output) if bare is not None else ():
+    for line in lines_without_code(bare, options.target, options.output) if bare is not None else ():
         click.echo(f"  {line}")
     if result.trace_error is not None:
         click.echo(f"  {result.trace_error}", err=True)
     else:
         click.echo(f"  trace: {played.trace}")
     if report is not None:
-        click.echo(f"  models, diagrams and code: {folder}")
-        for line in count_lines(report.count) if stats else ():
+        click.echo(f"  models, diagrams and code: {prepared.folder}")
+        for line in count_lines(report.count) if options.stats else ():
             click.echo(f"  {line}")
 
 
