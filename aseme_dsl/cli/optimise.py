@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from aseme_dsl.cli.playing import duration_option
+from aseme_dsl.cli.playing import duration_option, network_of, network_option
 from aseme_dsl.cli.progress import Progress
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
+    WRONG_USE,
     activities_option,
     check_outputs,
     colour_option,
@@ -105,6 +106,9 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
     help="Parallel runs.  [default: the number of cores]",
 )
 @click.option("--world", metavar="MODULE:FUNCTION", help="Factory function of the simulated world.")
+@network_option(
+    "Simulated network, such as delay=0..300ms,loss=10%,reorder.  [default: the project's, else no delay]"
+)
 @folder_option(
     "-o", "--output", text="Directory of the report.  [default: `optimise` in the project's output directory]"
 )
@@ -124,6 +128,7 @@ def command(
     quicker: float,
     jobs: int | None,
     world: str | None,
+    network_words: str | None,
     output: Path | None,
     activities: Path | None,
     quiet: bool,
@@ -146,6 +151,10 @@ def command(
         raise click.BadParameter(
             f"{measure!r} does not have the form MODULE:FUNCTION.", param_hint="'--measure'"
         )
+    network, wrong = network_of(network_words)
+    if wrong:
+        refuse(wrong, as_json, colour)
+        return WRONG_USE
     compiled = one_system(target, activities)
     found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
     if compiled.system is None or has_errors(found):
@@ -158,7 +167,7 @@ def command(
     home = configuration.output or Path(OUTPUT)
     choice = choose(configuration, activities=activities)
     length = duration or (configuration.run.duration if configuration.run else None) or PLAY_NS
-    plan = Plan(measure, length, world, activities_folder(home, choice), configuration)
+    plan = Plan(measure, length, world, activities_folder(home, choice), configuration, network)
     question = Question(
         knobs,
         tuple(range(seed, seed + runs)),

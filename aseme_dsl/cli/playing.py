@@ -23,13 +23,15 @@ from aseme_dsl.cli.shared import (
     wants_colour,
     written_summary,
 )
-from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.diagnostics import Diagnostic, has_errors
+from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:
     from aseme_dsl.cli.telling import Telling
     from aseme_dsl.project.building.build import Choice, Report
     from aseme_dsl.project.code.activity_files import WithoutCode
     from aseme_dsl.project.settings.configuration import Configuration
+    from aseme_dsl.runtime.team.network import Network
     from aseme_dsl.runtime.version.loading import Loaded
 
 INTERRUPTED = 130
@@ -91,6 +93,22 @@ def seed_option(command: CommandT) -> CommandT:
     """`--seed NUMBER`."""
     text = "Seed for random numbers.  [default: the project's, else 1]"
     return click.option("--seed", type=int, help=text)(command)
+
+
+def network_option(text: str) -> Callable[[CommandT], CommandT]:
+    """`--network WORDS`."""
+    return click.option("--network", "network_words", metavar="WORDS", help=text)
+
+
+def network_of(text: str | None) -> tuple[Network | None, list[Diagnostic]]:
+    """The network that `--network` describes, and what is wrong with the description."""
+    from aseme_dsl.grammar.text.network_words import NetworkWordsError, read_network
+
+    try:
+        return (None if text is None else read_network(text)), []
+    except NetworkWordsError as error:
+        place = Span(Source("--network", text or ""), error.start, error.end)
+        return None, [Diagnostic(error.problem, place)]
 
 
 def platform_option(text: str, platforms: Sequence[str]) -> Callable[[CommandT], CommandT]:

@@ -18,6 +18,8 @@ from aseme_dsl.cli.playing import (
     input_option,
     is_function,
     lines_without_code,
+    network_of,
+    network_option,
     platform_option,
     seed_option,
     state_option,
@@ -28,6 +30,7 @@ from aseme_dsl.cli.playing import (
 from aseme_dsl.cli.run_end import allow_option, end_data, end_lines, exit_code
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
+    WRONG_USE,
     Refused,
     WronglyUsed,
     activities_option,
@@ -41,15 +44,18 @@ from aseme_dsl.cli.shared import (
     json_option,
     leave_at_once,
     play_backend_option,
+    print_diagnostics,
     print_json,
     refuse,
     refuse_options,
     stats_option,
     target_argument,
 )
-from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.diagnostics import Diagnostic, has_errors
+from aseme_dsl.diagnostics.problems.network import NetworkInRealTime, NetworkNotSimulated
 from aseme_dsl.diagnostics.problems.running import (
     AgentWithoutRole,
+    NetworkOfOneAgent,
     OnOutputOfTarget,
     OnOutputWithoutBackend,
     OptionWithoutEffect,
@@ -91,6 +97,7 @@ class _Options:
     team: bool
     process_per_agent: bool
     platform: str | None
+    network_words: str | None
     script: Path | None
     trace: Path | None
     state: Path | None
@@ -144,6 +151,10 @@ class _Prepared:
     " else zenoh with --process-per-agent and in_process with --real]",
     PLATFORMS,
 )
+@network_option(
+    "Simulated network in virtual time, such as delay=0..300ms,loss=10%,reorder.  [default: the project's,"
+    " else no delay]"
+)
 @input_option(
     "JSON Lines file of timed messages and events:"
     ' {"at": "1s", "channel": "vision.state.Ball", "message": {}}.'
@@ -169,6 +180,9 @@ def command(**given: Any) -> int:
     _check_usage(options)
     if code := refuse_options(_without_effect(options), options.target, options.as_json, options.colour):
         return code
+    if wrong := _wrong_network(options):
+        refuse(wrong, options.as_json, options.colour)
+        return WRONG_USE
     from aseme_dsl.project.playing.play import NoSuchPlan, PlayError
 
     try:
@@ -204,6 +218,8 @@ def _without_effect(options: _Options) -> list[OptionWithoutEffect]:
     unused: list[OptionWithoutEffect] = []
     if options.agent is not None and options.plan is None and not options.list_:
         unused.append(AgentWithoutRole("--agent"))
+    if options.network_words is not None and options.plan is not None and not options.list_:
+        unused.append(NetworkOfOneAgent("--network"))
     if options.list_:
         unused += [WithList(option) for option in given_options() if option not in _LISTED]
     elif options.quiet and options.verbose:
@@ -220,6 +236,35 @@ def _without_effect(options: _Options) -> list[OptionWithoutEffect]:
             if name in AGENTS and not (Path(options.target) / name).is_dir():
                 unused.append(OnOutputWithoutBackend(f"--backend {name}", name))
     return unused
+
+
+def _wrong_network(options: _Options) -> list[Diagnostic]:
+    """What is wrong with the simulated network."""
+    network, wrong = network_of(options.network_words)
+    in_real_time = _real_time_option(options)
+    if network is not None and in_real_time is not None:
+        return [Diagnostic(NetworkInRealTime(in_real_time), None, path=options.target)]
+    return wrong
+
+
+def _real_time_option(options: _Options) -> str | None:
+    """The option that asks for real time, if one does."""
+    if options.real:
+        return "--real"
+    if options.process_per_agent:
+        return "--process-per-agent"
+    return f"--platform {options.platform}" if options.platform not in (None, IN_PROCESS) else None
+
+
+def _not_simulated(configuration: Configuration) -> list[Diagnostic]:
+    """That the project's network is not simulated in real time."""
+    from aseme_dsl.project.settings.configuration import places_of_run
+
+    if configuration.run is None or configuration.run.network is None:
+        return []
+    problem = NetworkNotSimulated(str(configuration.run.network))
+    place = places_of_run(configuration, ["network"]).get("network")
+    return [Diagnostic(problem, place, path=str(configuration.path))]
 
 
 def _prepared(options: _Options) -> _Prepared | int:
@@ -264,6 +309,8 @@ def _run(options: _Options, prepared: _Prepared) -> int:
     if options.trace is None and run is not None and run.trace is not None:
         check_outputs([(run.trace, "trace")])
     loaded, plan = select(prepared.systems, options.plan)
+    if _real_time_option(options) is not None and not options.as_json:
+        print_diagnostics(_not_simulated(prepared.configuration), options.colour)
     platform = options.platform
     if platform is None and plan is None and (options.real or options.process_per_agent):
         platform = prepared.configuration.platform
@@ -330,6 +377,7 @@ def _run_here(
         options.bodies,
         state=options.state,
         platform=platform,
+        network=network_of(options.network_words)[0],
     )
     telling = telling_of(
         loaded,
@@ -467,6 +515,7 @@ def _print(
                     "reason": result.reason,
                     "time": result.end_ns,
                     "seed": played.seed,
+                    "network": str(played.network) if played.network is not None else None,
                     "agents": [asdict(agent) for agent in result.agents],
                     "faults": telling.faults,
                     **end_data(result),
@@ -486,7 +535,8 @@ def _print(
     if played.summary:
         click.echo(played.summary)
     clock = "real time" if real else "virtual"
-    length = f"after {result.end_ns / 1e9:g} s ({clock}, seed {played.seed})"
+    network = f", network {played.network}" if played.network is not None else ""
+    length = f"after {result.end_ns / 1e9:g} s ({clock}, seed {played.seed}{network})"
     failed = sum(agent.failure is not None for agent in result.agents)
     click.echo(_end_of(result.reason, length, failed))
     for agent in result.agents:

@@ -37,6 +37,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E033": ("error", "failed start of a run"),
     "E034": ("error", "failed request to a running team"),
     "E035": ("error", "unreadable trace"),
+    "E036": ("error", "malformed network description"),
+    "E037": ("error", "simulated network in real time"),
     "W001": ("warning", "empty file"),
     "W002": ("warning", "obsolete generated file with manual edits"),
     "W003": ("warning", "diagram not drawn"),
@@ -265,6 +267,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "N726": ("note", "event never raised"),
     "N727": ("note", "unused declaration"),
     "N728": ("note", "unused role"),
+    # Runs (N77x)
+    "N770": ("note", "network setting ignored in real time"),
 }
 
 CODES: dict[str, Code] = {code: Code(code, severity, title) for code, (severity, title) in _TABLE.items()}

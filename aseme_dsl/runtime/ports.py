@@ -96,7 +96,10 @@ class Links(Protocol):
     def carry(
         self, sender: str, receiver: str, kind: str, what: str, identity: Identity, give: Callable[[], None]
     ) -> None:
-        """Carry a message of a kind (signal, state, data, mail); `give` gives it to its receiver."""
+        """Carry a message of a kind; `give` gives it to its receiver.
+
+        The kind is signal, state, data, radio or mail, `what` its channel or the conversation of mail.
+        """
         ...
 
 

@@ -118,7 +118,7 @@ VALUES = {
     "--output": ("other",), "--role": ("player",), "--agent": ("bob",), "--for": ("1s",), "--seed": ("1",),
     "--platform": ("zenoh",), "--input": ("i.jsonl",), "--trace": ("t.jsonl",), "--state": ("m",),
     "--activities": ("a",), "--templates": ("a",), "--world": ("a:b",), "--backend": ("monas",),
-    "--body": ("a:b",), "--allow": ("waiting",), "--color": ("never",),
+    "--body": ("a:b",), "--allow": ("waiting",), "--color": ("never",), "--network": ("delay=1s",),
 }  # fmt: skip
 """What the options that take a value are given."""
 LISTED = {"--list", "--output", "--templates", "--backend", "--activities", "--force", "--json", "--color"}

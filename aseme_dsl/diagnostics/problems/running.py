@@ -27,6 +27,11 @@ class AgentWithoutRole(OptionWithoutEffect):
     hint = "add `--role ROLE`; without it, the whole team runs"
 
 
+class NetworkOfOneAgent(OptionWithoutEffect):
+    why = "with `--role`, which runs one agent"
+    hint = "leave it out, or run the whole team"
+
+
 class WithList(OptionWithoutEffect):
     why = "with `--list`, which runs nothing"
     hint = "leave it out"

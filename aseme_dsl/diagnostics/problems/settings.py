@@ -27,6 +27,7 @@ class Fitting(Enum):
     INTERFACE = 'the name or address of a network interface in quotes, such as "wlan0"'
     MEMORY = 'an amount of memory in quotes, such as "512MB"'
     NAMES = 'a list of names, such as ["monas"]'
+    NETWORK = 'words for a network in quotes, such as "delay=0..300ms,loss=10%"'
     NUMBER = "a whole number"
     PATH = 'a path in quotes, such as "out"'
     PATHS = 'a list of paths, such as ["team.aseme"]'

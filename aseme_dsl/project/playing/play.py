@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.chart.plan import State
     from aseme_dsl.runtime.control.control import Changed
     from aseme_dsl.runtime.driver.real_time import RealTime
+    from aseme_dsl.runtime.team.network import Network
     from aseme_dsl.runtime.team.team import RunResult, Team
     from aseme_dsl.runtime.team.timed_inputs import TimedInput
     from aseme_dsl.runtime.trace.trace import Listener
@@ -103,6 +104,8 @@ class Request:
     """Where `persist` states are kept from one run to the next."""
     platform: str | None = None
     """What carries messages between agents in real time (`platforms.PLATFORMS`)."""
+    network: Network | None = None
+    """How bad the links between agents are, in virtual time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +118,8 @@ class Played:
     trace: Path | None
     world: object = None
     """The world as it was left, if there was one here."""
+    network: Network | None = None
+    """The network that was simulated."""
 
 
 Tell = Callable[[str], None]
@@ -264,6 +269,13 @@ def _seed(request: Request, configuration: Configuration) -> int:
     return 1 if seed is None else seed
 
 
+def _network(request: Request, configuration: Configuration) -> Network | None:
+    """The network that is simulated, if one is."""
+    project = configuration.run
+    said = request.network or (project.network if project is not None else None)
+    return None if request.real or request.plan is not None else said
+
+
 def _play_here(
     loaded: Loaded,
     activities: Path,
@@ -282,6 +294,7 @@ def _play_here(
 
     project = configuration.run
     seed = _seed(request, configuration)
+    network = _network(request, configuration)
     folders = [configuration.folder.resolve(), *loaded.path]
     agent = request.agent
     if request.plan is not None and agent is None:
@@ -314,6 +327,7 @@ def _play_here(
                 real_time=_real_time(project),
                 carried=lambda: others(loaded, activities, configuration),
                 state_directory=_state(request, project),
+                faults=network.faults(seed) if network is not None else None,
                 **_whole_team_over(request, loaded, configuration),
             )
         except (TeamError, ActivityError) as problem:
@@ -331,7 +345,7 @@ def _play_here(
         summary = ""
         if project and project.summary and world is not None:
             summary = str(call(project.summary, world))
-    return Played(result, summary, seed, trace, world)
+    return Played(result, summary, seed, trace, world, network)
 
 
 def _whole_team_over(request: Request, loaded: Loaded, configuration: Configuration) -> dict[str, Any]:

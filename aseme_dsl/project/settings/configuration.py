@@ -21,6 +21,8 @@ from aseme_dsl.source import Source, Span
 if TYPE_CHECKING:
     import tomllib
 
+    from aseme_dsl.runtime.team.network import Network
+
 FILE = "pyproject.toml"
 TABLE = "tool.asemec"
 RUN_TABLE = "tool.asemec.run"
@@ -50,6 +52,8 @@ class RunConfiguration:
     """Where the trace goes."""
     state: Path | None = None
     """Where `persist` states are kept from one run to the next."""
+    network: Network | None = None
+    """How bad the links between agents are in virtual time."""
     cancel_within: int | None = None
     """With the rest, what a run in real time asks of the machine: see `runtime.real_time.RealTime`."""
     threads: int | None = None
@@ -170,11 +174,12 @@ _LEVELS = {**{str(severity): severity for severity in Severity}, "off": None}
 
 
 class _Wrong(ValueError):
-    """A value that does not fit; `wanted` is what does, or all values that do."""
+    """A value that does not fit: `wanted` is what does, or all values that do; or `problem` says why."""
 
-    def __init__(self, wanted: Fitting | tuple[str, ...]) -> None:
+    def __init__(self, wanted: Fitting | tuple[str, ...] = (), problem: Problem | None = None) -> None:
         super().__init__()
         self.wanted = wanted
+        self.problem = problem
 
 
 _Convert = Callable[[Any], Any]
@@ -234,6 +239,7 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
                 "seed": _seed,
                 "trace": path,
                 "state": path,
+                "network": _network,
                 "cancel_within": _duration,
                 "threads": _count,
                 "processes": _count,
@@ -346,6 +352,17 @@ def _duration(value: Any) -> int:
     return nanoseconds
 
 
+def _network(value: Any) -> Network:
+    from aseme_dsl.grammar.text.network_words import NetworkWordsError, read_network
+
+    if not isinstance(value, str):
+        raise _Wrong(Fitting.NETWORK)
+    try:
+        return read_network(value)
+    except NetworkWordsError as error:
+        raise _Wrong(problem=error.problem) from error
+
+
 def _memory(value: Any) -> int:
     written = re.fullmatch(r"(\d+)\s*(MB|GB)", value) if isinstance(value, str) else None
     if written is None or int(written[1]) == 0:
@@ -450,7 +467,7 @@ class _Reader:
                 try:
                     given[key] = convert(value)
                 except _Wrong as wrong:
-                    self.report(name, key, problems.NotFitting(key, wrong.wanted))
+                    self.report(name, key, wrong.problem or problems.NotFitting(key, wrong.wanted))
         return given
 
     def settings(self, table: Any, name: str, path: str | None) -> Iterator[Setting]:

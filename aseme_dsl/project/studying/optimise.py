@@ -103,6 +103,7 @@ def optimise(
             tuple(name for name in untried if name in codeless),
             tuple(name for name in untried if takes.get(name) == 0),
         ),
+        network=plan.words,
     )
 
 

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
     from aseme_dsl.amola.system import System
     from aseme_dsl.project.building.build import Choice
+    from aseme_dsl.runtime.team.network import Network
     from aseme_dsl.runtime.team.team import RunResult
     from aseme_dsl.runtime.version.loading import Loaded
 
@@ -57,6 +58,15 @@ class Plan:
     world: str | None = None
     activities: Path = Path("activities")
     configuration: Configuration = field(default_factory=lambda: Configuration(Path()))
+    network: Network | None = None
+    """The simulated network, where it is not the project's."""
+
+    @property
+    def words(self) -> str | None:
+        """The words of the network that is simulated, if one is."""
+        project = self.configuration.run
+        network = self.network or (project.network if project is not None else None)
+        return str(network) if network is not None else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -291,7 +301,7 @@ def _run(package: Path, seed: int, plan: Plan) -> Run:
     clocks, faults = _Clocks(), _Faults()
     try:
         loaded = _loaded(package, configuration.folder)
-        request = play.Request(duration=plan.length, seed=seed, world=plan.world)
+        request = play.Request(duration=plan.length, seed=seed, world=plan.world, network=plan.network)
         played = play.play(
             loaded,
             plan.activities,

@@ -68,6 +68,8 @@ class Study:
     quicker: tuple[Played, ...] = ()
     slowest: tuple[Slower, ...] = ()
     untried: Untried = Untried()
+    network: str | None = None
+    """The words of the simulated network."""
 
     @property
     def what(self) -> str:
@@ -108,7 +110,7 @@ def markdown(study: Study) -> str:
         "",
         f"Measured: {study.what}{', less is better' if study.less_is_better else ''}. "
         f"{_times(len(study.seeds), 'run')} of each, {_seeds(study.seeds)}, "
-        f"{study.length / 1e9:g} s of virtual time. {_intervals(study)}",
+        f"{study.length / 1e9:g} s of virtual time{_over(study)}. {_intervals(study)}",
         "",
         *_table(study),
         "",
@@ -376,6 +378,10 @@ FORMAT = 1
 """The version of the format of `report.json`."""
 
 
+def _over(study: Study) -> str:
+    return f" over a network with {study.network}" if study.network else ""
+
+
 def as_json(study: Study) -> dict[str, Any]:
     """All that was found, and every run; times in ns, gains as shares."""
     return {
@@ -386,6 +392,7 @@ def as_json(study: Study) -> dict[str, Any]:
         "less_is_better": study.less_is_better,
         "seeds": list(study.seeds),
         "length": study.length,
+        "network": study.network,
         "rows": [
             {
                 "variant": _values(row.variant),

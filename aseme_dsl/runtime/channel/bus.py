@@ -254,10 +254,19 @@ class Bus:
             if self.links is None or agent is None or other is agent:
                 other.post(item.identity, own if other is agent else item)
             else:
-                comm = item.channel.split(".", 2)[1]
                 self.links.carry(
-                    agent.name, other.name, comm, item.channel, item.identity, _giving(other, item)
+                    agent.name,
+                    other.name,
+                    self._kind(item.channel),
+                    item.channel,
+                    item.identity,
+                    _giving(other, item),
                 )
+
+    def _kind(self, channel: str) -> str:
+        """How the links carry what is published on a channel: signal, state, data or radio."""
+        rules = self._rules.get(channel)
+        return "radio" if rules is not None and rules.radio is not None else channel.split(".", 2)[1]
 
     # ---- routes ------------------------------------------------------------------------------
 
@@ -314,7 +323,21 @@ class Bus:
         return "input", self._given
 
     def heard(self, agent: Receiver, channel: str, message: Any, sender: str) -> None:
-        """An agent has heard a message by radio."""
+        """An agent has heard a message by radio; a simulated network delays or loses it first."""
+        with self._driver.holding(), self._lock:
+            if self.links is None:
+                self._hear(agent, channel, message, sender)
+                return
+            self.links.carry(
+                sender or "unknown",
+                agent.name,
+                "radio",
+                channel,
+                agent.identity(),
+                lambda: self._hear(agent, channel, message, sender),
+            )
+
+    def _hear(self, agent: Receiver, channel: str, message: Any, sender: str) -> None:
         with self._driver.holding(), self._lock:
             identity = agent.identity()
             now = self._driver.clock.now()

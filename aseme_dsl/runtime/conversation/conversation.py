@@ -253,7 +253,12 @@ class Conversations:
             else:
                 agent = self._agents[name]
                 self.links.carry(
-                    acl.sender, name, "mail", acl.message, acl.identity, lambda: self._deliver(agent, acl)
+                    acl.sender,
+                    name,
+                    "mail",
+                    acl.conversation,
+                    acl.identity,
+                    lambda: self._deliver(agent, acl),
                 )
             return
         conversation = self._conversations.get(acl.conversation)

@@ -6,7 +6,7 @@ same bookkeeping as above real ones (`transport.stream`), with its promises:
 * signals, states and agent messages arrive once each and in order per sender; what is lost is sent again, and
   what comes after it waits for it;
 * data is a sample, sent once: what is lost is lost, what is doubled counts once, and what comes late has its
-  own time.
+  own time. The same holds for topics that go by radio.
 
 What the letters say is not encoded, and agents do not learn that another one is gone. An agent that crashes
 loses what it knew and what comes for it until it starts again; each such message is told in the trace, and so
@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.time.clock import MILLISECOND
 from aseme_dsl.runtime.time.timers import Scheduler
-from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing, Samples
+from aseme_dsl.runtime.transport.stream import PATIENCE, Incoming, Letter, Outgoing, Samples
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.trace.trace import Trace
@@ -53,7 +53,8 @@ class Partition:
 @dataclass(frozen=True, slots=True)
 class Faults:
     """What goes wrong. `loss` and `duplication` are the probabilities of each transmission to be lost, and to
-    be made twice; each takes a random time of up to `delay` ns, which also puts them out of order.
+    be made twice; each takes a random time from `least_delay` to `delay` ns. With `reorder`, it may overtake
+    an earlier one from the same agent to the same.
     """
 
     seed: int = 1
@@ -62,10 +63,13 @@ class Faults:
     delay: int = 0
     crashes: tuple[Crash, ...] = ()
     partitions: tuple[Partition, ...] = ()
+    least_delay: int = 0
+    reorder: bool = True
 
 
 @dataclass(frozen=True, slots=True)
 class _Letter:
+    kind: str
     what: str
     identity: Identity
     give: Callable[[], None]
@@ -77,7 +81,7 @@ class _Way:
 
     sender: str
     receiver: str
-    out: Outgoing[_Letter] = field(default_factory=Outgoing)
+    out: Outgoing[_Letter]
     into: Incoming[_Letter] = field(default_factory=Incoming)
     sample: int = 0
     """The number of the last sample that was sent."""
@@ -97,25 +101,41 @@ class Links:
         self._trace = trace
         self._chance = random.Random(f"links/{faults.seed}")
         self._ways: dict[tuple[str, str], _Way] = {}
+        self._last: dict[tuple[str, str], int] = {}
+        """When the last transmission from one agent to another arrives, where none overtakes another."""
+        self._patience = max(PATIENCE, 2 * faults.delay + 2 * _BEAT)
+        """For so long nothing is sent again: it may just be slow."""
 
     def carry(
         self, sender: str, receiver: str, kind: str, what: str, identity: Identity, give: Callable[[], None]
     ) -> None:
-        """Carry a message of a kind (signal, state, data, mail); `give` gives it to its receiver."""
+        """Carry a message of a kind; `give` gives it to its receiver.
+
+        The kind is signal, state, data, radio or mail, `what` its channel or the conversation of mail.
+        """
         way = self._ways.get((sender, receiver))
         if way is None:
-            way = self._ways[sender, receiver] = _Way(sender, receiver)
-        letter = _Letter(what, identity, give)
-        if kind == "data":
+            way = self._ways[sender, receiver] = _Way(sender, receiver, Outgoing(self._patience))
+        letter = _Letter(kind, what, identity, give)
+        if kind in ("data", "radio"):
             self._send_sample(way, letter)
             return
         for lost in way.out.put(Letter(letter, 0, what if kind == "state" else None)):
             if lost.replaces is None:
-                self._tell_lost(way, lost.item, f"{lost.item.what} from {sender} is lost: too many wait")
+                self._tell_lost(way, lost.item, "too many wait")
         self._pump(way)
 
-    def _tell_lost(self, way: _Way, letter: _Letter, text: str) -> None:
-        self._trace.fault(self._driver.clock.now(), way.receiver, text, input=list(letter.identity))
+    def _tell_lost(self, way: _Way, letter: _Letter, reason: str) -> None:
+        self._trace.write(
+            "lost",
+            self._driver.clock.now(),
+            agent=way.sender,
+            input=list(letter.identity),
+            peer=way.receiver,
+            channel=letter.what if letter.kind != "mail" else None,
+            conversation=letter.what if letter.kind == "mail" else None,
+            reason=reason,
+        )
 
     # ---- samples -----------------------------------------------------------------------------
 
@@ -127,8 +147,7 @@ class Links:
                 letter.give()
 
         if not self._transmit(way.sender, way.receiver, arrive):
-            text = f"a sample of {letter.what} from {way.sender} is lost on the link"
-            self._tell_lost(way, letter, text)
+            self._tell_lost(way, letter, "lost on the simulated link")
 
     # ---- the stream --------------------------------------------------------------------------
 
@@ -187,8 +206,16 @@ class Links:
         for _ in range(2 if chance.random() < faults.duplication else 1):
             if chance.random() >= faults.loss:
                 came = True
-                self._driver.at(now + (chance.randint(0, faults.delay) if faults.delay else 0), arrive)
+                self._driver.at(self._due(now, sender, receiver), arrive)
         return came
+
+    def _due(self, now: int, sender: str, receiver: str) -> int:
+        """When a transmission arrives."""
+        faults = self.faults
+        due = now + (self._chance.randint(faults.least_delay, faults.delay) if faults.delay else 0)
+        if not faults.reorder:
+            due = self._last[sender, receiver] = max(due, self._last.get((sender, receiver), 0))
+        return due
 
     def _is_cut(self, moment: int, one: str, other: str) -> bool:
         """Whether a partition is between two agents at a moment."""

@@ -35,6 +35,7 @@ from aseme_dsl.runtime.team.ending import (
     waits_of,
 )
 from aseme_dsl.runtime.team.faults import Faults, Links
+from aseme_dsl.runtime.team.network import words_of
 from aseme_dsl.runtime.team.radio import Radio
 from aseme_dsl.runtime.team.swap import WITHIN, Swap, Version, activity_errors, plan_record, version_of
 from aseme_dsl.runtime.team.timed_inputs import TimedInput
@@ -235,6 +236,7 @@ class Team:
             agent.chosen = self._chosen
             agent.kinds = self.version.messages
         self.driver.bring(self.agents)
+        self._faults = setup.faults
         if setup.faults is not None:
             self._make_faulty(setup.faults)
 
@@ -481,7 +483,16 @@ class Team:
         plans = {agent.name: agent.plan for agent in self.agents}
         schema = self.version.schema
         queue = None if self._queue == QUEUE else self._queue
-        self.trace.header(self.system, plans, self.seed, driver.clock.virtual, self.elsewhere, schema, queue)
+        self.trace.header(
+            self.system,
+            plans,
+            self.seed,
+            driver.clock.virtual,
+            self.elsewhere,
+            schema,
+            queue,
+            words_of(self._faults),
+        )
         self.trace.begun = True
         try:
             with importing(self._path), _interruptible(driver.stop):

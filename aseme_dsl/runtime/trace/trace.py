@@ -185,11 +185,12 @@ class Trace:
         elsewhere: Iterable[str] = (),
         schema: Schema | None = None,
         queue: int | None = None,
+        network: str | None = None,
     ) -> None:
         """The first line: which agents run which models, under which clock, and who runs elsewhere.
 
         With `schema`, it also says what the messages are; with `queue`, how many signals that queue wait in a
-        region, if it is not the usual number.
+        region, if it is not the usual number; with `network`, the words of the simulated network.
         """
         messages = None
         if schema is not None:
@@ -211,6 +212,7 @@ class Trace:
             elsewhere=list(elsewhere) or None,
             messages=messages,
             queue=queue,
+            network=network,
         )
 
     def message(
