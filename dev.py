@@ -130,6 +130,11 @@ LONG = [
     ("what our layer costs over SPADE", ["tests/platforms/lane.py", "bench"], {}),
     ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
     ("seeded faults", ["-m", "pytest", "-n", "auto", "tests/faults/test_seeded.py"], {"FAULT_RUNS": "1000"}),
+    (
+        "random networks",
+        ["-m", "pytest", "-n", "auto", "tests/faults/test_random_networks.py"],
+        {"NETWORK_RUNS": "2000"},
+    ),
     ("random swaps", ["-m", "pytest", "-n", "auto", "tests/faults/test_swap.py"], {"SWAP_EXAMPLES": "300"}),
 ]
 """What `long` runs: too heavy for every change, to be run before a release."""
