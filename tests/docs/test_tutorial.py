@@ -19,6 +19,6 @@ def test_one_folder_serves_all_pages(tmp_path: Path, monkeypatch: pytest.MonkeyP
     monkeypatch.delenv("NO_COLOR", raising=False)
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
     monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
-    assert len(PAGES) == 6
+    assert len(PAGES) == 8
     for path in PAGES:
         Page(path, tmp_path, update=False).run()
