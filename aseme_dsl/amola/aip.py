@@ -12,11 +12,17 @@ from aseme_dsl.source import Span
 
 @dataclass(frozen=True, slots=True)
 class AgentMessage:
-    """`propose Bid`: a FIPA performative and the content's type."""
+    """`propose Bid`: a FIPA performative and the content's type.
+
+    `by` are the activities of the participant that send it, if they are named; they do so once an entry and
+    addressee, unless `repeatedly`.
+    """
 
     performative: str
     message: str
     span: Span
+    by: tuple[str, ...] = ()
+    repeatedly: bool = False
 
 
 @dataclass(frozen=True, slots=True)

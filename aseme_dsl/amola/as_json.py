@@ -252,10 +252,25 @@ def _participant(item: Participant, folder: PurePath | None) -> Json:
         "engage": list(item.engage),
         "variables": _variables(item.variables, folder),
         "sends": [f"{message.performative} {message.message}" for message in item.sends],
+        **_senders(item),
         "receives": [f"{message.performative} {message.message}" for message in item.receives],
         "formulas": _formulas(item.formulas, folder),
         "span": _span(item.span, folder),
     }
+
+
+def _senders(item: Participant) -> Json:
+    """Which activities send what, as far as the protocol says."""
+    found = [
+        {
+            "message": f"{message.performative} {message.message}",
+            "activities": list(message.by),
+            "repeatedly": message.repeatedly,
+        }
+        for message in item.sends
+        if message.by
+    ]
+    return {"senders": found} if found else {}
 
 
 def _variables(variables: Iterable[DeclaredVariable], folder: PurePath | None) -> list[Json]:

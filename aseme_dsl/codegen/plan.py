@@ -14,6 +14,7 @@ from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable, transition_text
 from aseme_dsl.amola.system import Agent, System
 from aseme_dsl.codegen.code.values import function_key
+from aseme_dsl.codegen.moves import moves_of
 from aseme_dsl.codegen.place import place
 from aseme_dsl.codegen.program.flat import FlatChart
 from aseme_dsl.codegen.program.uses import retention
@@ -392,11 +393,30 @@ def _branch(system: System, chart: Statechart, node: Node, version: str) -> str:
         [
             ("sends", sends, ()),
             ("receives", receives, ()),
+            ("moves", _moves(system, node, participant), ()),
             ("version", version, ""),
             ("loses", _lost_in(chart, node.label), ()),
             ("counts", _counted_in(chart, node.label), ()),
             ("participants", _sizes(system, node.origin.owner), ()),
         ],
+    )
+
+
+def _moves(
+    system: System, branch: Node, participant: Participant | None
+) -> tuple[tuple[str, str, tuple[str, ...], bool], ...]:
+    """What activities of a branch may send, with the labels of their states in the role."""
+    eac = system.eac(branch.origin.owner)
+    if eac is None or participant is None:
+        return ()
+    return tuple(
+        (
+            item.performative,
+            item.message,
+            tuple(branch.label + state for state in item.states),
+            item.repeatedly,
+        )
+        for item in moves_of(eac, participant)
     )
 
 

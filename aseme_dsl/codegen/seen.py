@@ -29,7 +29,7 @@ def seen_by_roles(system: System) -> tuple[System, ...]:
                 suc=Suc(),
                 aips=tuple(aip for name, aip in aips.items() if name in played),
                 srms=(),
-                eacs=(),
+                eacs=tuple(chart for chart in system.eacs if chart.name in played),
                 iacs=(chart,),
                 protos=(),
                 sources=(),

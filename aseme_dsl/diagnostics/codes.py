@@ -226,6 +226,9 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W555": ("warning", "undeclared agent message in activity code"),
     "W556": ("warning", "unused agent message of a participant"),
     "W560": ("warning", "possibly renamed use case"),
+    "E565": ("error", "unknown activity that sends a message"),
+    "E566": ("error", "message sent by a transition and an activity"),
+    "N755": ("note", "message that any activity may send"),
     # Statecharts (E6xx): the structural rules of the papers' tools
     "E600": ("error", "statechart without a single root"),
     "E601": ("error", "OR state without a single START"),

@@ -78,8 +78,8 @@ def test_a_role_that_no_agent_has() -> None:
 EXCHANGE = """system S
 message Order { string what }
 aip sale {
-  participant customer { sends request Order  receives agree Order  process = Ask }
-  participant keeper { sends agree Order  receives request Order  process = Serve }
+  participant customer { sends request Order by Ask  receives agree Order  process = Ask }
+  participant keeper { sends agree Order by Serve  receives request Order  process = Serve }
 }
 srm a { plays sale.customer  liveness { a = customer } }
 srm b { plays sale.keeper  liveness { b = keeper } }
@@ -93,7 +93,7 @@ def test_agent_messages_with_a_counterpart() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("sends agree Order", "", "`customer` receives `agree Order`, and no participant sends it"),
+        ("sends agree Order by Serve", "", "`customer` receives `agree Order`, and no participant sends it"),
         ("receives agree Order", "", "`keeper` sends `agree Order`, and no participant receives it"),
     ],
 )

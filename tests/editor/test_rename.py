@@ -287,3 +287,15 @@ aip auction {
   control bidder { enter Offer : cfp Task from seller / send refuse Task { id = "t1" } to seller }
 }
 """
+
+
+def test_an_activity_is_renamed_where_a_participant_says_that_it_sends() -> None:
+    text = """system S
+message Task { string id }
+aip hiring {
+  participant manager { sends cfp Task by Ask or Wait  process = Ask . Wait }
+  participant worker { receives cfp Task  process = Work }
+}
+"""
+    changed = renamed(text, "process = ^Ask", "Call")
+    assert "sends cfp Task by Call or Wait  process = Call . Wait" in changed

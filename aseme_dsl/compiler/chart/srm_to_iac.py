@@ -226,12 +226,7 @@ def _bindings(
     written: tree.Plays, part: Part, formulas: Formulas | None, played: Mapping[str, Span]
 ) -> tuple[dict[str, str], tuple[Diagnostic, ...]]:
     """The protocol's activities and what the role does instead (E206)."""
-    activities = {
-        node.name
-        for item in part.formulas.named.values()
-        for node in names(item.formula)
-        if node.name not in part.formulas.named
-    }
+    activities = part.formulas.activities
     found: list[Diagnostic] = []
     bindings: dict[str, str] = {}
     for item in written.bindings:

@@ -58,8 +58,10 @@ from aseme_dsl.diagnostics.problems.formulas import FormulaMisspelt, FormulaNotU
 from aseme_dsl.diagnostics.problems.missing import ControlMissing, ParticipantNotUsed, RoleIncomplete
 from aseme_dsl.diagnostics.problems.names import NoConstants
 from aseme_dsl.diagnostics.problems.python.code import NoCodeOfParticipant
+from aseme_dsl.diagnostics.problems.python.code_words import NeverSaid
 from aseme_dsl.diagnostics.problems.syntax.characters import BlankBeforeUnit
 from aseme_dsl.diagnostics.problems.syntax.entries import Unexpected, UnexpectedInFile, Wanted
+from aseme_dsl.diagnostics.problems.talk import SentByAnyActivity
 from aseme_dsl.diagnostics.problems.use import DeclarationNotUsed, TimerNotStarted, VariablesNeverSet
 from aseme_dsl.source import Source, Span
 
@@ -89,18 +91,25 @@ def without_told(found: Iterable[Diagnostic], of_code: Iterable[Diagnostic]) -> 
     """Without what the problems of the code say as well.
 
     An activity without code (E543) that is called like a participant is told to be one that is not played
-    (W202).
+    (W202). That any activity may send a message (N755) follows from that none does (W556).
     """
+    of_code = tuple(of_code)
+    unsent = {item.span for item in of_code if isinstance(item.problem, NeverSaid)}
     told = {
         NamedLikeParticipant(problem.participant, problem.protocol, problem.role)
         for item in of_code
         if isinstance(problem := item.problem, NoCodeOfParticipant)
     }
 
-    def is_told(problem: Problem) -> bool:
-        return isinstance(problem, NamedLikeParticipant) and problem in told
+    def is_told(item: Diagnostic) -> bool:
+        match item.problem:
+            case NamedLikeParticipant():
+                return item.problem in told
+            case SentByAnyActivity():
+                return item.span in unsent
+        return False
 
-    return tuple(item for item in found if not is_told(item.problem))
+    return tuple(item for item in found if not is_told(item))
 
 
 def _absence(item: Diagnostic) -> Absent | None:

@@ -54,6 +54,12 @@ class Formulas:
         found = self.named.get(name)
         return found.formula if found is not None else None
 
+    @property
+    def activities(self) -> frozenset[str]:
+        """The names in the formulas that are not formulas themselves."""
+        used = (node.name for item in self.named.values() for node in names(item.formula))
+        return frozenset(used) - self.named.keys()
+
 
 def table(
     owner: str, written: Sequence[tree.NamedFormula], root: str | None = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from aseme_dsl.amola.aip import Aip, NamedFormula, Participant
 from aseme_dsl.amola.suc import UseCase
@@ -11,9 +11,11 @@ from aseme_dsl.compiler.names.usecases import UseCases, activity_name, folded, f
 from aseme_dsl.compiler.read.blocks import participants_of
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.missing import Missing
+from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.compiler.requirements.clauses import read_clauses
 from aseme_dsl.compiler.types.scopes import TypedParticipant
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.absences import NoActivityToSend
 from aseme_dsl.diagnostics.problems.missing import ProtocolNotWritten
 from aseme_dsl.grammar.text import tree
 
@@ -28,12 +30,15 @@ def read_aip(
 
     `parts` are the participants whose process is sound.
     """
-    clauses, found = read_clauses(written, is_damaged)
+    clauses, problems = read_clauses(written, is_damaged)
+    found = list(problems)
     participants = []
     for item in participants_of(written):
         own = typed[item.name.text]
         formulas = sorted(item.formulas, key=lambda formula: formula.name.text != "process")
         part = parts.get(item.name.text)
+        if part is not None:
+            found += _unknown_senders(item, part)
         parameters = part.formulas.parameters if part is not None else {}
         most: int | None = 1
         least = 1
@@ -56,7 +61,15 @@ def read_aip(
             )
         )
     outcomes = tuple(item.text for item in written.outcomes)
-    return Aip(written.name.text, tuple(participants), outcomes, clauses, written.name.span), found
+    return Aip(written.name.text, tuple(participants), outcomes, clauses, written.name.span), tuple(found)
+
+
+def _unknown_senders(written: tree.Participant, part: Part) -> Iterator[Diagnostic]:
+    """E565 for a name behind `by` that is not an activity of the participant."""
+    activities = part.formulas.activities
+    for name in (name for item in written.sends for name in item.by):
+        if name.text not in activities:
+            yield unknown(NoActivityToSend, name, activities, part.participant)
 
 
 def suc_to_aip(cases: UseCases, written: Sequence[tree.Aip]) -> tuple[Missing, ...]:

@@ -190,7 +190,8 @@ def _messages(
             called = tree.Name(f"{performative} {message}", item.span)
             diagnostics.append(declared_twice("message", called, found[key].span))
             continue
-        found[key] = AgentMessage(performative.text, message.text, item.span)
+        by = tuple(dict.fromkeys(name.text for name in item.by))
+        found[key] = AgentMessage(performative.text, message.text, item.span, by, item.repeatedly)
     return tuple(found.values()), tuple(diagnostics)
 
 

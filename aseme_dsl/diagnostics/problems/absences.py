@@ -183,6 +183,19 @@ class NoActivityToBind(Absent):
         return "its activities are " + ", ".join(self.others)
 
 
+class NoActivityToSend(Absent):
+    code = "E565"
+    participant: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.participant}` has no activity `{self.name}`"
+
+    @property
+    def advice(self) -> str:
+        return "its activities are " + (", ".join(self.others) or "none")
+
+
 class NoRole(Absent):
     code = "E207"
     what = "there is no role"

@@ -1,4 +1,4 @@
-"""Talk: agent messages between the participants of protocols (E205, E226, E512, E53x, W55x)."""
+"""Talk: agent messages between the participants of protocols (E205, E226, E512, E53x, E56x, W55x, N75x)."""
 
 from __future__ import annotations
 
@@ -271,4 +271,41 @@ def _agents(count: int) -> str:
     return f"{count} agent{'' if count == 1 else 's'}"
 
 
-__all__ = ["NoAgentPlays", "TooFewAgents", "WaitsForEver"]
+class SentByTransitionToo(Problem):
+    """A message that a transition sends and whose `sends` entry names activities, too."""
+
+    code = "E566"
+    agent_message: str
+    activities: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"a transition sends `{self.agent_message}`, so no activity may"
+
+    @property
+    def hint(self) -> str:
+        return f"remove `by {' or '.join(self.activities)}`, or the `send` of the transition"
+
+
+class SentByAnyActivity(Problem):
+    """A message that no transition sends, without the activity that does."""
+
+    code = "N755"
+    participant: str
+    agent_message: str
+    activities: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"any activity of `{self.participant}` may send `{self.agent_message}`"
+
+    @property
+    def hint(self) -> str:
+        one = self.activities[0] if self.activities else "ActivityThatSends"
+        line = f"write `sends {self.agent_message} by {one}`"
+        if len(self.activities) > 1:
+            return f"{line}, with the activity that sends it: {', '.join(self.activities)}"
+        return line
+
+
+__all__ = ["NoAgentPlays", "SentByAnyActivity", "SentByTransitionToo", "TooFewAgents", "WaitsForEver"]

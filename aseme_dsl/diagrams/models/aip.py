@@ -71,4 +71,5 @@ def _formulas(person: Participant) -> Iterable[str]:
 
 
 def _message(message: AgentMessage) -> str:
-    return f"{message.performative} {message.message}"
+    by = f" by {' or '.join(message.by)}" if message.by else ""
+    return f"{message.performative} {message.message}{by}{' repeatedly' if message.repeatedly else ''}"

@@ -362,7 +362,12 @@ def _participant(program: Program, symbol: Symbol) -> Iterator[str]:
             yield f"Engages: {text.text}"
         for word, messages in (("Sends", node.sends), ("Receives", node.receives)):
             if messages:
-                yield f"{word} " + _listed(f"`{item.performative} {item.message}`" for item in messages)
+                yield f"{word} " + _listed(f"`{_agent_message(item)}`" for item in messages)
+
+
+def _agent_message(item: tree.AgentMessage) -> str:
+    by = f" by {' or '.join(name.text for name in item.by)}" if item.by else ""
+    return f"{item.performative} {item.message}{by}{' repeatedly' if item.repeatedly else ''}"
 
 
 def _alias(program: Program, symbol: Symbol) -> Iterator[str]:

@@ -341,6 +341,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Plays, "protocol"): (Use.READ, _is(Kind.PROTOCOL)),
     (tree.Plays, "participant"): (Use.READ, _participant_played),
     (tree.Plays, "alias"): (Use.DECLARATION, _is(Kind.ALIAS, _owner)),
+    (tree.AgentMessage, "by"): (Use.READ, _is(Kind.ACTIVITY)),
     (tree.Binding, "abstract"): (Use.READ, _is(Kind.ACTIVITY)),
     (tree.Binding, "own"): (Use.READ, _is(Kind.ACTIVITY)),
     (tree.Capability, "name"): (Use.DECLARATION, _is(Kind.CAPABILITY, _owner)),

@@ -304,6 +304,14 @@ def _abstract_activities(ask: Ask) -> Iterator[Item]:
             yield Item(name, ItemKind.ACTIVITY, f"of {part.name}", "", f"{name} = ", rank=rank)
 
 
+def _activities_that_send(ask: Ask) -> Iterator[Item]:
+    """The activities of the participant, which may send a message that it lists."""
+    name = ask.scope.participant
+    part = ask.around.participant(name) if name is not None else None
+    for activity in used_names(part.formulas) if part is not None else ():
+        yield Item(activity, ItemKind.ACTIVITY, f"of {name}", rank=2)
+
+
 def _activities(ask: Ask) -> Iterator[Item]:
     for name, described in ask.known.activities.items():
         said = ask.known.documentation(described.span) if described is not None else ""
@@ -480,6 +488,9 @@ PLACES: Mapping[tuple[str, str], Provider] = {
     ("Participant", "name"): _participants_to_write,
     ("AgentMessage", "performative"): _performatives,
     ("AgentMessage", "message"): _any_messages,
+    ("SentMessage", "performative"): _performatives,
+    ("SentMessage", "message"): _any_messages,
+    ("SentMessage", "by"): _activities_that_send,
     ("Process", "name"): _process_names,
     ("Place", "name"): _places,
     ("Place", "at"): _place_owners,

@@ -116,6 +116,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "Engage": Line({"text": 1}, "participant"),
         "Sends": Line({"messages": 1}, "participant"),
         "Receives": Line({"messages": 1}, "participant"),
+        "SentMessage": Part(),
         "AgentMessage": Part(),
         "Process": Line({"=": 1}, "participant", tight="("),
         "Clause": Line(),

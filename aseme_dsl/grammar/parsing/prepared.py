@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 2803698292
+CHECKSUM = 2173145363
 
 RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'File': (
@@ -458,7 +458,25 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'Sends': (
         'common',
         {'messages': 'many'},
-        ('series', ('word', 'sends'), ('+=', 'messages', 'AgentMessage', ('sign', ','))),
+        ('series', ('word', 'sends'), ('+=', 'messages', 'SentMessage', ('sign', ','))),
+    ),
+    'SentMessage': (
+        'common',
+        {'performative': 'one', 'message': 'one', 'by': 'many', 'repeatedly': 'flag'},
+        (
+            'series',
+            ('=', 'performative', 'ActName'),
+            ('=', 'message', 'ActName'),
+            (
+                '?',
+                (
+                    'series',
+                    ('word', 'by'),
+                    ('+=', 'by', 'Name', ('word', 'or')),
+                    ('?=', 'repeatedly', ('word', 'repeatedly')),
+                ),
+            ),
+        ),
     ),
     'Receives': (
         'common',

@@ -503,9 +503,13 @@ class NamedFormula:
 
 @dataclass(frozen=True, slots=True)
 class AgentMessage:
+    """`span` is that of performative and message; `by` are the activities that send it."""
+
     performative: Name
     message: Name
     span: Span
+    by: tuple[Name, ...] = ()
+    repeatedly: bool = False
 
 
 @dataclass(frozen=True, slots=True)

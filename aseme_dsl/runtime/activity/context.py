@@ -305,7 +305,9 @@ class Context:
         `reply_within` says that an answer is wanted within so many seconds, to whoever looks at that
         (`AgentMessage.reply_by`); to wait no longer is what `after(…)` is for.
 
-        Raises LookupError outside a protocol's participant.
+        Raises LookupError outside a protocol's participant, and for what the protocol does not let this
+        activity send: what a transition sends, what `sends … by` leaves to another activity, and the same
+        message to the same agent again without `repeatedly`. Nothing is sent then.
         """
         self._port.do(
             Send(performative, message, to, None if reply_within is None else nanoseconds(reply_within))

@@ -15,6 +15,7 @@ from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Sample, Start
 from aseme_dsl.runtime.chart.plan import ActivityInfo
 from aseme_dsl.runtime.conversation.conversation import Conversations
 from aseme_dsl.runtime.conversation.directory import Directory
+from aseme_dsl.runtime.conversation.moves import Sent
 from aseme_dsl.runtime.message.convert import Messages
 from aseme_dsl.runtime.ports import Driver, Stepping
 from aseme_dsl.runtime.time.timers import Timer
@@ -35,7 +36,7 @@ class Requests(Protocol):
         identity: Identity | None = None,
     ) -> AgentMessage | None: ...
     def check_registered(self, wanted: bool) -> None: ...
-    def check_send(self, branch: str | None, performative: str, message: str, to: str) -> None: ...
+    def check_send(self, execution: Execution, performative: str, message: str, to: str) -> None: ...
 
 
 class Host(Stepping, Protocol):
@@ -95,6 +96,7 @@ class Execution:
         "opens",
         "owner",
         "result",
+        "sent",
         "start",
         "started",
         "timer",
@@ -131,6 +133,7 @@ class Execution:
         """In virtual time, the moment from which what the activity does counts, until it has come."""
         self.held: list[c.Doing] = []
         self.dropped = 0
+        self.sent: Sent = set()
         self.timer: Timer | None = None
         self.generator: Generator[Any, None, Any] | None = None
         self.keeps = ""

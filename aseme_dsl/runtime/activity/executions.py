@@ -431,7 +431,7 @@ class Executions:
                 if isinstance(message, type) or not is_dataclass(message):
                     raise TypeError(f"what is prepared is a message, not {message!r}")
             case c.Send(performative, message, to):
-                self.agent.requests.check_send(execution.branch, performative, type(message).__name__, to)
+                self.agent.requests.check_send(execution, performative, type(message).__name__, to)
             case Offer(anew=anew):
                 self.agent.requests.check_registered(anew)
             case Withdraw():

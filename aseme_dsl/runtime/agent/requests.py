@@ -10,6 +10,7 @@ from aseme_dsl.runtime.activity.execution import Execution, Host
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Happened, Identity, Sending, Written
 from aseme_dsl.runtime.conversation import directory as d
+from aseme_dsl.runtime.conversation.moves import MoveError, check_move, check_once
 from aseme_dsl.runtime.message.acl import AgentIdentifier
 from aseme_dsl.runtime.message.as_json import to_json
 
@@ -43,16 +44,22 @@ class Requests:
         if agent.conversations.directory.has_registered(agent.name) != wanted:
             raise (d.not_registered if wanted else d.already_registered)(agent.name)
 
-    def check_send(self, branch: str | None, performative: str, message: str, to: str) -> None:
-        """Raises LookupError if an activity of this branch cannot send such a message to `to`."""
+    def check_send(self, execution: Execution, performative: str, message: str, to: str) -> None:
+        """Raises LookupError if an activity cannot send such a message to `to`: nothing has left then."""
         agent = self._agent
+        branch, activity = execution.branch, execution.activity
         if branch is None:
             raise LookupError("only an activity of a protocol's participant sends agent messages")
         info = agent.branch_info(branch)
-        if (performative, message) not in info.sends:
-            known = ", ".join(" ".join(pair) for pair in info.sends) or "nothing"
-            raise LookupError(f"{info.participant} sends {known}, not {performative} {message}")
-        agent.conversations.check_receiver(agent, branch, to)
+        try:
+            label = execution.label
+            repeatedly = check_move(agent.plan, info, activity, label, performative, message)
+            receivers = agent.conversations.check_receiver(agent, branch, to)
+            if not repeatedly:
+                check_once(execution.sent, info, activity, (performative, message), receivers)
+        except MoveError as error:
+            agent.trace.fault(agent.driver.clock.now(), agent.name, str(error), activity=activity)
+            raise
 
     def perform(self, execution: Execution, doing: c.Doing) -> None:
         """Do what an activity asks for. Called from the activity's thread."""

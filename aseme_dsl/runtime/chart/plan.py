@@ -149,6 +149,9 @@ class BranchInfo:
     participant: str
     sends: tuple[tuple[str, str], ...] = ()
     receives: tuple[tuple[str, str], ...] = ()
+    moves: tuple[tuple[str, str, tuple[str, ...], bool], ...] = ()
+    """What activities send, as (performative, message, states, repeatedly): only in these states, given by
+    their labels, and once to each agent unless `repeatedly`. All else is sent by transitions alone."""
     version: str = ""
     """The hash of how the system plays the protocol: those who play the same may meet in one run of it."""
     loses: tuple[str, ...] = ()

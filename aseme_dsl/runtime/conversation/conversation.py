@@ -118,16 +118,23 @@ class Conversations:
 
     # ---- sending -----------------------------------------------------------------------------
 
-    def check_receiver(self, agent: Receiver, branch: str, to: str) -> None:
-        """Raises LookupError if `to` is neither a participant of the branch's protocol nor an agent."""
+    def check_receiver(self, agent: Receiver, branch: str, to: str) -> Collection[str]:
+        """The agents that `to` means now.
+
+        Raises:
+            LookupError: it is neither a participant of the branch's protocol nor an agent.
+        """
         protocol = agent.branch_info(branch).protocol
-        if to in self._plans or self._players(protocol, to):
-            return
         place = self._desks[agent.name].branches.get(branch)
         conversation = self._conversations.get(place.conversation or "") if place is not None else None
         members = conversation.members if conversation is not None else {}
-        if not members.get(to) and not any(to in names for names in members.values()):
+        if members.get(to):
+            return tuple(members[to])
+        if players := self._players(protocol, to):
+            return players
+        if to not in self._plans and not any(to in names for names in members.values()):
             raise LookupError(f"{to} is neither an agent nor a participant of {protocol} that somebody plays")
+        return (to,)
 
     def send(
         self,

@@ -24,13 +24,13 @@ message Thanks   { int n  int square }
 aip ask {
   participant asker {
     var n : int = 0
-    sends    request Question, confirm Thanks
+    sends    request Question by Ask, confirm Thanks
     receives inform Answer
     process  = Ask . Wait . Compare
   }
   participant helper {
     var n : int = 0
-    sends    inform Answer
+    sends    inform Answer by Think
     receives request Question, confirm Thanks
     process  = Think . Rest . Part
   }

@@ -13,10 +13,11 @@ system S
 message Task { int n }
 aip ask {
   participant asker {
-    sends request Task  receives inform Task  process = Ask . Wait . Name
+    sends request Task, query_ref Task by Name  receives inform Task
+    process = Ask . Wait . Name
   }
   participant teller SIZE {
-    sends inform Task  receives request Task  process = Answer
+    sends inform Task  receives request Task, query_ref Task  process = Answer
   }
   control asker {
     enter Ask : / send request Task to teller
@@ -39,20 +40,20 @@ def ask(size: str) -> Played:
 
     class Name:
         def execute(self, context: Context) -> None:
-            context.send("request", generated.message("Task"), "tom")
+            context.send("query_ref", generated.message("Task"), "tom")
 
     return play(generated, {"Name": Name}, until=10 * SECOND)
 
 
 def asked(run: Played) -> list[list[str]]:
-    return [r["to"] for r in run.of("agent_message", agent="ann", performative="request")]
+    return [r["to"] for r in run.of("agent_message", agent="ann")]
 
 
 def faults(run: Played) -> list[str]:
     return [r["reason"] for r in run.of("fault") if "code" not in r]
 
 
-FULL = "request Task is not sent: {} takes part as teller already"
+FULL = "query_ref Task is not sent: {} takes part as teller already"
 
 
 @pytest.mark.parametrize(

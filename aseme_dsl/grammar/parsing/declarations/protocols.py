@@ -41,7 +41,7 @@ def _participant(pieces: Pieces, node: Any) -> tree.Participant:
         tuple(pieces.text(entry.text) for entry in kinds["Engage"]),
         pieces.all(lambda pieces, entry: var(pieces, entry, words), kinds["Var"]),
         pieces.all(lambda pieces, entry: let(pieces, entry, words), kinds["Let"]),
-        _agent_messages(pieces, kinds["Sends"]),
+        _sent_messages(pieces, kinds["Sends"]),
         _agent_messages(pieces, kinds["Receives"]),
         pieces.all(lambda pieces, entry: formula(pieces, entry, helpers), kinds["Process"]),
         pieces.span(node),
@@ -65,6 +65,16 @@ def _multiplicity(pieces: Pieces, node: Any) -> tree.Multiplicity | None:
         pieces.report(problems.EmptyMultiplicity(least, most), span)
         return None
     return tree.Multiplicity(least, most, span)
+
+
+def _sent_messages(pieces: Pieces, entries: Iterable[Any]) -> tuple[tree.AgentMessage, ...]:
+    found = []
+    for item in (item for entry in entries for item in entry.messages):
+        performative, message = pieces.name(item.performative), pieces.name(item.message)
+        span = performative.span.to(message.span)
+        by, repeatedly = pieces.names(item.by), bool(item.repeatedly)
+        found.append(tree.AgentMessage(performative, message, span, by, repeatedly))
+    return tuple(found)
 
 
 def _agent_messages(pieces: Pieces, entries: Iterable[Any]) -> tuple[tree.AgentMessage, ...]:

@@ -1,0 +1,71 @@
+"""Moves: which agent messages the activities of a participant may send, and in which states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from aseme_dsl.amola.aip import AgentMessage, Participant
+from aseme_dsl.amola.expression import Send
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """A message of `sends` that no transition sends: the states whose activities may, and how often.
+
+    Labels count from the participant's subchart (`.2.1`), the same in the protocol and in every role.
+    """
+
+    performative: str
+    message: str
+    states: tuple[str, ...]
+    repeatedly: bool
+
+
+def subchart_of(eac: Statechart, participant: str) -> Node | None:
+    """The subchart of a participant in the statechart of its protocol; of several, the first."""
+    return next(
+        (node for node in eac.nodes if node.origin.name == participant and eac.is_branch(node)),
+        None,
+    )
+
+
+def sent_by_transitions(eac: Statechart, subchart: str) -> dict[tuple[str, str], Send]:
+    """The messages that the transitions of a participant send, each with a place where one does."""
+    found: dict[tuple[str, str], Send] = {}
+    for transition in eac.transitions:
+        if eac.branch_of(transition.source) == subchart and transition.source != subchart:
+            for action in transition.expression.actions:
+                if isinstance(action, Send):
+                    found.setdefault((action.performative, action.message), action)
+    return found
+
+
+def moves_of(eac: Statechart, participant: Participant) -> tuple[Move, ...]:
+    """What the activities of a participant may send: what no transition sends, by whom the protocol names."""
+    subchart = subchart_of(eac, participant.name)
+    if subchart is None:
+        return ()
+    sent = sent_by_transitions(eac, subchart.label)
+    acting = [
+        node
+        for node in eac.nodes
+        if node.type is NodeType.BASIC and node.activity and eac.branch_of(node.label) == subchart.label
+    ]
+    return tuple(
+        Move(
+            item.performative,
+            item.message,
+            tuple(node.label[len(subchart.label) :] for node in acting if _may_send(node, item)),
+            item.repeatedly,
+        )
+        for item in participant.sends
+        if (item.performative, item.message) not in sent
+    )
+
+
+def _may_send(node: Node, message: AgentMessage) -> bool:
+    return not message.by or node.activity in message.by
+
+
+__all__ = ["Move", "moves_of", "sent_by_transitions", "subchart_of"]

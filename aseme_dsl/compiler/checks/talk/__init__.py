@@ -1,0 +1,1 @@
+"""Checks of what the participants of a protocol send to each other."""

@@ -1,0 +1,52 @@
+"""Moves: whether a protocol says which activity sends each message that no transition sends."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping
+
+from aseme_dsl.amola.aip import Aip, Participant
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.codegen.moves import sent_by_transitions, subchart_of
+from aseme_dsl.compiler.read.library import is_of_library
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.talk import SentByAnyActivity, SentByTransitionToo
+
+
+def check_moves(aips: Iterable[Aip], eacs: Mapping[str, Statechart | None]) -> Iterator[Diagnostic]:
+    """E566 for a message that a transition sends and an activity shall; N755 where no activity is named."""
+    for aip in aips:
+        chart = eacs.get(aip.name)
+        if chart is None or is_of_library(aip.span.source):
+            continue
+        received = {(item.performative, item.message) for part in aip.participants for item in part.receives}
+        for part in aip.participants:
+            yield from _messages(chart, part, received)
+
+
+def _messages(
+    chart: Statechart, part: Participant, received: Collection[tuple[str, str]]
+) -> Iterator[Diagnostic]:
+    """A message that nobody receives is W524, and no more."""
+    subchart = subchart_of(chart, part.name)
+    if subchart is None:
+        return
+    sent = sent_by_transitions(chart, subchart.label)
+    activities = tuple(
+        dict.fromkeys(
+            node.activity
+            for node in chart.nodes
+            if node.activity is not None and chart.branch_of(node.label) == subchart.label
+        )
+    )
+    for item in part.sends:
+        said = f"{item.performative} {item.message}"
+        action = sent.get((item.performative, item.message))
+        if action is None and not item.by and (item.performative, item.message) in received:
+            fix = f"{said} by {activities[0]}" if len(activities) == 1 else None
+            yield Diagnostic(SentByAnyActivity(part.name, said, activities), item.span, fix=fix)
+        elif action is not None and item.by:
+            related = (Related(action.span, "sent here"),)
+            yield Diagnostic(SentByTransitionToo(said, item.by), item.span, related)
+
+
+__all__ = ["check_moves"]
