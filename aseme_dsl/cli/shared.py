@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from aseme_dsl.project.files.outputs import Kind
     from aseme_dsl.project.files.write import Written
 
-CommandT = TypeVar("CommandT", bound=Callable[..., Any])
+CommandT = TypeVar("CommandT", bound=Callable[..., object])
 
 FORMAT = 1
 """The version of what `--json` prints."""
@@ -192,14 +192,14 @@ def refuse_options(found: Sequence[OptionWithoutEffect], target: str, as_json: b
     return WRONG_USE
 
 
-def print_json(result: dict[str, Any]) -> None:
+def print_json(result: dict[str, object]) -> None:
     """A result for programs: one JSON document, which begins with the version of its format."""
     import json
 
     click.echo(json.dumps({"format": FORMAT, **result}, indent=2, ensure_ascii=False))
 
 
-def diagnostics_json(diagnostics: Iterable[Diagnostic]) -> dict[str, Any]:
+def diagnostics_json(diagnostics: Iterable[Diagnostic]) -> dict[str, object]:
     """The diagnostics with their numbers, as the part that every `--json` has."""
     found = in_order(diagnostics)
     return {
@@ -312,7 +312,7 @@ def print_written(written: Written, notes: Iterable[str], as_json: bool, colour:
     return int(has_errors(written.diagnostics))
 
 
-def written_json(written: Written) -> dict[str, Any]:
+def written_json(written: Written) -> dict[str, object]:
     """Which files were created, changed, left as they were, removed, or are the user's."""
     return {
         "created": [str(path) for path in written.created],

@@ -216,7 +216,7 @@ class Telling:
         name = record.get("activity") or record["module"]
         self._wrong(record, "crash", f"{name}: {record['reason']}", place)
 
-    def _wrong(self, record: Mapping[str, Any], what: str, reason: str, at: str | None) -> None:
+    def _wrong(self, record: Mapping[str, object], what: str, reason: str, at: str | None) -> None:
         key = (reason, at or "")
         self._faults[key] += 1
         if self._faults[key] == 1 and len(self._faults) <= _QUIET_AFTER:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
@@ -19,7 +18,7 @@ from aseme_dsl.codegen.place import place
 from aseme_dsl.codegen.program.flat import FlatChart
 from aseme_dsl.codegen.program.uses import retention
 
-Term = tuple[Any, ...]
+Term = tuple[object, ...]
 
 Sections = list[tuple[str, list[str]]]
 """The parts of a plan as (keyword of Plan, source lines of the items)."""
@@ -141,7 +140,7 @@ def action_term(action: e.Action) -> Term:
             return ("evaluate", value_term(value))
 
 
-def _call(name: str, required: Sequence[Any], optional: Iterable[tuple[str, Any, Any]]) -> str:
+def _call(name: str, required: Sequence[object], optional: Iterable[tuple[str, object, object]]) -> str:
     """`name(…)` with the required arguments by place, the others by name where they are not the default."""
     parts = [repr(item) for item in required]
     parts += [f"{key}={value!r}" for key, value, default in optional if value != default]
@@ -253,7 +252,7 @@ def _module(system: System, module: Module) -> str:
     return _call("ModuleInfo", [module.name], [*_statement(system, module.statement), *target])
 
 
-def _statement(system: System, activity: Activity) -> list[tuple[str, Any, Any]]:
+def _statement(system: System, activity: Activity) -> list[tuple[str, object, object]]:
     """What is said of an activity or a module, with the defaults."""
     return [
         ("kind", activity.kind or "thread", "thread"),
@@ -354,7 +353,7 @@ def _agents(system: System, chart: Statechart) -> list[Agent]:
     return [agent for agent in reversed(agents.values()) if agent.role == chart.name]
 
 
-def _settings(system: System, chart: Statechart) -> list[tuple[str, str, Any]]:
+def _settings(system: System, chart: Statechart) -> list[tuple[str, str, object]]:
     """What the variables of the role hold at first in its agents."""
     return [
         (agent.name, name, _constant(system, literal))
@@ -370,7 +369,7 @@ def _numbers(system: System, chart: Statechart) -> list[tuple[str, int]]:
     return [(agent.name, agent.index) for agent in _agents(system, chart) if agent.index != 1]
 
 
-def _constant(system: System, literal: e.Literal) -> Any:
+def _constant(system: System, literal: e.Literal) -> object:
     enum = system.enum(literal.type.name)
     return literal.value if enum is None else dict(enum.constants)[str(literal.value)]
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from aseme_dsl.diagnostics.identity import fingerprints, uri
 from aseme_dsl.diagnostics.model import Diagnostic, Suppressed
@@ -21,7 +20,7 @@ def sarif(
     suppressed: Iterable[Suppressed] = (),
     *,
     version: str,
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """One run of asemec `version` as a SARIF log. Columns are counted in code points."""
     found = tuple(diagnostics)
     allowed = tuple(suppressed)
@@ -48,9 +47,9 @@ def sarif(
     }
 
 
-def _result(item: Diagnostic, codes: list[str], fingerprint: str) -> dict[str, Any]:
+def _result(item: Diagnostic, codes: list[str], fingerprint: str) -> dict[str, object]:
     text = item.message if item.hint is None else f"{item.message}\n{item.hint}"
-    result: dict[str, Any] = {
+    result: dict[str, object] = {
         "ruleId": item.code,
         "ruleIndex": codes.index(item.code),
         "level": str(item.severity),
@@ -71,7 +70,7 @@ def _result(item: Diagnostic, codes: list[str], fingerprint: str) -> dict[str, A
     return result
 
 
-def _rule(code: str) -> dict[str, Any]:
+def _rule(code: str) -> dict[str, object]:
     about = page(code)
     return {
         "id": code,
@@ -81,7 +80,7 @@ def _rule(code: str) -> dict[str, Any]:
     }
 
 
-def _location(span: Span) -> dict[str, Any]:
+def _location(span: Span) -> dict[str, object]:
     artifact = _artifact(span.source.path)
     return {"physicalLocation": {"artifactLocation": artifact, "region": _region(span)}}
 
@@ -92,8 +91,8 @@ def _region(span: Span) -> dict[str, int]:
     return {"startLine": line, "startColumn": column, "endLine": end_line, "endColumn": end_column}
 
 
-def _fix(item: Diagnostic) -> dict[str, Any]:
-    changes: dict[Source, list[dict[str, Any]]] = {}
+def _fix(item: Diagnostic) -> dict[str, object]:
+    changes: dict[Source, list[dict[str, object]]] = {}
     for edit in item.changes:
         replacement = {"deletedRegion": _region(edit.span), "insertedContent": {"text": edit.text}}
         changes.setdefault(edit.span.source, []).append(replacement)

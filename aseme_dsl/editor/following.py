@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Awaitable, Callable, Coroutine, Mapping
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from aseme_dsl.diagrams import GraphvizMissing
 from aseme_dsl.editor.answers.diagram import LiveDrawing
@@ -28,11 +28,11 @@ class Page(Generic[Place]):
     def __init__(
         self,
         drawn: Callable[[str, Place], Awaitable[Drawn | None]],
-        go: Callable[[View, Span], Coroutine[Any, Any, None]],
+        go: Callable[[View, Span], Coroutine[object, object, None]],
     ) -> None:
         loop = asyncio.get_running_loop()
 
-        def acted(said: Mapping[str, Any]) -> None:
+        def acted(said: Mapping[str, object]) -> None:
             loop.call_soon_threadsafe(self.act, said)
 
         self.viewer = Viewer(acted)
@@ -55,7 +55,7 @@ class Page(Generic[Place]):
             self._soon.cancel()
         self._soon = asyncio.get_running_loop().call_later(PAUSE, lambda: self._run(self._show()))
 
-    def act(self, said: Mapping[str, Any]) -> None:
+    def act(self, said: Mapping[str, object]) -> None:
         """Somebody has clicked: go to the place in the text."""
         match said:
             case {"act": "click", "id": str(element)} if self._shown is not None:
@@ -76,7 +76,7 @@ class Page(Generic[Place]):
             self._shown = found
             self.viewer.show(page_state(found[1], here=found[1].here))
 
-    def _run(self, work: Coroutine[Any, Any, None]) -> None:
+    def _run(self, work: Coroutine[object, object, None]) -> None:
         task = asyncio.ensure_future(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)

@@ -121,7 +121,7 @@ class Server(LanguageServer):
             return handler
 
         @functools.wraps(handler)
-        async def answered(*arguments: Any) -> Any:
+        async def answered(*arguments: object) -> object:
             document = getattr(arguments[0], "text_document", None) if arguments else None
             if document is None or not is_python(document.uri):
                 return await handler(*arguments)
@@ -136,7 +136,7 @@ class Server(LanguageServer):
             return handler
 
         @functools.wraps(handler)
-        async def answered(*arguments: Any) -> Any:
+        async def answered(*arguments: object) -> object:
             document = getattr(arguments[0], "text_document", None) if arguments else None
             path = self.path(document.uri) if document is not None else None
             text = self.files.text(path) if path is not None else None
@@ -448,7 +448,7 @@ class Server(LanguageServer):
         """What mends it, as a workspace edit's changes, for clients that apply it themselves."""
         if not item.changes:
             return None
-        changes: dict[str, list[Any]] = {}
+        changes: dict[str, list[object]] = {}
         for edit in item.changes:
             uri = self.uri(program.path_of(edit.span.source))
             changes.setdefault(uri, []).append({"range": plain_range(self, edit.span), "newText": edit.text})

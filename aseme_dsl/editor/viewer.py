@@ -46,7 +46,7 @@ class Viewer:
     Nobody on another machine can reach it, nor a page from elsewhere: the address has a secret in it.
     """
 
-    def __init__(self, on_act: Callable[[Mapping[str, Any]], None], port: int = 0) -> None:
+    def __init__(self, on_act: Callable[[Mapping[str, object]], None], port: int = 0) -> None:
         """Raises OSError if the port is taken."""
         self._on_act = on_act
         self._news = threading.Condition()
@@ -60,7 +60,7 @@ class Viewer:
         self._thread = threading.Thread(target=self._server.serve_forever, args=(0.1,), daemon=True)
         self._thread.start()
 
-    def show(self, state: Mapping[str, Any], tab: str = NO_TAB) -> None:
+    def show(self, state: Mapping[str, object], tab: str = NO_TAB) -> None:
         """Show this from now on: in one tab, or in all that show nothing of their own."""
         text = json.dumps(state, ensure_ascii=False).encode("utf-8", "backslashreplace")
         with self._news:
@@ -97,7 +97,7 @@ class Viewer:
     def _shown(self, tab: str) -> tuple[int, bytes]:
         return self._states.get(tab) or self._states[NO_TAB]
 
-    def act(self, said: Mapping[str, Any]) -> None:
+    def act(self, said: Mapping[str, object]) -> None:
         self._on_act(said)
 
     def is_asked(self, host: str, path: str) -> str | None:
@@ -137,7 +137,7 @@ class _Server(ThreadingHTTPServer):
         self.places.leave(request)
         super().shutdown_request(request)
 
-    def handle_error(self, request: Any, client_address: Any) -> None:
+    def handle_error(self, request: object, client_address: object) -> None:
         """A page that goes away in the midst of something is none."""
 
 
@@ -150,7 +150,7 @@ def page_state(
     model: str = "",
     part: bool = False,
     text: str = "",
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """What the page shows: a picture with the element that is marked, or only a title.
 
     `models` may be chosen there, `model` is the one that is; `part`: the picture is of a part of it. `text`
@@ -234,7 +234,7 @@ def _handler(viewer: Viewer) -> type[BaseHTTPRequestHandler]:
             viewer.act(said)
             self._answer(HTTPStatus.NO_CONTENT)
 
-        def log_message(self, format: str, *args: Any) -> None:
+        def log_message(self, format: str, *args: object) -> None:
             """Nobody wants to know which page has asked for what."""
 
         def _answer(

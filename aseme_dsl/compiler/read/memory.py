@@ -44,9 +44,9 @@ class _Entry:
     """
 
     inputs: tuple[Any, ...]
-    asked: dict[_Question, Any]
-    shared: dict[_Question, Any]
-    result: Any
+    asked: dict[_Question, object]
+    shared: dict[_Question, object]
+    result: object
     used: int
     age: int
 
@@ -67,7 +67,7 @@ class _Batch:
 class Recall(Protocol):
     """`Memory.recall`: a function's result, from memory if it can be."""
 
-    def __call__(self, function: Callable[..., _T], *inputs: Any) -> _T: ...
+    def __call__(self, function: Callable[..., _T], *inputs: object) -> _T: ...
 
 
 class Memory:
@@ -82,15 +82,15 @@ class Memory:
         self._shared: dict[object, _Shared] = {}
         self.protos: dict[str, Any] = {}
         """What was read of .proto files (see `load`), by where they are."""
-        self._asked: dict[_Question, Any] | None = None  # by the phase that runs now
+        self._asked: dict[_Question, object] | None = None  # by the phase that runs now
         self._number = 0
         self._runs = 0  # how often something was found out
         self._age = 0
         self._is_older = False  # something shared is another one than when it was asked last
-        self._answers: dict[_Question, Any] = {}  # all that was asked of what is shared, as it was then
+        self._answers: dict[_Question, object] = {}  # all that was asked of what is shared, as it was then
         self._changed: set[_Question] = set()  # what has another answer than before it grew older
 
-    def recall(self, function: Callable[..., _T], *inputs: Any) -> _T:
+    def recall(self, function: Callable[..., _T], *inputs: object) -> _T:
         """`function(*inputs)`, or what it was when it was asked for before; nobody may change the result.
 
         The function must not recall anything itself.
@@ -159,7 +159,7 @@ class Memory:
                 return entry
         self._runs += 1
         assert self._asked is None
-        asked: dict[_Question, Any] = {}
+        asked: dict[_Question, object] = {}
         self._asked = asked
         try:
             result = function(*(_traced(item, index, asked) for index, item in enumerate(inputs)))
@@ -250,7 +250,7 @@ class Memory:
         }
         self._answers = {question: answer for question, answer in self._answers.items() if question in asked}
 
-    def note(self, question: _Question, answer: Any) -> None:
+    def note(self, question: _Question, answer: object) -> None:
         """Something shared was asked."""
         if self._asked is not None:
             self._asked[question] = answer
@@ -279,7 +279,7 @@ _kinds: dict[type, int] = {}
 """Which of these a type is: to find out takes longer than to look it up."""
 
 
-def _kind(item: Any) -> int:
+def _kind(item: object) -> int:
     kind = _kinds.get(type(item))
     if kind is None:
         kind = _IS_PLAIN if isinstance(item, _PLAIN) else _OTHER
@@ -327,16 +327,16 @@ def _answer(inputs: tuple[Any, ...], question: _Question) -> Any:
     return now(*question[1])
 
 
-def _looked_up(mapping: Mapping[Any, Any], key: Any) -> Any:
+def _looked_up(mapping: Mapping[object, object], key: object) -> object:
     return tuple(mapping) if key is _KEYS else mapping.get(key, _ABSENT)
 
 
-def _traced(item: Any, index: int, asked: dict[_Question, Any]) -> Any:
+def _traced(item: object, index: int, asked: dict[_Question, object]) -> object:
     if isinstance(item, Mapping):
         return _TracedMapping(item, lambda key, answer: asked.__setitem__((index, key), answer))
     if isinstance(item, FunctionType):
 
-        def question(*arguments: Any) -> Any:
+        def question(*arguments: object) -> object:
             answer = asked[index, arguments] = item(*arguments)
             return answer
 
@@ -344,23 +344,23 @@ def _traced(item: Any, index: int, asked: dict[_Question, Any]) -> Any:
     return item
 
 
-class _TracedMapping(Mapping[Any, Any]):
+class _TracedMapping(Mapping[object, object]):
     """A mapping that tells what it is asked for."""
 
     __slots__ = ("_mapping", "_note")
 
-    def __init__(self, mapping: Mapping[Any, Any], note: Callable[[Any, Any], None]) -> None:
+    def __init__(self, mapping: Mapping[object, object], note: Callable[[object, object], None]) -> None:
         self._mapping = mapping
         self._note = note
 
-    def __getitem__(self, key: Any) -> Any:
+    def __getitem__(self, key: object) -> object:
         value = self._mapping.get(key, _ABSENT)
         self._note(key, value)
         if value is _ABSENT:
             raise KeyError(key)
         return value
 
-    def __iter__(self) -> Iterator[Any]:
+    def __iter__(self) -> Iterator[object]:
         keys = tuple(self._mapping)
         self._note(_KEYS, keys)
         return iter(keys)
@@ -374,18 +374,18 @@ class _Shared:
 
     __slots__ = ("_memory", "_target")
     _memory: Memory
-    _target: Any
+    _target: object
 
     def __init__(self, memory: Memory) -> None:
         self._memory = memory
         self._target = None
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> object:
         value = getattr(self._target, name)
         memory = self._memory
         if callable(value):
 
-            def asked(*arguments: Any) -> Any:
+            def asked(*arguments: object) -> object:
                 answer = value(*arguments)
                 memory.note((self, name, arguments), answer)
                 return answer

@@ -58,7 +58,7 @@ def _whole(view: View, entry: Entry) -> Entry:
 _WORDS = {tree.Sag: "sag", tree.Suc: "suc"}
 
 
-def _entries(nodes: tuple[Any, ...], kinds: dict[Span, Kind]) -> Iterator[Entry]:
+def _entries(nodes: tuple[object, ...], kinds: dict[Span, Kind]) -> Iterator[Entry]:
     for node in nodes:
         if not is_dataclass(node) or isinstance(node, (tree.Name, tree.Text, Formula)):
             continue
@@ -102,11 +102,11 @@ def _span(node: Any) -> Span:
     return span
 
 
-def _tuple(value: Any) -> tuple[Any, ...]:
+def _tuple(value: object) -> tuple[object, ...]:
     return value if isinstance(value, tuple) else (value,)
 
 
-def _names(value: Any) -> Iterator[tree.Name]:
+def _names(value: object) -> Iterator[tree.Name]:
     for item in _tuple(value):
         if isinstance(item, tree.Name):
             yield item
@@ -114,7 +114,7 @@ def _names(value: Any) -> Iterator[tree.Name]:
             yield from _names(item)
 
 
-def _detail(node: Any, kind: Kind) -> str:
+def _detail(node: object, kind: Kind) -> str:
     match node:
         case tree.Var():
             return str(node.type)
@@ -210,7 +210,7 @@ def selections(view: View, offset: int) -> tuple[Span, ...]:
     """The ranges around an offset, the innermost first: the word, every node of the tree, the file."""
     found: dict[tuple[int, int], Span] = {}
     part, inside = view.at(offset)
-    todo: list[Any] = [view.declaration_at(offset)]
+    todo: list[object] = [view.declaration_at(offset)]
     while todo:
         node = todo.pop()
         if isinstance(node, tuple):

@@ -62,7 +62,7 @@ MOST_NAMES = 10_000
 """A list in a request has at most so many texts."""
 _LOOK_SECONDS = 0.002
 
-Reply = dict[str, Any]
+Reply = dict[str, object]
 
 
 class Refused(Exception):
@@ -122,7 +122,7 @@ class Control:
         """The reply to whatever comes over the bus where operators' keys are not configured."""
         return self.refuse(Origin("bus", agent=agent), None, "control over the bus is off")
 
-    def handle(self, request: dict[str, Any], origin: Origin = PROGRAM) -> Reply:
+    def handle(self, request: dict[str, object], origin: Origin = PROGRAM) -> Reply:
         """The reply to a request. Never raises for what is in the request."""
         kind = request.get("request")
         known = kind if isinstance(kind, str) and kind in KINDS else None
@@ -136,8 +136,8 @@ class Control:
         self.log.note(origin, known, ())
         return reply
 
-    def _fulfil(self, request: dict[str, Any]) -> Reply:
-        answers: dict[str, Callable[[dict[str, Any]], Reply]] = {
+    def _fulfil(self, request: dict[str, object]) -> Reply:
+        answers: dict[str, Callable[[dict[str, object]], Reply]] = {
             "status": self._status,
             "select": self._select,
             "swap": self._swap,
@@ -155,7 +155,7 @@ class Control:
 
     # ---- asking ------------------------------------------------------------------------------
 
-    def _status(self, request: dict[str, Any]) -> Reply:
+    def _status(self, request: dict[str, object]) -> Reply:
         team = self._team
         held = self._held
         agents = []
@@ -193,7 +193,7 @@ class Control:
         if self._team.driver.clock.virtual:
             raise Refused("the team plays in virtual time: changes are scheduled before the run")
 
-    def _select(self, request: dict[str, Any]) -> Reply:
+    def _select(self, request: dict[str, object]) -> Reply:
         self._in_real_time()
         name, plan = str(request.get("agent")), str(request.get("plan"))
         agent = next((item for item in self._team.agents if item.name == name), None)
@@ -206,7 +206,7 @@ class Control:
             raise Refused(reason)
         return {"agent": name, "plan": f"{agent.plan.system}.{agent.plan.name}", "model": agent.plan.model}
 
-    def _stop(self, request: dict[str, Any]) -> Reply:
+    def _stop(self, request: dict[str, object]) -> Reply:
         self._team.driver.stop("stopped")
         return {}
 
@@ -228,7 +228,7 @@ class Control:
                 return held.say(str(phase), str(request.get("reason", "the operator said so")))
         raise Refused(f"there is no phase {phase!r} of a swap")
 
-    def _new_swap(self, request: dict[str, Any]) -> Swap:
+    def _new_swap(self, request: dict[str, object]) -> Swap:
         if self._held is not None and self._held.is_alive():
             raise Refused("another swap is under way")
         name = str(request.get("hash"))
@@ -252,18 +252,18 @@ class Control:
         mine = [agent.name for agent in self._team.agents if agents is None or agent.name in agents]
         return Swap(self._team, version, None if agents is None else mine)
 
-    def _checked(self, request: dict[str, Any]) -> Swap:
+    def _checked(self, request: dict[str, object]) -> Swap:
         swap = self._new_swap(request)
         if not swap.check():
             raise Refused(*swap.reasons)
         return swap
 
-    def _ready(self, request: dict[str, Any]) -> Reply:
+    def _ready(self, request: dict[str, object]) -> Reply:
         swap = self._checked(request)
         reasons = list(swap.busy())
         return {"state": "busy" if reasons else "ready", "reasons": reasons, "notes": list(swap.notes)}
 
-    def _prepare(self, request: dict[str, Any]) -> Reply:
+    def _prepare(self, request: dict[str, object]) -> Reply:
         swap = self._checked(request)
         within, hold = _seconds(request, "within", 0.0), _seconds(request, "hold", HOLD)
         what = Changed(str(request["hash"]), request.get("agents") is None)
@@ -314,7 +314,7 @@ _MEMBERS: dict[str, tuple[Callable[[object], bool], str]] = {
 """What a request may have: whether a value fits, and what it should be."""
 
 
-def _check(request: dict[str, Any]) -> None:
+def _check(request: dict[str, object]) -> None:
     """Raises Refused for a request whose members are not what they should be, before any is used."""
     for name, value in request.items():
         if name not in _MEMBERS:
@@ -324,7 +324,7 @@ def _check(request: dict[str, Any]) -> None:
             raise Refused(f"{name} is not {expected} that a request may have")
 
 
-def _seconds(request: dict[str, Any], name: str, usual: float) -> float:
+def _seconds(request: dict[str, object], name: str, usual: float) -> float:
     value = request.get(name, usual)
     if not isinstance(value, int | float) or not 0 <= value <= LONGEST:
         raise Refused(f"{name} is a number of seconds up to {LONGEST:g}")

@@ -37,7 +37,7 @@ from aseme_dsl.runtime.trace.fault_counts import FaultCounts
 from aseme_dsl.runtime.trace.trace_files import FORMAT, Background, Direct, Output, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_formats import format_for
 
-Record = dict[str, Any]
+Record = dict[str, object]
 Listener = Callable[[Record], None]
 """Is shown the lines: all, or if it has a method `wants(kind, what)` those of which that says so. It is asked
 once for each kind and `what`, which is None where such a line has none."""
@@ -220,7 +220,7 @@ class Trace:
         moment: int,
         identity: Identity,
         channel: str,
-        message: Any,
+        message: object,
         to: Iterable[str],
         *,
         host: str | None = None,
@@ -330,7 +330,7 @@ class Trace:
             found = self._ways[key] = _encode(_way(plan, numbers))
         return found
 
-    def activity(self, what: str, moment: int, agent: str, effect: Start | Cancel, **members: Any) -> None:
+    def activity(self, what: str, moment: int, agent: str, effect: Start | Cancel, **members: object) -> None:
         """Something in the life of an activity: start, wait, missed, end, crash, cancel, late, overrun."""
         if members.keys() <= _NUMBERS and self._is_only_written("activity", what):
             # Most lines of a trace are these; put together by hand they cost a quarter.
@@ -373,10 +373,10 @@ class Trace:
         with self._lock:
             self.faults.add(reason, agent, at, activity, moment)
 
-    def _write_fault(self, moment: int, agent: str, reason: str, at: str, **members: Any) -> None:
+    def _write_fault(self, moment: int, agent: str, reason: str, at: str, **members: object) -> None:
         self.write("fault", moment, agent=agent, reason=reason, at=at or None, **members)
 
-    def failure(self, moment: int, agent: str, reason: str, at: str = "", **members: Any) -> None:
+    def failure(self, moment: int, agent: str, reason: str, at: str = "", **members: object) -> None:
         """The agent stops."""
         self.write("error", moment, agent=agent, reason=reason, at=at or None, **members)
 
