@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import gc
 import os
 import signal
@@ -167,12 +168,14 @@ _COMPILING = frozenset("build check diagram fmt scaffold".split())
 def _few_collections(arguments: Sequence[str]) -> Iterator[None]:
     """Look for cycles of objects rarely: models are many small objects without cycles.
 
-    To look for them all the time costs a third of the time. The threshold is the whole process's, which only
-    a command may change, and not the library.
+    To look for them all the time costs a third of the time, and to look once more when Python ends 30 ms.
+    Both settings are the whole process's, which only a command may change, and not the library.
     """
     if _COMPILING.isdisjoint(arguments):
         yield
         return
+    atexit.unregister(gc.freeze)
+    atexit.register(gc.freeze)
     threshold = gc.get_threshold()
     gc.set_threshold(100_000, 50, 100)
     try:
