@@ -437,8 +437,10 @@ class Fill:
 class Send:
     """`send accept_proposal Award { task = job } to best`.
 
-    To all who play `participant` but those of `excepts`, or to the one agent `to`. `fills` is None where the
-    activity has prepared what the message says.
+    To all who play `participant` but those of `excepts` (to `one` of them), or to the one agent `to`. `fills`
+    is None where an activity has prepared what the message says. Members that are not filled have their
+    defaults, which `is_default` says explicitly, or are those of the message `rest` that are `taken`. An
+    answer is wanted within `reply_by`.
     """
 
     performative: str
@@ -448,12 +450,17 @@ class Send:
     fills: tuple[Fill, ...] | None = None
     to: Value | None = None
     excepts: tuple[Value, ...] = ()
+    is_default: bool = False
+    rest: Value | None = None
+    taken: tuple[str, ...] = ()
+    reply_by: Value | None = None
+    one: bool = False
 
     @property
     def values(self) -> tuple[Value, ...]:
         """What it computes, from left to right."""
-        receivers = (self.to,) if self.to is not None else ()
-        return (*(item.value for item in self.fills or ()), *receivers, *self.excepts)
+        single = tuple(item for item in (self.rest, self.reply_by, self.to) if item is not None)
+        return (*(item.value for item in self.fills or ()), *single, *self.excepts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -618,7 +625,7 @@ def _rewritten_action(action: Action, change: Callable[[Value], Value]) -> Actio
         case Evaluate(value=value):
             new = rewritten(value, change)
             return action if new is value else replace(action, value=new)
-        case Send(fills=fills, to=to, excepts=excepts):
+        case Send(fills=fills, rest=rest, reply_by=reply_by, to=to, excepts=excepts):
             values = tuple(rewritten(item, change) for item in action.values)
             if all(item is other for item, other in zip(values, action.values, strict=True)):
                 return action
@@ -626,6 +633,8 @@ def _rewritten_action(action: Action, change: Callable[[Value], Value]) -> Actio
             return replace(
                 action,
                 fills=None if fills is None else tuple(replace(item, value=next(given)) for item in fills),
+                rest=None if rest is None else next(given),
+                reply_by=None if reply_by is None else next(given),
                 to=None if to is None else next(given),
                 excepts=tuple(next(given) for _ in excepts),
             )
@@ -843,8 +852,15 @@ def action_text(action: Action, *, expand: bool = False) -> str:
             return f"start_timer({timer}, {value_text(duration, expand=expand)})"
         case Send(performative=performative, message=message, participant=participant, to=to):
             fills = [f"{'.'.join(i.path)} = {value_text(i.value, expand=expand)}" for i in action.fills or ()]
+            if action.rest is not None:
+                fills.append(f"..{value_text(action.rest, expand=expand)}")
+            elif action.is_default:
+                fills.append("..")
             content = "" if action.fills is None else f" {{ {', '.join(fills)} }}" if fills else " { }"
-            receiver = participant if to is None else value_text(to, expand=expand)
+            if action.reply_by is not None:
+                content += f" reply_by {value_text(action.reply_by, expand=expand)}"
+            one = "one " if action.one else ""
+            receiver = f"{one}{participant}" if to is None else value_text(to, expand=expand)
             text = f"send {performative} {message}{content} to {receiver}"
             others = ", ".join(value_text(item, expand=expand) for item in action.excepts)
             return f"{text} except {others}" if others else text

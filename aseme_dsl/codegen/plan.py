@@ -128,14 +128,20 @@ def action_term(action: e.Action) -> Term:
         case e.StartTimer(timer=timer, duration=duration):
             return ("start_timer", timer, value_term(duration))
         case e.Send(performative=performative, message=message, participant=participant):
-            said = ("send", performative, message, participant)
-            if action.fills is None and action.to is None and not action.excepts:
+            said: Term = ("send", performative, message, participant)
+            is_more = action.rest is not None or action.reply_by is not None or action.one
+            if action.fills is None and action.to is None and not action.excepts and not is_more:
                 return said
             fills = None
             if action.fills is not None:
                 fills = tuple((item.path, value_term(item.value)) for item in action.fills)
             to = None if action.to is None else value_term(action.to)
-            return (*said, fills, to, tuple(value_term(item) for item in action.excepts))
+            said = (*said, fills, to, tuple(value_term(item) for item in action.excepts))
+            if not is_more:
+                return said
+            rest = None if action.rest is None else (value_term(action.rest), action.taken)
+            reply_by = None if action.reply_by is None else value_term(action.reply_by)
+            return (*said, rest, reply_by, action.one)
         case e.Evaluate(value=value):
             return ("evaluate", value_term(value))
 

@@ -34,7 +34,7 @@ def run_of(play: Play, *lines: str) -> Run:
 
 def test_a_message_is_filled_where_it_is_sent(play: Play) -> None:
     """ "`send P M { f = v, g.h = v } to X`" """
-    run = run_of(play, 'enter A : / send cfp M { x = low + 1, s = "go", d = 2.5, on = true } to b').step()
+    run = run_of(play, 'enter A : / send cfp M { x = low + 1, s = "go", d = 2.5, on = true, .. } to b').step()
     assert run.did[1] == "send cfp M {x=101 on=True d=2.5 s=go} to b"
     (sending,) = run.last.of(Sending)
     assert sending.filled
@@ -43,13 +43,13 @@ def test_a_message_is_filled_where_it_is_sent(play: Play) -> None:
 def test_a_message_without_braces_is_what_the_activity_has_prepared(play: Play) -> None:
     run = run_of(play, "enter A : / send cfp M to b").step()
     assert run.did[1] == "send cfp M to b"
-    run = run_of(play, "enter A : / send cfp M { } to b").step()
+    run = run_of(play, "enter A : / send cfp M { .. } to b").step()
     assert run.did[1] == "send cfp M {} to b"
 
 
 def test_a_message_is_not_sent_if_something_of_it_is_absent(play: Play) -> None:
     """ "an absent or raising value means that this one action is not done, with a fault" """
-    run = run_of(play, "enter A : / send cfp M { x = t.state.M.x } to b; low = 1").step()
+    run = run_of(play, "enter A : / send cfp M { x = t.state.M.x, .. } to b; low = 1").step()
     assert [line.split()[0] for line in run.did] == ["join", "fault", "start"]
     assert run.variable("low") == 1
 
@@ -130,8 +130,8 @@ def test_one_agent_is_addressed(play: Play) -> None:
     """ "`to X`: … a value of type agent (a variable, `sender(b)`)" """
     run = run_of(
         play,
-        "enter B : propose M m from b / best = sender(m); send reject_proposal M { x = 1 } to sender(m)",
-        "enter C : / send accept_proposal M to best; send reject_proposal M { } to b except best",
+        "enter B : propose M m from b / best = sender(m); send reject_proposal M { x = 1, .. } to sender(m)",
+        "enter C : / send accept_proposal M to best; send reject_proposal M { .. } to b except best",
     ).step()
     run.step(run.mail("propose", "M", "bob"))
     assert run.did[2] == "send reject_proposal M {x=1} to bob"
@@ -167,7 +167,9 @@ def test_agents_are_compared(play: Play) -> None:
 
 
 def test_an_agent_is_told_as_a_text(play: Play) -> None:
-    run = run_of(play, "enter B : propose M m from b / send reject_proposal M { s = sender(m) } to b").step()
+    run = run_of(
+        play, "enter B : propose M m from b / send reject_proposal M { s = sender(m), .. } to b"
+    ).step()
     run.step(run.mail("propose", "M", "bob"))
     assert run.did[2] == "send reject_proposal M {s=bob} to b"
 
@@ -243,5 +245,5 @@ def test_a_member_of_an_optional_member_is_there_with_it(play: Play) -> None:
 
 def test_what_a_message_reads_is_looked_up_before_anything_is_computed(play: Play) -> None:
     """ "An action … that is not done because something is absent draws nothing." """
-    run = run_of(play, "enter A : / send cfp M { d = random(), on = even(low) } to best").step()
+    run = run_of(play, "enter A : / send cfp M { d = random(), on = even(low), .. } to best").step()
     assert [line.split()[0] for line in run.did] == ["join", "fault", "start"]

@@ -69,8 +69,8 @@ aip survey {
   control searcher {
     enter Weigh   : request Site from leader
     enter Search  : [body.state.Power.percent >= low or !has(body.state.Power)]
-                    / send agree Site { number = 1 } to leader
-    enter Decline : else / send refuse Site { number = 1 } to leader
+                    / send agree Site { number = 1, .. } to leader
+    enter Decline : else / send refuse Site { number = 1, .. } to leader
     leave Search  : / send inform Finding { people = 2 } to leader
   }
 }

@@ -656,12 +656,17 @@ class Words:
         if self.taken[0] and pick.one_in(2):
             return f"who = {self._agent()}"
         performative, message = pick.one_of(SENT)
-        content = f" {{ {self._filled(message)} }}" if pick.one_in(2) else ""
+        content = f" {{ {self._filled(message)}, {self._rest(message)} }}" if pick.one_in(2) else ""
+        content += f" reply_by {self._length()}" if pick.one_in(6) else ""
         to = pick.weighted(all=3, one=2, others=1)
         if to == "one":
             return f"send {performative} {message}{content} to {self._agent()}"
         others = f" except {self._agent()}" if to == "others" else ""
-        return f"send {performative} {message}{content} to other{others}"
+        one = "one " if pick.one_in(5) else ""
+        return f"send {performative} {message}{content} to {one}other{others}"
+
+    def _rest(self, message: str) -> str:
+        return f"..{self.taken[0]}" if self.taken[1] == message and self.choices.one_in(2) else ".."
 
     def _filled(self, message: str) -> str:
         """Some members of a message, each once."""

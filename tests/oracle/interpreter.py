@@ -1030,11 +1030,19 @@ class Reference:
                 content = self.messages[message]()
                 self.begin_round(branch, participant)
                 self.outcome.effects.append(Sending(branch, performative, message, content, participant))
-            case ("send", performative, message, participant, fills, to, _):
+            case ("send", performative, message, participant, fills, to, _, *more):
+                rest, reply_by, one = more or (None, None, False)
                 branch = self.branch_of(self.plan.transitions[number].source)
                 content = self.messages[message]()
-                for path, _ in fills or ():
-                    content = with_member(content, path, values.pop(0))
+                filled = [(path, values.pop(0)) for path, _ in fills or ()]
+                if rest is not None:
+                    # "or `..m` to take them from a received message `m`"
+                    given = values.pop(0)
+                    for name in rest[1]:
+                        content = with_member(content, (name,), getattr(given, name))
+                for path, value in filled:
+                    content = with_member(content, path, value)
+                within = None if reply_by is None else values.pop(0)
                 receiver = None if to is None else values.pop(0)
                 if to is None:
                     self.begin_round(branch, participant)
@@ -1048,6 +1056,8 @@ class Reference:
                         filled=fills is not None,
                         to=receiver,
                         excepts=tuple(values),
+                        reply_by=None if within is None else self.now + within,
+                        one=one,
                     )
                 )
             case ("evaluate", _):
@@ -1367,8 +1377,11 @@ def values_of(action: Term) -> list[Term]:
     match action:
         case ("assign" | "fill" | "start_timer", _, value) | ("evaluate", value):
             return [value]
-        case ("send", _, _, _, fills, to, excepts):
-            return [*(value for _, value in fills or ()), *([] if to is None else [to]), *excepts]
+        case ("send", _, _, _, fills, to, excepts, *more):
+            rest, reply_by, _ = more or (None, None, False)
+            single = [rest[0] if rest is not None else None, reply_by, to]
+            given = [value for value in single if value is not None]
+            return [*(value for _, value in fills or ()), *given, *excepts]
     return []
 
 

@@ -23,7 +23,7 @@ from aseme_dsl.amola.expression import (
     values_of,
     walk,
 )
-from aseme_dsl.amola.messages import Comm
+from aseme_dsl.amola.messages import DURATION, Comm
 from aseme_dsl.codegen.code.face import docstring
 from aseme_dsl.codegen.code.tree import (
     NOW,
@@ -251,16 +251,26 @@ def _sending(method: Method, letter: str, action: Send, pieces: Sequence[Piece])
     fills = action.fills
     count = len(fills or ())
     arguments = [letter]
+    named: list[str] = []
     if fills is not None:
         given = zip(fills, pieces, strict=False)
         members = [f"{i.path!r}: {method.code(converted(p, i.value.type, i.type))}" for i, p in given]
         arguments.append(f"{{{', '.join(members)}}}")
+    if action.rest is not None:
+        named += [f"rest={method.code(pieces[count].code)}", f"taken={action.taken!r}"]
+        count += 1
+    if action.reply_by is not None:
+        within = converted(pieces[count], action.reply_by.type, DURATION)
+        named.append(f"reply_within={method.code(within)}")
+        count += 1
     if action.to is not None:
         arguments.append(f"to={method.code(pieces[count].code)}")
         count += 1
     if action.excepts:
         arguments.append(f"excepts=({', '.join(method.code(piece.code) for piece in pieces[count:])},)")
-    return f"self.send({', '.join(arguments)})"
+    if action.one:
+        named.append("one=True")
+    return f"self.send({', '.join((*arguments, *named))})"
 
 
 def _read_by(action: Action) -> Iterable[Value]:

@@ -14,6 +14,7 @@ from aseme_dsl.compiler.names.scope import Party, Taken
 from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD, PERFORMATIVES, reserved
 from aseme_dsl.compiler.read.names import unknown, unknown_performative
 from aseme_dsl.compiler.types.calls import assignable
+from aseme_dsl.compiler.types.content import Rest, deadline, rest_of
 from aseme_dsl.diagnostics import Related, closest
 from aseme_dsl.diagnostics.problems import talk as problems
 from aseme_dsl.diagnostics.problems.absences import NoPartner, NotListed, Verb
@@ -122,7 +123,7 @@ def send(checker: Checker, written: tree.Send, value: Typed) -> amola.Send | Non
     """`send accept_proposal Award { task = job } to best except c`: E205, E225, E511, E512, E531, E532."""
     scope, name = checker.scope, written.participant
     to: Value | None = None
-    is_party = name is not None and name.text in scope.parties
+    is_party = name is not None and (name.text in scope.parties or written.one is not None)
     participant = ""
     if name is not None and (is_party or not _may_be_agent(checker, name)):
         if not _is_exchanged(checker, written.performative, written.message, name, True):
@@ -140,12 +141,18 @@ def send(checker: Checker, written: tree.Send, value: Typed) -> amola.Send | Non
             checker.report(problems.ExceptOfOneAgent(), written.excepts[0].span)
             return None
     excepts = [_agent(checker, item, value) for item in written.excepts]
-    fills = None
+    fills, rest = None, Rest()
     if written.fills is not None:
         found = fill(checker, written.message.text, written.fills, value)
-        if found is None:
+        said = None if found is None else rest_of(checker, written, found, value)
+        if found is None or said is None:
             return None
-        fills = tuple(found)
+        fills, rest = tuple(found), said
+    reply_by = None
+    if written.reply_by is not None:
+        reply_by = deadline(checker, written.reply_by, value)
+        if reply_by is None:
+            return None
     if None in excepts:
         return None
     return amola.Send(
@@ -156,6 +163,11 @@ def send(checker: Checker, written: tree.Send, value: Typed) -> amola.Send | Non
         fills,
         to,
         tuple(item for item in excepts if item is not None),
+        rest.is_default,
+        rest.message,
+        rest.taken,
+        reply_by,
+        written.one is not None,
     )
 
 

@@ -9,7 +9,7 @@ from aseme_dsl.grammar.text.token import Token, token
 
 _TOKEN = re.compile(
     r'"(?:[^"\\\n]|\\.)*"|[0-9]+(?:\.[0-9]+)*[A-Za-z]*|[A-Za-z_]\w*(?:\s*\.\s*[A-Za-z_]\w*)*'
-    r"|&&|\|\||[<>=!]=|->|\S",
+    r"|\.\.|&&|\|\||[<>=!]=|->|\S",
     re.ASCII,
 )
 

@@ -188,10 +188,19 @@ def _send(reader: Reader) -> tree.Send:
     start = reader.take().start
     performative = reader.need_name(Wanted.PERFORMATIVE)
     message = reader.need_name(Wanted.MESSAGE)
-    fills = _fills(reader) if reader.next == "{" else None
+    fills: tuple[tree.Fill, ...] | None = None
+    rest, braces, reply_by = None, None, None
+    if reader.next == "{":
+        opener = reader.span(reader.tokens[reader.index])
+        fills, rest = _content(reader)
+        braces = opener, reader.span(reader.tokens[reader.index - 1])
+    if reader.next == "reply_by":
+        reader.take()
+        reply_by = operation(reader)
     if reader.next != "to":
         raise reader.unexpected(Wanted.RECEIVER)
     reader.take()
+    one = _one(reader)
     participant, receiver = None, None
     if reader.index + 1 < len(reader.tokens) and reader.tokens[reader.index + 1] in ("(", "["):
         receiver = value(reader)
@@ -204,14 +213,51 @@ def _send(reader: Reader) -> tree.Send:
         while reader.next == ",":
             reader.take()
             excepts.append(value(reader))
-    return tree.Send(performative, message, participant, reader.since(start), fills, receiver, tuple(excepts))
+    return tree.Send(
+        performative,
+        message,
+        participant,
+        reader.since(start),
+        fills,
+        receiver,
+        tuple(excepts),
+        rest,
+        braces,
+        reply_by,
+        one,
+    )
+
+
+def _one(reader: Reader) -> Span | None:
+    """`one` before a participant; a variable may be called so."""
+    following = reader.tokens[reader.index + 1] if reader.index + 1 < len(reader.tokens) else ""
+    if reader.next != "one" or not is_word(following) or following == "except":
+        return None
+    return reader.span(reader.take())
 
 
 def _fills(reader: Reader) -> tuple[tree.Fill, ...]:
-    """`{ f = v, g.h = v }`"""
+    """`{ f = v, g.h = v }` behind what is published: other members keep what they have."""
+    return _content(reader, is_sent=False)[0]
+
+
+def _content(reader: Reader, *, is_sent: bool = True) -> tuple[tuple[tree.Fill, ...], tree.Rest | None]:
+    """`{ f = v, g.h = v }`, and the `..` or `..m` at its end."""
     opener = reader.take()
     found: list[tree.Fill] = []
+    rest: tree.Rest | None = None
     while reader.next != "}":
+        if is_sent and rest is None and reader.next == "..":
+            dots = reader.take()
+            message = None
+            if is_word(reader.next) and reader.next not in RESERVED:
+                message = read_path(reader.source, reader.take())
+            rest = tree.Rest(message, reader.since(dots.start))
+            if reader.next == ",":
+                reader.take()
+            continue
+        if rest is not None:
+            raise reader.unexpected("}", related=(reader.still_open(opener),))
         if reader.index == len(reader.tokens) or not is_word(reader.next) or reader.next in RESERVED:
             raise reader.unexpected(Wanted.MEMBER, "}", related=(reader.still_open(opener),))
         name = reader.take()
@@ -226,4 +272,4 @@ def _fills(reader: Reader) -> tuple[tree.Fill, ...]:
         elif reader.next != "}":
             raise reader.unexpected(Wanted.OPERATOR, ",", "}", related=(reader.still_open(opener),))
     reader.take()
-    return tuple(found)
+    return tuple(found), rest

@@ -148,7 +148,8 @@ def expression(tokens: Sequence[str], depth: int, *, transition: bool) -> list[P
             level = level_of(depth, _EVENT)
         elif token in _INFIX:
             level = level_of(depth, _INFIX[token])
-        if "." in (token, previous):  # a member of an element
+        is_rest = previous == ".." and token not in ("}", ",")
+        if is_rest or "." in (token, previous):  # the message of `..m`, a member of an element
             blanks = 0
         if previous in (",", ";"):
             level = level_of(at, _COMMA)

@@ -157,6 +157,8 @@ EXPRESSION_WORDS: dict[str, str] = {
     "send": r"(?=\s+[A-Za-z_])",
     "from": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",
     "to": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",
+    "reply_by": r"(?=\s+[0-9A-Za-z_(])",
+    "one": r"(?=\s+(?!(?:and|or|except)\b)[A-Za-z_])",
     "except": r"(?=\s+[A-Za-z_])",
     "lost": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",
     "read_messages": r"(?!\s*\()",

@@ -216,6 +216,14 @@ class Fill:
 
 
 @dataclass(frozen=True, slots=True)
+class Rest:
+    """`..` or `..m` at the end of the braces: the other members have their defaults, or are those of `m`."""
+
+    message: Path | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Publish:
     """`write_messages.topic.commType.Message { f = v }`; `path` is what follows `write_messages.`.
 
@@ -236,8 +244,9 @@ class ReadMessages:
 class Send:
     """`send accept_proposal Award { task = job } to best`, `… to contractor except best`.
 
-    `fills` is None without braces. `participant` is the name behind `to`, which may be a variable's; None
-    where an expression stands there (`receiver`).
+    `fills` is None without braces; `braces` are the places of both. `participant` is the name behind `to`,
+    which may be a variable's; None where an expression stands there (`receiver`). `one` stands before the
+    participant if only one agent gets it.
     """
 
     performative: Name
@@ -247,6 +256,10 @@ class Send:
     fills: tuple[Fill, ...] | None = None
     receiver: Expression | None = None
     excepts: tuple[Expression, ...] = ()
+    rest: Rest | None = None
+    braces: tuple[Span, Span] | None = None
+    reply_by: Expression | None = None
+    one: Span | None = None
 
 
 @dataclass(frozen=True, slots=True)

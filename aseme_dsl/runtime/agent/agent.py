@@ -501,10 +501,20 @@ class Agent:
         content = self.requests.content_of(effect)
         performative, message = effect.performative, effect.message
         if effect.to is not None:
-            self.conversations.send_to_agent(self, effect.branch, performative, message, content, effect.to)
+            self.conversations.send_to_agent(
+                self, effect.branch, performative, message, content, effect.to, effect.reply_by
+            )
         else:
             self.conversations.send(
-                self, effect.branch, performative, message, content, effect.participant, effect.excepts
+                self,
+                effect.branch,
+                performative,
+                message,
+                content,
+                effect.participant,
+                effect.excepts,
+                effect.reply_by,
+                one=effect.one,
             )
 
     # ---- questions ---------------------------------------------------------------------------

@@ -7,6 +7,8 @@ carries its effects out; simulation, replay and tests do the same.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from copy import copy
+from dataclasses import replace
 from random import Random
 from typing import Any
 
@@ -256,13 +258,26 @@ class Chart(ChartState):
         members: Mapping[tuple[str, ...], Any] | None = None,
         to: str | None = None,
         excepts: tuple[str, ...] = (),
+        rest: Any = None,
+        taken: tuple[str, ...] = (),
+        reply_within: int | None = None,
+        one: bool = False,
     ) -> None:
-        """Send an agent message with these members, or with the content that was prepared for it."""
-        content = built(self.MESSAGES[message](), members or {})
+        """Send an agent message with these members, or with the content that was prepared for it.
+
+        Members that are not given are those of `rest` that are `taken`, or have their defaults.
+        """
+        content = self.MESSAGES[message]()
+        if taken:
+            content = replace(content, **{name: copy(getattr(rest, name)) for name in taken})
+        content = built(content, members or {})
         filled = members is not None
+        reply_by = None if reply_within is None else self.now + reply_within
         if to is None:
             self.rounds.sent(branch, participant)
-        self.effects.append(Sending(branch, performative, message, content, participant, filled, to, excepts))
+        self.effects.append(
+            Sending(branch, performative, message, content, participant, filled, to, excepts, reply_by, one)
+        )
 
     def read_messages(self, region: int, board: Board) -> None:
         """Let the region see what has arrived since the step began."""

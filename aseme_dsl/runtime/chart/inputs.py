@@ -175,6 +175,10 @@ class Sending:
     filled: bool = False
     to: str | None = None
     excepts: tuple[str, ...] = ()
+    reply_by: int | None = None
+    """Until when an answer is wanted, in ns of the run."""
+    one: bool = False
+    """Whether it goes to one agent of those that play the participant."""
 
 
 @_made_often

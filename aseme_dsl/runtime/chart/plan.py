@@ -20,7 +20,9 @@ Events are ("after", ns), ("received", performative, message, participant), ("lo
 ("raised", name), ("error",); actions ("assign", name, value), ("fill", member, value), ("publish", channel),
 ("read_messages",), ("start_timer", name, value), ("evaluate", value), ("send", performative, message,
 participant) and, where more is said, three more items: what is filled as ((path, value), …) or None, the
-value that is the one receiver or None, and the values that it does not go to.
+value that is the one receiver or None, and the values that it does not go to; and three more again: (message
+value, the members that are taken of it) or None, the duration within which an answer is wanted or None, and
+whether it goes to one agent of the participant.
 Durations are in ns; ("duration", value) cuts a computed one to whole ns.
 """
 
@@ -225,6 +227,12 @@ class Plan:
             if state.parent is not None:
                 found.setdefault(state.parent, []).append(state)
         return {label: tuple(states) for label, states in found.items()}
+
+    @cached_property
+    def chooses(self) -> bool:
+        """Whether a transition sends to one agent of several."""
+        actions = (action for item in self.transitions for action in item.actions)
+        return any(action[0] == "send" and action[9:] == (True,) for action in actions)
 
     @cached_property
     def resumed(self) -> tuple[str, ...]:

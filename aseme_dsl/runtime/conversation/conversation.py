@@ -25,6 +25,7 @@ from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.conversation import external_agents
+from aseme_dsl.runtime.conversation.choosing import Choosing
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
 from aseme_dsl.runtime.conversation.directory import Directory
@@ -68,6 +69,7 @@ class Conversations:
         self._driver = driver
         self._told = ConversationTrace(driver, trace)
         self._counting = Counting(self._told, self.directory.is_gone)
+        self._choosing = Choosing()
         self._transport = transport
         self._queue = queue
         self._agents: dict[str, Receiver] = {}
@@ -146,15 +148,22 @@ class Conversations:
         to: str,
         excepts: Collection[str] = (),
         reply_by: int | None = None,
+        *,
+        one: bool = False,
     ) -> None:
         """Send in the conversation of a branch, which it opens if it has none; `to` may be an agent.
 
-        It does not go to the agents in `excepts`. An answer is wanted until `reply_by`, if that is said.
+        It does not go to the agents in `excepts`, and with `one` to a single agent. An answer is wanted until
+        `reply_by`, if that is said.
         """
         with self._driver.holding(), self._lock:
             place = self._place_of(agent, branch, performative, message, content)
             if place is not None:
-                invited, part, reason = self._receivers(agent, place, to, performative, message)
+                invited, part, reason = (
+                    self._one(agent, place, to, excepts)
+                    if one
+                    else self._receivers(agent, place, to, performative, message)
+                )
                 if reason:
                     text = f"{performative} {message} is not sent: {reason}"
                     self._told.fault(agent.name, text)
@@ -166,7 +175,14 @@ class Conversations:
                 )
 
     def send_to_agent(
-        self, agent: Receiver, branch: str, performative: str, message: str, content: Any, to: str
+        self,
+        agent: Receiver,
+        branch: str,
+        performative: str,
+        message: str,
+        content: Any,
+        to: str,
+        reply_by: int | None = None,
     ) -> None:
         """Send to one agent, as the participant that it plays and that receives such a message."""
         with self._driver.holding(), self._lock:
@@ -186,7 +202,7 @@ class Conversations:
                 text = f"{performative} {message} is not sent: {reason}"
                 self._told.fault(agent.name, text)
             else:
-                self._send(agent, place, performative, message, content, (to,), part)
+                self._send(agent, place, performative, message, content, (to,), part, reply_by)
 
     def _part_of(self, agent: Receiver, branch: str, performative: str, message: str, to: str) -> str | None:
         """As which participant an agent gets a message: the one that it is in this conversation, if any."""
@@ -246,6 +262,7 @@ class Conversations:
         )
         answered = place.answered
         self._told.sent(acl, [answered[name].identity for name in receivers if name in answered])
+        self._choosing.sent(agent, receivers)
         if is_round:
             self._counting.sent(agent, place, self._conversations[place.conversation], acl)
         for name in receivers:
@@ -331,18 +348,41 @@ class Conversations:
                 part = part or next((b.participant for b in branches if b.protocol == protocol), "")
             return (to,), part, self._invite(place, to, part)
         if not members:
-            players = [
-                name
-                for name in self._players(protocol, to)
-                if name != agent.name and not self.directory.is_gone(name)
-            ]
-            players += [name for name in self.directory.players(protocol, to) if name not in self._plans]
+            players = self._present(agent, protocol, to)
             least, most = place.info.size_of(to)
             if not players or len(players) < least:
                 there = ", ".join(players) or "none"
                 return (), to, f"{protocol} takes {_at_least(least)} {to}, and there is {there}"
             members = conversation.members[to] = players[:most]
         return tuple(members), to, ""
+
+    def _present(self, agent: Receiver, protocol: str, participant: str) -> list[str]:
+        """The other agents that play a participant and are there, in the team's order."""
+        players = [
+            name
+            for name in self._players(protocol, participant)
+            if name != agent.name and not self.directory.is_gone(name)
+        ]
+        outside = self.directory.players(protocol, participant)
+        return players + [name for name in outside if name not in self._plans]
+
+    def _one(
+        self, agent: Receiver, place: Participation, to: str, excepts: Collection[str]
+    ) -> tuple[tuple[str, ...], str, str]:
+        """One agent that plays a participant and was not asked in this conversation, or why there is none."""
+        conversation = self._conversations[place.conversation or ""]
+        players = self._present(agent, place.info.protocol, to)
+        asked = conversation.members.get(to, [])
+        desk = self._desks[agent.name]
+        name = self._choosing.one_of(agent, players, (*asked, *excepts), desk, self._conversations)
+        if name is None:
+            return (), to, f"there is no {to} that was not asked in this conversation"
+        _, most = place.info.size_of(to)
+        there = [other for other in asked if (other, to) not in conversation.past]
+        if most is not None and len(there) >= most:
+            return (), to, f"{', '.join(there)} takes part as {to} already"
+        conversation.members.setdefault(to, []).append(name)
+        return (name,), to, ""
 
     def _invite(self, place: Participation, name: str, part: str) -> str:
         """An agent shall take part, if it does not yet; the reason why it cannot."""

@@ -46,10 +46,10 @@ srm q { plays p.b  liveness { q = b }  activities { X takes 1s } }
         ("enter A : / send cfp Note { n = 1  text = \"a\" } to b", "E102", "',' or '}'"),
         ("enter A : / send cfp { n = 1 } to b", "E102", "expected a message after 'cfp'"),
         ("enter A : / write_messages.t.state.Note { n = 1", "E111", "write '}'"),
-        ("enter A : / send cfp Note { m = 1 } to b", "E501", "has no member `m`"),
-        ('enter A : / send cfp Note { n = "a" } to b', "E500", "an int is wanted"),
-        ("enter A : / send cfp Note { n = 1.5 } to b", "E506", "does not fit"),
-        ("enter A : / send cfp Note { n = 1, n = 2 } to b", "E225", "filled twice"),
+        ("enter A : / send cfp Note { m = 1, .. } to b", "E501", "has no member `m`"),
+        ('enter A : / send cfp Note { n = "a", .. } to b', "E500", "an int is wanted"),
+        ("enter A : / send cfp Note { n = 1.5, .. } to b", "E506", "does not fit"),
+        ("enter A : / send cfp Note { n = 1, n = 2, .. } to b", "E225", "filled twice"),
         ("enter A : / write_messages.t.state.Note { x = 1 }", "E501", "has no member `x`"),
         ("enter A : / send cfp Note to b, best", "E102", "found ','"),
         ("enter A : / send cfp Note to b except x", "E531", "an agent is wanted here, not an int"),
@@ -94,13 +94,13 @@ def test_mistakes(line: str, code: str, said: str) -> None:
 def test_what_is_written_is_shown() -> None:
     line = (
         "enter B : propose Bid m from b [m.cost<1]/best=sender( m );"
-        'send cfp Note{n=x,text="a"}to sender(m);send cfp Note { } to b except best,sender(m)'
+        'send cfp Note{n=x,text="a"}to sender(m);send cfp Note { .. } to b except best,sender(m)'
     )
     chart = system(PROTOCOL.replace("LINE", line)).eacs[0]
     (shown,) = [text for item in chart.transitions if "propose Bid m" in (text := _text(item))]
     assert shown == (
         "propose Bid m from b [m.cost < 1] / best = sender(m); "
-        'send cfp Note { n = x, text = "a" } to sender(m); send cfp Note { } to b except best, sender(m)'
+        'send cfp Note { n = x, text = "a" } to sender(m); send cfp Note { .. } to b except best, sender(m)'
     )
 
 

@@ -28,7 +28,7 @@ aip auction {
   control seller {
     enter Announce : / send cfp Task { id = "t1" } to bidder
     enter Award    : / send accept_proposal Award { to = best, price = price } to best;
-                       send reject_proposal Award { to = best } to bidder except best
+                       send reject_proposal Award { to = best, .. } to bidder except best
     enter Wait     : inform Task t from bidder [t.id == "t1" && sender(t) == best]
     enter Wait     : lost bidder who [who == best]
   }
