@@ -12,7 +12,7 @@ from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.compiler.types.calls import assignable
 from aseme_dsl.diagnostics import Diagnostic, Edit
-from aseme_dsl.diagnostics.problems import content as problems
+from aseme_dsl.diagnostics.problems import talk as problems
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 

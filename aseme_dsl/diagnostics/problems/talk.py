@@ -1,4 +1,8 @@
+<<<<<<< HEAD
 """Talk: agent messages between the participants of protocols (E205, E226, E512, E53x, E56x, W55x, N75x)."""
+=======
+"""Talk: agent messages between the participants of protocols (E205, E226, E512, E53x, E57x, W55x, N76x)."""
+>>>>>>> fd5bd22 (Problems of content stand with those of agent messages)
 
 from __future__ import annotations
 
@@ -6,7 +10,7 @@ from typing import Literal
 
 from aseme_dsl.diagnostics.problem import Problem
 from aseme_dsl.diagnostics.problems.names import Reserved, reserved_for
-from aseme_dsl.diagnostics.wording import a
+from aseme_dsl.diagnostics.wording import a, listed
 
 
 class ExchangeOutsideProtocol(Problem):
@@ -177,6 +181,55 @@ class AnswersOfNobody(Problem):
         return f"name a participant that `{self.participant}` sends a message to"
 
 
+class ContentIncomplete(Problem):
+    """`missing` are the members, those of inner messages by their paths."""
+
+    code = "E577"
+    type: str
+    missing: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        fields = listed(self.missing)
+        return f"the content of `{self.type}` leaves out {fields}"
+
+    hint = "fill every field, or end with `..` to leave the others at their defaults"
+
+
+class RestOfNoMessage(Problem):
+    code = "E578"
+    name: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.name}` is not a message"
+
+    hint = "name a received message after `..`: `propose Bid b from …` / `{ ..b }`"
+
+
+class RestDoesNotFit(Problem):
+    """`lacking` are the members that `name`, a message of the type `source`, does not have so."""
+
+    code = "E578"
+    name: str
+    source: str
+    type: str
+    lacking: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        fields = listed(self.lacking)
+        return f"`{self.name}` is a `{self.source}`, which does not give {fields} of `{self.type}`"
+
+    hint = "fill these fields before `..`"
+
+
+class DeadlineInThePast(Problem):
+    code = "E579"
+    message = "the deadline of the answer is not greater than zero"
+    hint = "write how long the receiver has: `reply_by 2s`"
+
+
 class BoundNameUnused(Problem):
     code = "W551"
     name: str
@@ -265,6 +318,17 @@ class TooFewAgents(Problem):
             "what is sent to them is sent to none of them then: let more agents play it, or be content with "
             f"fewer: `participant {self.participant} [{max(1, self.present)}..{most}]`"
         )
+
+
+class NothingLeft(Problem):
+    code = "N760"
+    type: str
+
+    @property
+    def message(self) -> str:
+        return f"all fields of `{self.type}` are filled: `..` has no effect"
+
+    hint = "remove `..`"
 
 
 def _agents(count: int) -> str:
