@@ -1,8 +1,4 @@
-<<<<<<< HEAD
-"""Talk: agent messages between the participants of protocols (E205, E226, E512, E53x, E56x, W55x, N75x)."""
-=======
-"""Talk: agent messages between the participants of protocols (E205, E226, E512, E53x, E57x, W55x, N76x)."""
->>>>>>> fd5bd22 (Problems of content stand with those of agent messages)
+"""Talk: agent messages between the participants of protocols (E205, E226, E512, E53x to E57x, W55x, N75x)."""
 
 from __future__ import annotations
 
