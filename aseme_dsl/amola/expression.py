@@ -403,7 +403,7 @@ class Assign:
 
 @dataclass(frozen=True, slots=True)
 class Publish:
-    """`write_messages.topic.commType.Message`."""
+    """`write_messages.topic.kind.Message`."""
 
     channel: Channel
     span: Span

@@ -123,7 +123,7 @@ class ProtoFile:
 
 @dataclass(frozen=True, slots=True, order=True)
 class Channel:
-    """What a message is published on: topic, communication class and message type."""
+    """What a message is published on: topic, channel kind and message type."""
 
     topic: str
     comm: Comm

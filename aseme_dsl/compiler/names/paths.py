@@ -1,7 +1,7 @@
 """Paths: what a dotted name means: a variable, a let, an enum constant, a message or a member of one.
 
-A name is looked for in this order: variables, lets, enums, topics. In `host.topic.state.Message.member` the
-first segment is a host if and only if the second is not a communication class.
+A name is looked for in this order: variables, lets, enums, topics. In `sender.topic.state.Message.field` the
+first segment is a sender if and only if the second is not a channel kind.
 """
 
 from __future__ import annotations
@@ -237,7 +237,7 @@ def _meant(scope: Scope, name: tree.Name) -> tuple[Meant | None, tuple[str, ...]
 
 
 def member_of(checker: Checker, path: tree.Path) -> Member | None:
-    """`host.topic.comm.Message.member…`; the message itself where no member follows."""
+    """`sender.topic.kind.Message.field…`; the message itself where no member follows."""
     found = channel_of(checker, path)
     if found is None:
         return None
@@ -296,7 +296,7 @@ def _topic(checker: Checker, name: tree.Name, message: tree.Name | None = None) 
 
 
 def _no_class(checker: Checker, path: tree.Path) -> None:
-    """A path without a communication class where one belongs: say which segment is to blame."""
+    """A path without a channel kind where one belongs: say which segment is to blame."""
     symbols, segments = checker.scope.symbols, path.segments
     first = segments[0]
     if len(segments) == 1:

@@ -134,7 +134,7 @@ def reserved_for(name: str, reserved: Reserved) -> str:
         case "action":
             return f"`{name}` is an action"
         case "class":
-            return f"`{name}` is a communication class"
+            return f"`{name}` is a channel kind"
         case "built in":
             return f"`{name}` is built in"
         case "generated":

@@ -29,7 +29,7 @@ class Kind(StrEnum):
     MESSAGE = "message"
     FIELD = "field"
     TOPIC = "topic"
-    COMM = "communication class"
+    COMM = "channel kind"
     TYPE = "type"
     FUNCTION = "function"
     PARAMETER = "parameter"

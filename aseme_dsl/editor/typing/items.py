@@ -12,7 +12,7 @@ class ItemKind(StrEnum):
     WORD = "word"  # of the language
     SNIPPET = "snippet"  # a whole declaration
     TOPIC = "topic"
-    CLASS = "class"  # a communication class
+    CLASS = "class"  # a channel kind
     MESSAGE = "message"
     MEMBER = "member"
     ENUM = "enum"

@@ -225,7 +225,7 @@ class Rest:
 
 @dataclass(frozen=True, slots=True)
 class Publish:
-    """`write_messages.topic.commType.Message { f = v }`; `path` is what follows `write_messages.`.
+    """`write_messages.topic.kind.Message { f = v }`; `path` is what follows `write_messages.`.
 
     `fills` is None without braces.
     """

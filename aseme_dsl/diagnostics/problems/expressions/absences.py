@@ -235,10 +235,10 @@ class NoHost(NoAgent):
     @property
     def advice(self) -> str:
         if self.is_participant:
-            return "it is a participant; hosts are the agents of the team"
+            return "it is a participant; senders are the agents of the team"
         if not self.has_team:
-            return "hosts are the agents of a team: declare one with a `team`"
-        return "a variable is `host.topic.class.Message.member`, and hosts are the agents of the team"
+            return "senders are the agents of a team: declare one with a `team`"
+        return "a field path is `sender.topic.kind.Message.field`, and senders are the agents of the team"
 
 
 class NoOutcomes(Absent):

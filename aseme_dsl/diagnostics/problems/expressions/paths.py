@@ -22,7 +22,7 @@ class ActionCalled(Problem):
     def hint(self) -> str:
         if self.action == "read_messages":
             return f"write `{self.action}`"
-        return f"write `{self.action}.topic.class.Message`"
+        return f"write `{self.action}.topic.kind.Message`"
 
 
 class NestedTooDeep(Problem):
@@ -218,7 +218,7 @@ class ClassMissing(Problem):
     code = "E503"
     channels: tuple[str, ...]
 
-    message = "the communication class is missing"
+    message = "the channel kind is missing"
 
     @property
     def hint(self) -> str:
@@ -231,7 +231,7 @@ class ClassAndMessageMissing(Problem):
     code = "E503"
     path: str
 
-    message = "the communication class and the message are missing"
+    message = "the channel kind and the message are missing"
 
     @property
     def hint(self) -> str:

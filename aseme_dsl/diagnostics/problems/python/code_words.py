@@ -238,7 +238,7 @@ class NoChannel(_Unknown):
             return did_you_mean(self.near)
         if self.others:
             return f"`{self.name.partition('.')[0]}` has {_all_of(self.others)}"
-        return "a channel is `topic.class.Message`, of a topic that the system declares"
+        return "a channel is `topic.kind.Message`, of a topic that the system declares"
 
 
 class NoAgentInCode(_Unknown):

@@ -291,7 +291,7 @@ class SendWithoutMessage(UnexpectedInExpression):
 
 class PublishWithoutChannel(Problem):
     code = "E102"
-    message = "expected '.topic.commType.Message' after 'write_messages'"
+    message = "expected '.topic.kind.Message' after 'write_messages'"
     hint = "write_messages.team.state.Assignment"
 
 
