@@ -14,6 +14,7 @@ from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable, t
 from aseme_dsl.amola.system import Agent, System
 from aseme_dsl.codegen.code.values import function_key
 from aseme_dsl.codegen.moves import moves_of
+from aseme_dsl.codegen.opening import openings_of
 from aseme_dsl.codegen.place import place
 from aseme_dsl.codegen.program.flat import FlatChart
 from aseme_dsl.codegen.program.uses import retention
@@ -399,12 +400,19 @@ def _branch(system: System, chart: Statechart, node: Node, version: str) -> str:
             ("sends", sends, ()),
             ("receives", receives, ()),
             ("moves", _moves(system, node, participant), ()),
+            ("opens", _opens(system, node, participant), ()),
             ("version", version, ""),
             ("loses", _lost_in(chart, node.label), ()),
             ("counts", _counted_in(chart, node.label), ()),
             ("participants", _sizes(system, node.origin.owner), ()),
         ],
     )
+
+
+def _opens(system: System, branch: Node, participant: Participant | None) -> tuple[tuple[str, str], ...]:
+    """What can be the first message that a participant takes."""
+    eac = system.eac(branch.origin.owner)
+    return () if eac is None or participant is None else openings_of(eac, participant)
 
 
 def _moves(

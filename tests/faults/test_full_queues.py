@@ -124,11 +124,8 @@ ASKING = """
 system S
 message Task { int n }
 aip ask {
-  participant asker { sends request Task  receives not_understood Task  process = Ask }
+  participant asker { sends request Task by Ask repeatedly  receives not_understood Task  process = Ask }
   participant teller { receives request Task  process = Sleep }
-  control asker {
-    enter Ask : / send request Task to teller
-  }
 }
 srm boss { plays ask.asker  liveness { boss = asker }  activities { Ask takes 1s } }
 srm worker { plays ask.teller  liveness { worker = teller }  activities { Sleep takes 1min } }

@@ -34,7 +34,7 @@ message Thanks   { int n  int square }
 aip ask {
   participant asker {
     var n : int = 0
-    sends    request Question, confirm Thanks
+    sends    request Question by Ask, confirm Thanks
     receives inform Answer
     process  = Ask . Wait
   }

@@ -154,6 +154,8 @@ class BranchInfo:
     moves: tuple[tuple[str, str, tuple[str, ...], bool], ...] = ()
     """What activities send, as (performative, message, states, repeatedly): only in these states, given by
     their labels, and once to each agent unless `repeatedly`. All else is sent by transitions alone."""
+    opens: tuple[tuple[str, str], ...] = ()
+    """What can be the first message that it takes: only such a message takes an instance of it."""
     version: str = ""
     """The hash of how the system plays the protocol: those who play the same may meet in one run of it."""
     loses: tuple[str, ...] = ()

@@ -354,6 +354,7 @@ class Conversations:
                 there = ", ".join(players) or "none"
                 return (), to, f"{protocol} takes {_at_least(least)} {to}, and there is {there}"
             members = conversation.members[to] = players[:most]
+            conversation.chosen.add(to)
         return tuple(members), to, ""
 
     def _present(self, agent: Receiver, protocol: str, participant: str) -> list[str]:
@@ -393,6 +394,7 @@ class Conversations:
         if most is not None and len(members) >= most:
             return f"{', '.join(members)} takes part as {part} already"
         members.append(name)
+        self._conversations[place.conversation or ""].chosen.add(part)
         return ""
 
     def _players(self, protocol: str, participant: str) -> list[str]:
@@ -505,6 +507,8 @@ class Conversations:
             conversation.outsiders[sender] = message.reply_to or (message.sender,)
         if sender not in members and most is not None and len(members) >= most:
             self._unexpected(agent, acl, f"{', '.join(members)} takes part as {found.participant} already")
+        elif sender not in members and found.participant in conversation.chosen:
+            self._unexpected(agent, acl, f"{sender} does not take part as {found.participant}")
         else:
             if sender not in members:
                 members.append(sender)
@@ -622,10 +626,23 @@ class Conversations:
             self._unexpected(agent, acl, f"{WAITING} messages wait already for a participant to be entered")
             return
         part = acl.protocol, acl.to
+        is_invited = invitations.has(part, acl.conversation)
+        if not is_invited and (acl.performative, acl.message) not in info.opens:
+            if acl.sender not in self._plans:
+                self._unexpected(agent, acl, f"{acl.to} does not begin with it")
+                return
+            invitations.add_early(
+                part, acl
+            )  # what opens the conversation may be on its way from another agent
+            conversation.invitations += 1
+            return
         place = desk.first_free(part)
-        if place is not None and not invitations.has(part, acl.conversation):
+        if place is not None and not is_invited:
             self._take_part(agent, place, acl.conversation, "join")
             self._post(agent, place, acl)
+            for early in invitations.take_early(acl.conversation, part):
+                conversation.invitations -= 1
+                self._post(agent, place, early)
             return
         invitations.add(part, acl)
         conversation.invitations += 1
@@ -735,13 +752,24 @@ class Conversations:
     def _close(self, name: str) -> None:
         """Forget a conversation in which nobody takes part or may still do so."""
         conversation = self._conversations.get(name)
-        if conversation is None or conversation.places or conversation.invitations:
+        if conversation is None or conversation.places:
+            return
+        if conversation.invitations and not self._transport.networked:
+            self._refuse_early(name, conversation)
+        if conversation.invitations or name not in self._conversations:
             return
         del self._conversations[name]
         if self._transport.networked or conversation.outsiders:
             self._over[name] = conversation.past
             if len(self._over) > REMEMBERED:
                 del self._over[next(iter(self._over))]
+
+    def _refuse_early(self, name: str, conversation: Conversation) -> None:
+        """Nobody can send what opens a conversation any more: answer what waits for that."""
+        for agent, desk in self._desks.items():
+            for acl in desk.invitations.take_early(name):
+                conversation.invitations -= 1
+                self._unexpected(self._agents[agent], acl, f"{acl.to} does not begin with it")
 
     def taken(self, agent: Receiver, branch: str, identity: Identity) -> None:
         """A transition or an activity took a message."""

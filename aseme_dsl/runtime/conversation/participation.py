@@ -46,6 +46,8 @@ class Conversation:
     """The branches here that take part, by agent and participant."""
     counting: dict[tuple[str, str], tuple[Receiver, Participation]] = field(default_factory=dict)
     """Those of them in which a condition counts answers."""
+    chosen: set[str] = field(default_factory=set)
+    """The participants of which an agent here has invited those who take part: nobody else does."""
     invitations: int = 0
     """How many of its messages wait here for a participant to be entered or free."""
     outsiders: dict[str, tuple[AgentIdentifier, ...]] = field(default_factory=dict)

@@ -263,7 +263,7 @@ def test_no_more_agents_take_part_than_a_participant_may_have() -> None:
     assert left["time"] == 4001 * MS
 
 
-def test_an_outsider_may_answer_among_others() -> None:
+def test_who_was_not_invited_does_not_answer_for_those_who_were() -> None:
     generated = generate(
         ASK.replace("TEAM", " ann : boss")
         .replace("participant helper", "participant helper [1..*]")
@@ -275,9 +275,87 @@ def test_an_outsider_may_answer_among_others() -> None:
     alice, records = outside(generated)
     alice.say(3500, "inform", {"n": 9}, to="ann", in_reply_to="ann-2", conversation="ask-ann-1")
     run(alice, records)
+    assert [r["reason"] for r in of(records, "unexpected")] == [
+        "alice@elsewhere does not take part as helper"
+    ]
     (left,) = [r for r in of(records, "conversation") if r["agent"] == "ann" and r["what"] == "leave"]
-    assert left["time"] == 3500 * MS
-    assert alice.heard == []
+    assert left["time"] == 20 * SECOND  # the end of the run
+    assert [message.performative for message in alice.heard] == ["not-understood"]
+
+
+NET = """
+system Net
+message Task  { string id }
+message Bid   { double cost }
+message Award { string id }
+aip net {
+  participant manager {
+    sends cfp Task, accept_proposal Award by Choose, reject_proposal Award by Choose
+    receives propose Bid, inform Award
+    process = Ask . Choose . Await
+  }
+  participant contractor [1..*] {
+    sends propose Bid, inform Award
+    receives cfp Task, accept_proposal Award, reject_proposal Award
+    process = Think . (Work | Rest)
+  }
+  control manager {
+    enter Ask    : / send cfp Task { id = "t" } to contractor
+    enter Choose : propose Bid from contractor
+    leave Await  : inform Award from contractor
+  }
+  control contractor {
+    enter Think : cfp Task from manager / send propose Bid { cost = 1 } to manager
+    enter Work  : accept_proposal Award from manager
+    enter Rest  : reject_proposal Award from manager
+    leave Work  : / send inform Award { id = "t" } to manager
+  }
+}
+srm desk  { plays net.manager  liveness { desk = Wait . manager } activities { Wait takes 2s } }
+srm robot { plays net.contractor  liveness { robot = contractor~ } }
+team T { desk : desk  bob : robot }
+"""
+
+
+def choosing(*awards: tuple[str, str]) -> Any:
+    generated = generate(NET)
+
+    class Choose:
+        def execute(self, context: Context) -> None:
+            for performative, to in awards:
+                context.send(performative, generated.message("Award", id="t"), to)
+
+    return outside(generated, activities={"Choose": Choose})
+
+
+@pytest.mark.parametrize("act", ["accept-proposal", "reject-proposal"])
+def test_an_illegal_first_message_does_not_take_the_only_instance(act: str) -> None:
+    """P11: an award of an unknown conversation is answered and forgotten; the real call comes through."""
+    alice, records = choosing(("accept_proposal", "bob"))
+    alice.say(1000, act, {"id": "x"}, to="bob", conversation="c9", protocol="net", reply_with="x")
+    run(alice, records)
+    (told,) = of(records, "unexpected")
+    assert (told["agent"], told["reason"]) == ("bob", "contractor does not begin with it")
+    assert [message.performative for message in alice.heard] == ["not-understood"]
+    assert [(r["agent"], r["what"], r["conversation"]) for r in of(records, "conversation")] == [
+        ("desk", "open", "net-desk-1"),
+        ("bob", "join", "net-desk-1"),
+        ("bob", "leave", "net-desk-1"),
+        ("desk", "leave", "net-desk-1"),
+    ]
+
+
+def test_who_was_not_called_is_not_taken_by_an_award_of_the_team() -> None:
+    generated = generate(NET.replace("bob : robot", "bob, ben : robot").replace("[1..*]", "[1..1]"))
+
+    class Choose:
+        def execute(self, context: Context) -> None:
+            context.send("accept_proposal", generated.message("Award", id="t"), "bob")
+            context.send("reject_proposal", generated.message("Award", id="t"), "ben")
+
+    alice, records = outside(generated, activities={"Choose": Choose})
+    run(alice, records)
+    assert [r["agent"] for r in of(records, "conversation") if r["what"] == "join"] == ["bob"]
 
 
 def test_who_cannot_be_reached_is_told(ask: Generated) -> None:
