@@ -42,8 +42,3 @@ class Suc:
 
     def usecase(self, name: str) -> UseCase | None:
         return next((item for item in self.usecases if item.name == name), None)
-
-
-def same_name(one: str, other: str) -> bool:
-    """Whether a use case and a formula or activity are the same: case and underscores do not count."""
-    return one.replace("_", "").lower() == other.replace("_", "").lower()

@@ -70,8 +70,5 @@ class Boards(Part):
             lines.append(f"    TIMED = frozenset({sorted(timed)!r})")
         return lines + [f"    {name}: {kind}" for name, kind in typed]
 
-    def _retention(self) -> dict[str, int]:
-        return retention(self.names.system, self.chart, self.uses)
-
 
 __all__ = ["Boards"]

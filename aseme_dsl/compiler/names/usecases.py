@@ -16,7 +16,7 @@ _BUILT = (RoleType.SYSTEM, RoleType.ABSTRACT)
 
 
 def folded(name: str) -> str:
-    """What names are compared by: case and underscores do not count (`amola.suc.same_name`)."""
+    """What use cases, formulas and activities are compared by: case and underscores do not count."""
     return name.replace("_", "").lower()
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from aseme_dsl.amola.sag import Actor, Goal, Sag
 from aseme_dsl.amola.suc import Role, RoleType, Suc, UseCase
 from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.compiler.names.usecases import folded
 from aseme_dsl.compiler.read.names import declared_twice, unknown
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.absences import NoActor, NoRoleOfUseCase
@@ -61,15 +62,15 @@ def sag_to_suc(
     cases: dict[str, UseCase] = {}
     for goal in sag.goals:
         participants = tuple(dict.fromkeys((goal.depender, *goal.dependees)))
-        cases[_folded(goal.name)] = UseCase(goal.name, participants, (), goal.requirements, (), goal.span)
+        cases[folded(goal.name)] = UseCase(goal.name, participants, (), goal.requirements, (), goal.span)
     first: dict[str, tree.UseCase] = {}
     included: list[tree.Name] = []
     spelling = {key: case.name for key, case in cases.items()}
     entries = [entry for block in written for entry in block.usecases]
     for entry in entries:
-        spelling.setdefault(_folded(entry.name.text), entry.name.text)
+        spelling.setdefault(folded(entry.name.text), entry.name.text)
     for entry in entries:
-        key = _folded(entry.name.text)
+        key = folded(entry.name.text)
         if key in first:
             found.append(declared_twice("use case", entry.name, first[key].name.span))
             continue
@@ -87,15 +88,10 @@ def sag_to_suc(
         included += entry.includes
         cases[key] = _joined(cases.get(key), entry, by, spelling)
     for name in included:
-        key = _folded(name.text)
+        key = folded(name.text)
         cases.setdefault(key, UseCase(spelling.get(key, name.text), (), (), "", (), name.span))
     found += _circles(cases, first)
     return Suc(tuple(roles.values()), tuple(cases.values())), tuple(found)
-
-
-def _folded(name: str) -> str:
-    """What use cases are compared by: case and underscores do not count (`amola.suc.same_name`)."""
-    return name.replace("_", "").lower()
 
 
 def _add_roles(roles: dict[str, Role], written: Iterable[tree.Suc]) -> Iterator[Diagnostic]:
@@ -120,7 +116,7 @@ def _joined(
     participants = dict.fromkeys((*(goal.participants if goal is not None else ()), *by))
     includes: dict[str, None] = {}
     for name in entry.includes:
-        includes[spelling.setdefault(_folded(name.text), name.text)] = None
+        includes[spelling.setdefault(folded(name.text), name.text)] = None
     texts = [goal.requirements if goal is not None else ""]
     texts.append(entry.requirements.text if entry.requirements is not None else "")
     return UseCase(
@@ -149,7 +145,7 @@ def _circles(cases: Mapping[str, UseCase], written: Mapping[str, tree.UseCase]) 
                 circle = path[path.index(key) :]
                 names = tuple(cases[item].name for item in (*circle, key))
                 last = written[circle[-1]]
-                place = next(name for name in last.includes if _folded(name.text) == key)
+                place = next(name for name in last.includes if folded(name.text) == key)
                 related = tuple(
                     Related(written[item].name.span, f"`{cases[item].name}`") for item in circle[:-1]
                 )
@@ -158,7 +154,7 @@ def _circles(cases: Mapping[str, UseCase], written: Mapping[str, tree.UseCase]) 
             elif key not in done:
                 path.append(key)
                 stack.append((key, True))
-                stack += [(_folded(name), False) for name in reversed(cases[key].includes)]
+                stack += [(folded(name), False) for name in reversed(cases[key].includes)]
 
 
 __all__ = ["read_sag", "sag_to_suc"]
