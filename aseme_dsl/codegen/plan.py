@@ -12,8 +12,9 @@ from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Topic
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable, transition_text
 from aseme_dsl.amola.system import Agent, System
+from aseme_dsl.codegen.automaton import TooManyStates, automaton_of
 from aseme_dsl.codegen.code.values import function_key
-from aseme_dsl.codegen.moves import moves_of
+from aseme_dsl.codegen.moves import moves_of, subchart_of
 from aseme_dsl.codegen.opening import openings_of
 from aseme_dsl.codegen.place import place
 from aseme_dsl.codegen.program.flat import FlatChart
@@ -452,44 +453,39 @@ def _counted_in(chart: Statechart, branch: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(value.participant for value in values if isinstance(value, e.RoundValue)))
 
 
-def protocol_versions(
-    system: System, branches: Iterable[Sequence[tuple[str, str]]] | None = None
-) -> dict[str, str]:
-    """A hash of how a system plays each protocol: of every branch of it, in every role, and its messages.
+def protocol_versions(system: System) -> dict[str, str]:
+    """A hash of what each protocol is for others: the automata of its participants, and its messages.
 
-    Two robots may take part in one run of a protocol if theirs is the same, whatever else differs: places
-    in the source and what is around a branch do not count, nor does the code of activities. `branches` are
-    the `branch_texts` of every role, in their order, for whoever has them.
+    Two robots may take part in one conversation of a protocol if theirs is the same, whatever else differs:
+    activities and what they are bound to, conditions and durations, and how the states are nested.
     """
-    if branches is None:
-        branches = [branch_texts(system, chart) for chart in system.iacs]
-    played: dict[str, list[str]] = {}
-    for texts in branches:
-        for protocol, text in texts:
-            played.setdefault(protocol, []).append(text)
     messages = {item.name: item for item in system.messages}
     order = {name: number for number, name in enumerate(messages)}
     found: dict[str, str] = {}
-    aips = {aip.name: aip for aip in system.aips}
-    for protocol in dict.fromkeys((*aips, *played)):
+    for aip in system.aips:
+        eac = system.eac(aip.name)
         parts: list[str] = []
         named: set[str] = set()
-        for participant in aips[protocol].participants if protocol in aips else ():
-            pairs = [(m.performative, m.message) for m in (*participant.sends, *participant.receives)]
-            parts.append(repr((participant.name, pairs)))
-            named.update(message for _, message in pairs)
+        for participant in aip.participants:
+            parts.append(participant.name)
+            if eac is not None:
+                parts.append(_spoken(system, eac, participant))
+            named.update(item.message for item in (*participant.sends, *participant.receives))
         for name in sorted(named & messages.keys(), key=order.__getitem__):
             fields = [(f.name, f.label, str(f.type)) for f in messages[name].fields]
             parts.append(repr((name, fields)))
-        parts += played.get(protocol, ())
-        found[protocol] = hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
+        found[aip.name] = hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
     return found
 
 
-def branch_texts(system: System, chart: Statechart) -> list[tuple[str, str]]:
-    """The protocol of each branch of a role, and all that the branch is."""
-    flat = FlatChart(chart)
-    return [(branch.origin.owner, _branch_text(system, chart, flat, branch)) for branch in flat.branches]
+def _spoken(system: System, eac: Statechart, participant: Participant) -> str:
+    """What a participant says, in which order; where that is too large to be compared, all that it does."""
+    try:
+        automaton = automaton_of(eac, participant)
+    except TooManyStates:
+        subchart = subchart_of(eac, participant.name)
+        return "" if subchart is None else _branch_text(system, eac, FlatChart(eac), subchart)
+    return repr((automaton.ways, sorted(automaton.ends)))
 
 
 def _branch_text(system: System, chart: Statechart, flat: FlatChart, branch: Node) -> str:

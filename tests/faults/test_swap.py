@@ -209,6 +209,14 @@ srm helper { plays deal.teller  liveness { helper = teller~ || Blink~ }
 team Net { chief : boss  aide : helper }
 """
 
+NODDING = (
+    NET.replace("process = Think . Tell", "process = Think . Nod . Tell")
+    .replace("sends inform Answer", "sends inform Answer, agree Task")
+    .replace("receives inform Answer", "receives inform Answer, agree Task")
+    .replace("enter Think :", "enter Tell : / send agree Task to asker\n    enter Think :")
+)
+"""The teller says one more thing."""
+
 
 class TestConversations:
     """No two agents play different versions of a protocol inside one run of it."""
@@ -233,10 +241,35 @@ class TestConversations:
         ]
         assert heard == [160, 330, 500, 670, 840, 1010, 1180, 1350, 1520, 1690, 1860]
 
+    @pytest.mark.parametrize(
+        ("old", "new"),
+        [
+            ("process = Think . Tell", "process = Think . Nod . Tell"),
+            ("Think takes 50ms", "Think takes 60ms"),
+            ("after(1s)", "after(2s)"),
+        ],
+    )
+    def test_what_nobody_else_notices_is_no_obstacle(self, old: str, new: str) -> None:
+        """Activities, durations and deadlines do not count: what is said, in which order, does."""
+        swap, records = self.change(NET.replace(old, new), 130 * MS)
+        assert swap.state == "done"
+        assert {line["time"] for line in swaps(records)} == {130 * MS}
+        assert not [r for r in records if r["kind"] == "unexpected"]
+
+    def test_where_the_active_state_is_gone_it_waits_until_that_is_left(self) -> None:
+        swap, records = self.change(NET.replace("Think", "Ponder"), 130 * MS)
+        assert swap.state == "done"
+        assert {line["time"] for line in swaps(records)} == {150 * MS}
+        assert not [r for r in records if r["kind"] == "unexpected"]
+
+    def test_a_bound_activity_talks_with_the_old_version(self) -> None:
+        changed = NET.replace("Think", "Ponder")
+        _, records = self.change(changed, 50 * MS, agents=["aide"])
+        assert not [r for r in records if r["kind"] == "unexpected"]
+        assert [r for r in records if r["kind"] == "conversation" and r["what"] == "join"]
+
     def test_another_one_waits_for_the_end_of_the_conversation(self) -> None:
-        swap, records = self.change(
-            NET.replace("process = Think . Tell", "process = Think . Nod . Tell"), 130 * MS
-        )
+        swap, records = self.change(NODDING, 130 * MS)
         assert swap.state == "done"
         (moment,) = {line["time"] for line in swaps(records)}
         left = [r["time"] for r in records if r["kind"] == "conversation" and r["what"] == "leave"]
@@ -245,8 +278,7 @@ class TestConversations:
         assert [s for s in starts(records, moment, "aide") if "Nod" in s]
 
     def test_not_for_ever(self) -> None:
-        changed = NET.replace("process = Think . Tell", "process = Think . Nod . Tell")
-        swap, records = self.change(changed, 130 * MS, within=20 * MS)
+        swap, records = self.change(NODDING, 130 * MS, within=20 * MS)
         assert swap.state == "refused"
         assert swap.reasons == (
             "chief is still asker in the conversation deal-chief-1, which the new model plays differently, "
@@ -257,8 +289,7 @@ class TestConversations:
         assert [line["time"] for line in swaps(records)] == [150 * MS]
 
     def test_agents_of_two_versions_do_not_talk(self) -> None:
-        changed = NET.replace("process = Think . Tell", "process = Think . Nod . Tell")
-        _, records = self.change(changed, 50 * MS, agents=["aide"])
+        _, records = self.change(NODDING, 50 * MS, agents=["aide"])
         reasons = {r["reason"] for r in records if r["kind"] == "unexpected" and r["agent"] == "aide"}
         assert reasons == {"chief plays another version of deal"}
         assert not [r for r in records if r["kind"] == "conversation" and r["what"] == "join"]

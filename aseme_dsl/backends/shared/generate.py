@@ -18,7 +18,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import ACTIVITIES, DEFAULT, NOTHING_KNOWN, Artefact, BackendOptions, Known
 from aseme_dsl.codegen.messages import generate_messages, meaning_of_messages
 from aseme_dsl.codegen.place import in_docstring
-from aseme_dsl.codegen.plan import Sections, branch_texts, plan_sections, protocol_versions
+from aseme_dsl.codegen.plan import Sections, plan_sections, protocol_versions
 from aseme_dsl.codegen.seen import seen_by_roles
 from aseme_dsl.codegen.step.generate import StepCode, generate_step
 from aseme_dsl.runtime.message.naming import class_name, module_name, usable
@@ -99,14 +99,10 @@ def role_files(templates: Environment, system: System, options: BackendOptions) 
     """The plan of each role, to read, and the class that runs it."""
     known = options.known
     roles = seen_roles(system, known)
-    branches = known.each(_branches, zip(roles))
-    versions = protocol_versions(system, branches)
+    versions = protocol_versions(system)
     types = known.recall(meaning_of_messages, known.same("of messages", with_types(system)))
     source = source_of(system)
-    played = {
-        seen.iacs[0].name: tuple((name, versions[name]) for name, _ in texts)
-        for seen, texts in zip(roles, branches, strict=True)
-    }
+    played = {seen.iacs[0].name: tuple((aip.name, versions[aip.name]) for aip in seen.aips) for seen in roles}
     plans = known.each(_plan, zip(roles, known.same_values("versions", played).values(), strict=True))
     steps = known.each(_step, zip(roles))
     # What the user's own templates ask for, nobody knows.
@@ -165,10 +161,6 @@ def _filled(
     running = templates.get_template("step.py.j2").render(given, step=step, uses=step.used.__contains__)
     files = (Artefact(f"{folder}/plan.py", declared), Artefact(f"{folder}/step.py", tidy(running)))
     return Filled(files, model, seen)
-
-
-def _branches(seen: System) -> list[tuple[str, str]]:
-    return branch_texts(seen, seen.iacs[0])
 
 
 def _step(seen: System) -> StepCode:

@@ -157,7 +157,8 @@ class BranchInfo:
     opens: tuple[tuple[str, str], ...] = ()
     """What can be the first message that it takes: only such a message takes an instance of it."""
     version: str = ""
-    """The hash of how the system plays the protocol: those who play the same may meet in one run of it."""
+    """The hash of what the protocol's participants say, in which order: agents for which it is the same may
+    take part in one conversation."""
     loses: tuple[str, ...] = ()
     """The participants of which it waits to hear that an agent is gone."""
     counts: tuple[str, ...] = ()

@@ -208,8 +208,14 @@ class Swap:
         for agent in self.agents:
             branches = self.version.charts[agent.role].PLAN.branches
             known = {(b.protocol, b.participant): b.version for b in branches}
+            kept = self._same[agent.role]
             for info, conversation in self.team.conversations.inside(agent):
-                if known.get((info.protocol, info.participant)) != info.version:
+                is_kept = all(
+                    label in kept
+                    for label in agent.chart.configuration()
+                    if f"{label}.".startswith(f"{info.label}.")
+                )
+                if not is_kept or known.get((info.protocol, info.participant)) != info.version:
                     yield (
                         f"{agent.name} is still {info.participant} in the conversation {conversation}, which "
                         "the new model plays differently,"
