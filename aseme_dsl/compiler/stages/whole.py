@@ -11,6 +11,7 @@ from aseme_dsl.compiler.checks.conditions import check_conditions
 from aseme_dsl.compiler.checks.outcomes import check_deadlines
 from aseme_dsl.compiler.checks.talk.dialogue import check_multiplicity, check_waits
 from aseme_dsl.compiler.checks.talk.moves import check_moves
+from aseme_dsl.compiler.checks.talk.races import check_races
 from aseme_dsl.compiler.checks.unused import check_agents, check_exchange, check_unused
 from aseme_dsl.compiler.checks.unwritten import check_unwritten
 from aseme_dsl.compiler.checks.use import check_use
@@ -57,6 +58,8 @@ def check_whole(
         found.add(check_exchange(declared.blocks.aips))
         waits = check_waits(processes.aips, charts.eacs, fulfilment.srms, activities, memory)
         found.add((yield from waits))
+        races = check_races(processes.aips, charts.eacs, fulfilment.srms, memory)
+        found.add((yield from races))
         found.add(check_moves(processes.aips, charts.eacs))
         found.add(too_few)
     yield

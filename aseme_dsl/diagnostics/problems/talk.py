@@ -347,6 +347,30 @@ class SentByTransitionToo(Problem):
         return f"remove `by {' or '.join(self.activities)}`, or the `send` of the transition"
 
 
+class SendsRace(Problem):
+    """Two participants that may each send before the other's message has come, and then wait for ever."""
+
+    code = "W575"
+    participant: str
+    agent_message: str
+    other: str
+    other_message: str
+
+    @property
+    def message(self) -> str:
+        return (
+            f"`{self.participant}` may send `{self.agent_message}` while `{self.other}` sends "
+            f"`{self.other_message}`, and neither can receive the other's message then"
+        )
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"let one wait for the other, or receive the other's message after the send: "
+            f"`{self.other_message} from {self.other}`"
+        )
+
+
 class SentByAnyActivity(Problem):
     """A message that no transition sends, without the activity that does."""
 
@@ -368,4 +392,11 @@ class SentByAnyActivity(Problem):
         return line
 
 
-__all__ = ["NoAgentPlays", "SentByAnyActivity", "SentByTransitionToo", "TooFewAgents", "WaitsForEver"]
+__all__ = [
+    "NoAgentPlays",
+    "SendsRace",
+    "SentByAnyActivity",
+    "SentByTransitionToo",
+    "TooFewAgents",
+    "WaitsForEver",
+]
