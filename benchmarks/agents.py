@@ -1,12 +1,15 @@
 """Agents that talk, in one process: how fast a team starts, and how long a message takes.
 
-Run by hand: `python benchmarks/agents.py [--spade PYTHON]`. With the Python of an environment in which SPADE
-4.1 is installed (`python -m venv DIR && DIR/bin/pip install "spade<5" greenlet`), hand-written SPADE agents
-hand the same ball to and fro in one process, in turn with ours. What is to hold:
+Run by hand: `python benchmarks/agents.py [--spade PYTHON] [--against FOLDER]`. With the Python of an
+environment in which SPADE 4.1 is installed (`python -m venv DIR && DIR/bin/pip install "spade<5" greenlet`),
+hand-written SPADE agents hand the same ball to and fro in one process, in turn with ours. What is to hold:
 
 - a team of 1000 agents is made and in its first states in less than 2 s;
 - the median of the way of a message, from the action that sends it to the action that takes it, is at most
   3 x that of SPADE's own dispatch between two agents of one process.
+
+With `--against`, the folder of an earlier checkout, both send in turn, and the processor time of a message is
+compared: it is to be at most 1.15 x that of the earlier one.
 """
 
 from __future__ import annotations
@@ -19,14 +22,17 @@ import time
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).parents[1]))
+EARLIER = sys.argv[2] if sys.argv[1:2] == ["--serve"] else None
+"""The checkout that this process measures, where it is not the one in which this file stands."""
+sys.path.insert(0, EARLIER or str(Path(__file__).parents[1]))
 
-from aseme_dsl.runtime.team.team import Setup, Team
-from tests.support.generated import Generated, generate
+from aseme_dsl.runtime.team.team import Setup, Team  # noqa: E402
+from tests.support.generated import Generated, generate  # noqa: E402
 
 PASSES = 2000
 ROUNDS = 7
 """So often each measurement is made, in turn with the others; the median of the medians counts."""
+TURNS = 15
 AGENTS = 1000
 SECOND = 1_000_000_000
 
@@ -108,6 +114,45 @@ def main(spade: str | None) -> int:
     return int(starts[2] >= 2 or mine > 3 * its)
 
 
+def compare(folder: str) -> int:
+    """Measure in turn with an earlier checkout."""
+    generated = generate(TEXT)
+    command = [sys.executable, __file__, "--serve", folder]
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    assert process.stdin is not None and process.stdout is not None
+    ours: list[float] = []
+    earlier: list[float] = []
+    try:
+        for _ in range(TURNS):
+            ours.append(cost(generated))
+            process.stdin.write("\n")
+            process.stdin.flush()
+            earlier.append(float(process.stdout.readline()))
+    finally:
+        process.kill()
+        process.wait()
+    mine, its = median(ours), median(earlier)
+    print(f"a message, now:     {mine / 1000:.1f} µs of processor time (median of {TURNS} runs)")
+    print(f"a message, earlier: {its / 1000:.1f} µs")
+    print(f"ratio: {mine / its:.2f} (at most 1.15 is wanted)")
+    return int(mine > 1.15 * its)
+
+
+def serve_costs() -> int:
+    """Measure for `compare`, once for each line."""
+    generated = generate(TEXT)
+    for _ in sys.stdin:
+        print(cost(generated), flush=True)
+    return 0
+
+
+def cost(generated: Generated) -> float:
+    """The processor time of a message, in ns."""
+    begun = time.process_time_ns()
+    passes = len(rally(generated))
+    return (time.process_time_ns() - begun) / passes
+
+
 def start(generated: Generated) -> float:
     """How many seconds pass until a team is made and all have stepped."""
     begun = time.perf_counter()
@@ -179,6 +224,10 @@ def median(values: list[Any]) -> float:
 
 if __name__ == "__main__":
     sys.modules["agents"] = sys.modules[__name__]
+    if EARLIER is not None:
+        raise SystemExit(serve_costs())
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--spade", metavar="PYTHON", help="the Python of an environment that has SPADE")
-    raise SystemExit(main(parser.parse_args().spade))
+    parser.add_argument("--against", metavar="FOLDER", help="an earlier checkout, to compare with")
+    given = parser.parse_args()
+    raise SystemExit(main(given.spade) if given.against is None else compare(given.against))

@@ -244,6 +244,8 @@ class Conversations:
     ) -> None:
         assert place.conversation is not None
         identity = agent.identity()
+        answered = place.answered
+        first = answered.get(receivers[0]) if len(receivers) == 1 else None
         acl = AclMessage(
             performative,
             agent.name,
@@ -258,16 +260,17 @@ class Conversations:
             place.info.version,
             agent.plan.system,
             name_of(identity),
-            reply_by=reply_by,
+            "" if first is None else first.reply_with,
+            reply_by,
         )
-        answered = place.answered
         self._told.sent(acl, [answered[name].identity for name in receivers if name in answered])
         self._choosing.sent(agent, receivers)
         if is_round:
             self._counting.sent(agent, place, self._conversations[place.conversation], acl)
         for name in receivers:
             heard = answered.get(name)
-            self._bring(name, acl if heard is None else replace(acl, in_reply_to=heard.reply_with))
+            answers = acl.in_reply_to if heard is None else heard.reply_with
+            self._bring(name, acl if answers == acl.in_reply_to else replace(acl, in_reply_to=answers))
 
     def _bring(self, name: str, acl: AclMessage) -> None:
         """Deliver a message to an agent here, or have it carried to one elsewhere."""
