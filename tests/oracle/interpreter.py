@@ -838,6 +838,11 @@ class Reference:
                 # … also where it would come only as an input of the next step
                 around.read_ahead.add(message.identity)
 
+    def way(self) -> tuple[int, ...]:
+        """The compound transition that is being taken; what an `exit` does belongs to it."""
+        ways = [way for way in self.outcome.taken if self.plan.transitions[way[0]].kind != "exit"]
+        return ways[-1] if ways else ()
+
     def forget_rounds(self, branch: str) -> None:
         for kept in (self.rounds, self.earlier):
             for key in [key for key in kept if key[0] == branch]:
@@ -1029,7 +1034,8 @@ class Reference:
                 branch = self.branch_of(self.plan.transitions[number].source)
                 content = self.messages[message]()
                 self.begin_round(branch, participant)
-                self.outcome.effects.append(Sending(branch, performative, message, content, participant))
+                sending = Sending(branch, performative, message, content, participant, way=self.way())
+                self.outcome.effects.append(sending)
             case ("send", performative, message, participant, fills, to, _, *more):
                 rest, reply_by, one = more or (None, None, False)
                 branch = self.branch_of(self.plan.transitions[number].source)
@@ -1058,6 +1064,7 @@ class Reference:
                         excepts=tuple(values),
                         reply_by=None if within is None else self.now + within,
                         one=one,
+                        way=self.way(),
                     )
                 )
             case ("evaluate", _):

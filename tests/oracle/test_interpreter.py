@@ -551,7 +551,7 @@ def test_mail_waits_in_its_branch_until_a_transition_takes_it() -> None:
             on("0.2.2", "0.2.2", ("received", "inform", "Note", "b")),
         )
     )
-    assert Sending("0.2", "cfp", "Note", Note(), "b") in run.step().effects
+    assert Sending("0.2", "cfp", "Note", Note(), "b", way=(1,)) in run.step().effects
     letters = [
         AgentMessage("0.2", kind, "Note", Note(), "b", "bob", ("bob", n)) for n, kind in enumerate(LETTERS)
     ]

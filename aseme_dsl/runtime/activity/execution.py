@@ -23,9 +23,24 @@ from aseme_dsl.runtime.trace.trace import Trace
 from aseme_dsl.runtime.world.body import Body
 
 
+class Drafts(Protocol):
+    """What activities prepare for the messages of their agent."""
+
+    def cancelled(self, branch: str | None, label: str) -> None: ...
+    def begun_without_code(self, branch: str | None) -> None: ...
+
+
+class Coded(Protocol):
+    """Which activities of an agent have code."""
+
+    def has_code_in(self, branch: str) -> bool: ...
+
+
 class Requests(Protocol):
     """What activities ask of their agent."""
 
+    @property
+    def prepared(self) -> Drafts: ...
     def perform(self, execution: Execution, doing: c.Doing) -> None: ...
     def take_mail(
         self,
@@ -58,6 +73,8 @@ class Host(Stepping, Protocol):
     def begin(self) -> None: ...
     @property
     def requests(self) -> Requests: ...
+    @property
+    def executions(self) -> Coded: ...
 
 
 class Owner(Protocol):

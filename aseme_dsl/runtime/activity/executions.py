@@ -62,6 +62,8 @@ class Executions:
         self._late_codeless: set[str] = set()
         self._codeless: set[str] = set()
         """The branches of which an activity without code has begun."""
+        self._coded: dict[str, bool] = {}
+        """Whether an activity of a branch has code, for those that were asked for."""
 
     # ---- what the step asks for --------------------------------------------------------------
 
@@ -90,6 +92,7 @@ class Executions:
         if execution is None or execution.start.token != cancel.token or execution.cancelled:
             return
         execution.cancelled = True
+        self.agent.requests.prepared.cancelled(execution.branch, execution.label)
         execution.dropped += len(execution.held)
         execution.held.clear()
         self._trace("cancel", cancel, **({"reason": cancel.reason} if cancel.reason is not None else {}))
@@ -110,6 +113,30 @@ class Executions:
             if node.current is not None:
                 start = node.current.start
                 self.cancel(Cancel(label, start.activity, start.token))
+
+    def refuse(self, start: Start, reason: str) -> None:
+        """An activity cannot start, or go on: its state has failed."""
+        identity = self.agent.identity()
+        self._trace("crash", start, sequence=identity[1], reason=reason)
+        self.agent.post(identity, Crashed(start.label, start.token, reason))
+
+    def fail_inside(self, state: str, reason: str) -> bool:
+        """Cancel the first activity that runs in a state, which has failed; whether there is one."""
+        for label, node in self._nodes.items():
+            current = node.current
+            if current is not None and not current.has_returned and f"{label}.".startswith(f"{state}."):
+                start = current.start
+                self.cancel(Cancel(label, start.activity, start.token, reason))
+                self.refuse(start, reason)
+                return True
+        return False
+
+    def has_code_in(self, branch: str) -> bool:
+        """Whether an activity of a protocol branch has code."""
+        if branch not in self._coded:
+            inside = (item for item in self.agent.plan.states if item.label.startswith(f"{branch}."))
+            self._coded[branch] = any(self._has_code(item.activity) for item in inside if item.activity)
+        return self._coded[branch]
 
     def running(self) -> list[Execution]:
         """What has not come to its end yet, cancelled or not."""
@@ -146,6 +173,7 @@ class Executions:
         self._find = find
         self._codeless.clear()
         self._infos = {info.name: info for info in self.agent.plan.activities}
+        self._coded.clear()
         for old, node in nodes.items():
             label = labels.get(old)
             if label is None:  # nothing is active there
@@ -172,6 +200,7 @@ class Executions:
         self._find = find
         self._codeless.clear()
         self._infos = {info.name: info for info in self.agent.plan.activities}
+        self._coded.clear()
 
     # ---- beginning ---------------------------------------------------------------------------
 
@@ -265,6 +294,7 @@ class Executions:
             self._late_codeless.add(info.name)
             text = f"activity {info.name} has neither code nor `takes`: it lasts {shown(WITHOUT_CODE)}"
             self.agent.trace.remark(now, self.agent.name, text, code="W201", activity=info.name)
+        self.agent.requests.prepared.begun_without_code(execution.branch)
         if execution.branch is not None and execution.branch not in self._codeless:
             self._codeless.add(execution.branch)
             self._tell_undecided(execution.branch, now)

@@ -117,17 +117,19 @@ class Agent:
         self._inputs: list[Posted] | None = None
         self._due: Timer | None = None
         self._configuration: tuple[str, ...] = ()
+        self._missing: tuple[str, str] | None = None
+        """The state that is entered though the content of a message is missing, and what to say of it."""
         self._info_of = {info.label: info for info in self.plan.branches}
         self.shown: JadeLikeAgent | None = None
         """The agent with its behaviours, if it is shown so; made before the first step."""
         self._carried_out: dict[type[Any], Callable[[Any], None]] = {
-            Start: self.executions.start,
+            Start: self._start,
             Cancel: self.executions.cancel,
             Publication: self._publish,
             Sending: self._send,
             MailTaken: lambda effect: self.conversations.taken(self, effect.branch, effect.identity),
-            Joined: lambda effect: self.conversations.joined(self, effect.branch),
-            Left: lambda effect: self.conversations.left(self, effect.branch),
+            Joined: self._join,
+            Left: self._leave,
             FunctionResult: _nothing,
             Fault: self._count_fault,
             LeftOut: lambda effect: self.overload.inside(effect.region, effect.channel),
@@ -266,6 +268,8 @@ class Agent:
             self._carried_out[type(effect)](effect)
         if outcome.failure is not None:
             self._note_failure(now, outcome)
+        self.requests.prepared.end_step()
+        self._fail_for_content()
         if outcome.failure is not None or outcome.finished:
             self._end()
             return
@@ -378,7 +382,7 @@ class Agent:
         self.executions.carry(labels, find)
         if carried.chart.started:
             self._show(labels)
-        self.requests.renew(labels, self.understood)
+        self.requests.prepared.renew(labels, self.understood)
         with self.conversations.still():  # nobody posts mail for a branch by its old name
             self.conversations.carry(self, labels, messages)
             waiting = (
@@ -497,9 +501,37 @@ class Agent:
     def _publish(self, effect: Publication) -> None:
         self.bus.publish(self, effect.channel, effect.message, effect.host, region=effect.region)
 
+    def _start(self, start: Start) -> None:
+        if self._missing is not None and f"{start.label}.".startswith(f"{self._missing[0]}."):
+            self.executions.refuse(start, self._missing[1])
+            self._missing = None
+        else:
+            self.executions.start(start)
+
+    def _join(self, effect: Joined) -> None:
+        self.requests.prepared.forget(effect.branch)
+        self.conversations.joined(self, effect.branch)
+
+    def _leave(self, effect: Left) -> None:
+        self.requests.prepared.forget(effect.branch)
+        self.conversations.left(self, effect.branch)
+
+    def _fail_for_content(self) -> None:
+        """Fail the state that was entered by a transition whose message has no content, or the agent."""
+        if self._missing is not None:
+            (state, reason), self._missing = self._missing, None
+            if not self.over and not self.executions.fail_inside(state, reason):
+                self.fail(reason)
+
     def _send(self, effect: Sending) -> None:
         content = self.requests.content_of(effect)
         performative, message = effect.performative, effect.message
+        if content is None:
+            reason = f"{performative} {message} is not sent: nothing has prepared its content"
+            ways = [self.plan.transitions[number] for number in effect.way]
+            self.trace.fault(self.driver.clock.now(), self.name, reason, ways[0].at if ways else "")
+            self._missing = (ways[-1].target if ways else effect.branch), reason
+            return
         if effect.to is not None:
             self.conversations.send_to_agent(
                 self, effect.branch, performative, message, content, effect.to, effect.reply_by

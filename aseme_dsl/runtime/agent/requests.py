@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.execution import Execution, Host
+from aseme_dsl.runtime.agent.prepared import Prepared
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Happened, Identity, Sending, Written
 from aseme_dsl.runtime.conversation import directory as d
@@ -21,22 +22,45 @@ class Requests:
     def __init__(self, agent: Host, bus: Bus) -> None:
         self._agent = agent
         self._bus = bus
-        self.prepared: dict[tuple[str | None, str], Any] = {}
-        """What was prepared as the content of a message, by the branch (None for all) and the message."""
+        self.prepared = Prepared()
+        """What was prepared as the content of messages."""
 
     def content_of(self, effect: Sending) -> Any:
-        """The content of what a transition sends: what it fills in, or what was prepared for it."""
-        for key in ((effect.branch, effect.message), (None, effect.message)):
-            if not effect.filled and key in self.prepared:
-                return self.prepared.pop(key)
-        return effect.content
+        """The content of what a transition sends: what it fills in, or what was prepared for it.
 
-    def renew(self, labels: Mapping[str, str], understood: Callable[[Any], Any]) -> None:
-        """Let what was prepared fit another version of the model, with other labels and messages."""
-        self.prepared = {
-            (branch if branch is None else labels.get(branch, ""), name): understood(content)
-            for (branch, name), content in self.prepared.items()
-        }
+        None if nothing was. Activities without code prepare defaults, which the trace tells.
+        """
+        content = effect.content if effect.filled else self._prepared_for(effect)
+        if content is not None:
+            self.prepared.sent(effect.branch, effect.message, content)
+        return content
+
+    def _prepared_for(self, effect: Sending) -> Any:
+        agent, prepared = self._agent, self.prepared
+        plan, branch, message = agent.plan, effect.branch, effect.message
+        source = plan.transitions[effect.way[0]].source if effect.way else branch
+        content = prepared.take(plan, branch, message, source)
+        if content is None:
+            content = prepared.repeated(branch, message)
+        if content is None:  # an answer says what it answers
+            received = agent.conversations.taken_by(agent, branch)
+            content = next((item.content for item in reversed(received) if item.message == message), None)
+        opens = agent.conversations.place(agent, branch)[0] is None
+        if content is None and opens:
+            content = prepared.take_around(plan, branch, message, source)
+        if content is None and (
+            prepared.has_codeless(plan, branch, opens) or not agent.executions.has_code_in(branch)
+        ):
+            agent.trace.write(
+                "default_content",
+                agent.driver.clock.now(),
+                agent=agent.name,
+                branch=branch,
+                performative=effect.performative,
+                message=message,
+            )
+            content = effect.content
+        return content
 
     def check_registered(self, wanted: bool) -> None:
         """Raises DirectoryError if the agent has registered what it offers, or (`wanted`) if it has not."""
@@ -96,11 +120,13 @@ class Requests:
                 )
                 agent.post(identity, Happened(name), execution)
             case c.Prepare(message):
-                self.prepared[execution.branch, type(message).__name__] = message
+                kind = type(message).__name__
+                self.prepared.add(execution.branch, execution.label, kind, message)
             case c.Send(performative, message, to, within):
                 branch, name = execution.branch, type(message).__name__
                 assert branch is not None  # checked before
                 by = None if within is None else now + within
+                self.prepared.sent(branch, name, message)
                 agent.conversations.send(agent, branch, performative, name, message, to, reply_by=by)
             case d.Offer(services, lease, anew):
                 entry = d.Entry(AgentIdentifier(agent.name), services)

@@ -276,8 +276,25 @@ class Chart(ChartState):
         if to is None:
             self.rounds.sent(branch, participant)
         self.effects.append(
-            Sending(branch, performative, message, content, participant, filled, to, excepts, reply_by, one)
+            Sending(
+                branch,
+                performative,
+                message,
+                content,
+                participant,
+                filled,
+                to,
+                excepts,
+                reply_by,
+                one,
+                self._way(),
+            )
         )
+
+    def _way(self) -> tuple[int, ...]:
+        """The compound transition that is being taken; what is done at an exit belongs to it."""
+        transitions = self.PLAN.transitions
+        return next((way for way in reversed(self.taken) if transitions[way[0]].kind != "exit"), ())
 
     def read_messages(self, region: int, board: Board) -> None:
         """Let the region see what has arrived since the step began."""

@@ -179,6 +179,8 @@ class Sending:
     """Until when an answer is wanted, in ns of the run."""
     one: bool = False
     """Whether it goes to one agent of those that play the participant."""
+    way: tuple[int, ...] = ()
+    """The numbers of the transitions that send it, those of a compound transition together."""
 
 
 @_made_often

@@ -20,7 +20,7 @@ aip ask {
     sends inform Task  receives request Task, query_ref Task  process = Answer
   }
   control asker {
-    enter Ask : / send request Task to teller
+    enter Ask : / send request Task { .. } to teller
     enter Wait : after(1s)
   }
   control teller {
