@@ -152,13 +152,17 @@ class ChannelRules:
 
 @dataclass(frozen=True, slots=True)
 class Topic:
-    """A topic with its channels, the topic it is `under`, and the bytes a `radio` message of it may have."""
+    """A topic with its channels, the topic it is `under`, and the bytes a `radio` message of it may have.
+
+    `delay` is how long such a message is on its way, in ns; None: that is not said.
+    """
 
     name: str
     under: str | None
     radio: int | None
     channels: tuple[ChannelRules, ...]
     span: Span
+    delay: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

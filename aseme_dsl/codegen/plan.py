@@ -334,6 +334,7 @@ def plan_sections(system: System, chart: Statechart, versions: Mapping[str, str]
                         ("persist", rules.persist, False),
                         ("sources", rules.sources, ()),
                         ("radio", topic.radio, None),
+                        ("delay", topic.delay or 0, 0),
                     ],
                 )
                 for topic in system.topics

@@ -192,6 +192,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E534": ("error", "initial value of an `agent` variable"),
     "E535": ("error", "invalid list access"),
     "E536": ("error", "untyped or mixed list"),
+    "E595": ("error", "`delay` of a topic without `radio`"),
     "W500": ("warning", "action without effect"),
     "W501": ("warning", "timer never started"),
     "W520": ("warning", "signal never read"),
@@ -275,8 +276,9 @@ _TABLE: dict[str, tuple[str, str]] = {
     "N726": ("note", "event never raised"),
     "N727": ("note", "unused declaration"),
     "N728": ("note", "unused role"),
-    # Runs (N77x)
+    # Networks and clocks (N77x)
     "N770": ("note", "network setting ignored in real time"),
+    "N771": ("note", "radio message age without a declared delay"),
 }
 
 CODES: dict[str, Code] = {code: Code(code, severity, title) for code, (severity, title) in _TABLE.items()}

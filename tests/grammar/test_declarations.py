@@ -47,7 +47,7 @@ def test_message() -> None:
 
 
 def test_topic() -> None:
-    text = """topic team under world radio 10 {
+    text = """topic team under world radio 10 delay 200ms {
       state Ball, Pose from camera, robot1 every 33ms queued persist
       signal Whistle queued  data Track persist every 1s
       state Plain
@@ -57,6 +57,7 @@ def test_topic() -> None:
         "team",
         "world",
         10,
+        "200000000ns",
         (
             ("TopicEntry", "state", ("Ball", "Pose"), ("camera", "robot1"), "33000000ns", True, True),
             ("TopicEntry", "signal", ("Whistle",), (), None, True, False),
@@ -64,7 +65,7 @@ def test_topic() -> None:
             ("TopicEntry", "state", ("Plain",), (), None, False, False),
         ),
     )
-    assert short(declared("topic a { }")) == ("Topic", "a", None, None, ())
+    assert short(declared("topic a { }")) == ("Topic", "a", None, None, None, ())
 
 
 def test_function_and_let() -> None:

@@ -50,7 +50,10 @@ def topics(collector: Collector, symbols: Symbols) -> tuple[Topic, ...]:
             None if item.radio is None else int(item.radio.value),
             _channels(collector, item, symbols, publishers, including),
             item.name.span,
+            None if item.delay is None else item.delay.nanoseconds,
         )
+        if item.delay is not None and item.radio is None:
+            collector.report(problems.DelayWithoutRadio(name), item.delay.span)
         kept.append(item)
     _check_tree(collector, kept, found)
     return tuple(found.values())

@@ -17,7 +17,12 @@ from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Related
 from aseme_dsl.diagnostics.problems.expressions import arguments as problems
 from aseme_dsl.diagnostics.problems.expressions.absences import NoFunction
-from aseme_dsl.diagnostics.problems.expressions.paths import NoHistory, NotAFunction, SignalAge
+from aseme_dsl.diagnostics.problems.expressions.paths import (
+    AgeFromArrival,
+    NoHistory,
+    NotAFunction,
+    SignalAge,
+)
 from aseme_dsl.diagnostics.problems.expressions.values import DoubleForInt, OtherTypeWanted
 from aseme_dsl.diagnostics.problems.names import SeveralFunctions
 from aseme_dsl.grammar.text import tree
@@ -53,6 +58,7 @@ def call(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Va
             message = _message(checker, name, written, arguments, 1)
             if message is None or not _is_timed(checker, message):
                 return None
+            _note_radio(checker, message)
             return amola.Age(message, written.span)
         case "random":
             if arguments:
@@ -226,6 +232,14 @@ def _is_timed(checker: Checker, message: Member) -> bool:
         return True
     checker.report(SignalAge(), message.span)
     return False
+
+
+def _note_radio(checker: Checker, message: Member) -> None:
+    """Note an age that counts from arrival, because nothing says how long the radio takes."""
+    topic = checker.scope.symbols.topic(message.channel.topic)
+    if topic is not None and topic.radio is not None and topic.delay is None:
+        related = Related(topic.span, "it goes by radio, without a time")
+        checker.report(AgeFromArrival(topic.name), message.span, (related,))
 
 
 def _is_data(checker: Checker, name: str, message: Member) -> bool:

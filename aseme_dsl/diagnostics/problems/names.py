@@ -285,6 +285,19 @@ class TooManyRadioMessages(Problem):
         return f"more than {self.most} kinds of message travel by radio"
 
 
+class DelayWithoutRadio(Problem):
+    code = "E595"
+    topic: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.topic}` has a `delay`, but does not go by `radio`"
+
+    @property
+    def hint(self) -> str:
+        return "remove `delay`: other messages carry the time at which they were sent"
+
+
 _SIZES = "one byte says which message it is; a bool takes 1, an enum 1, an int 4, a double 4"
 
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 
+from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.messages import Comm
 from aseme_dsl.amola.statechart import Node, NodeType
@@ -234,7 +235,9 @@ def _topic(program: Program, symbol: Symbol) -> Iterator[str]:
         return
     under = f" under {found.under}" if found.under else ""
     lines = "\n".join(f"  {item.channel.comm} {item.channel.message}" for item in found.channels)
-    yield _fence(f"topic {found.name}{under} {{\n{lines}\n}}")
+    radio = f" radio {found.radio}" if found.radio is not None else ""
+    delay = f" delay {duration_text(found.delay)}" if found.delay is not None else ""
+    yield _fence(f"topic {found.name}{under}{radio}{delay} {{\n{lines}\n}}")
     readers, writers = _readers_and_writers(program, symbol.name)
     if readers:
         yield "Read by " + _listed(readers)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 2173145363
+CHECKSUM = 1453857897
 
 RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'File': (
@@ -204,7 +204,7 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     ),
     'Topic': (
         'common',
-        {'name': 'one', 'under': 'many', 'radio': 'many', 'entries': 'many'},
+        {'name': 'one', 'under': 'many', 'radio': 'many', 'delay': 'many', 'entries': 'many'},
         (
             'series',
             ('word', 'topic'),
@@ -215,6 +215,7 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
                     'choice',
                     ('series', ('word', 'under'), ('=', 'under', 'Name')),
                     ('series', ('word', 'radio'), ('=', 'radio', 'Integer')),
+                    ('series', ('word', 'delay'), ('=', 'delay', 'Duration')),
                 ),
             ),
             'Open',

@@ -408,11 +408,12 @@ class TopicEntry:
 
 @dataclass(frozen=True, slots=True)
 class Topic:
-    """`topic team under world radio 10 { … }`"""
+    """`topic team under world radio 10 delay 200ms { … }`"""
 
     name: Name
     under: Name | None
     radio: Number | None
+    delay: Duration | None
     entries: tuple[TopicEntry, ...]
     span: Span
 

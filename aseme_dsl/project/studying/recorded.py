@@ -311,7 +311,8 @@ class _Reading:
             return Sample(channel, content, identity[0], record["measured"], identity)
         own = record.get("region") if record["agent"] == agent else None
         sender = record.get("sender") or record["agent"]
-        return Sample(channel, content, sender, record["time"], identity, own)
+        moment = record["measured"] if "measured" in record else record["time"]
+        return Sample(channel, content, sender, moment, identity, own)
 
     def _mail(self, agent: str, identity: Identity, record: Record) -> AgentMessage:
         name = record["message"]

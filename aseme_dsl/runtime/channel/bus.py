@@ -20,8 +20,9 @@ published is told in the trace.
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -251,8 +252,10 @@ class Bus:
         if region is not None:
             own = Sample(item.channel, item.message, item.sender, item.time, item.identity, region)
         for other in receivers:
-            if self.links is None or agent is None or other is agent:
-                other.post(item.identity, own if other is agent else item)
+            if other is agent:
+                other.post(item.identity, own)
+            elif self.links is None or agent is None:
+                self._bring(other, item)
             else:
                 self.links.carry(
                     agent.name,
@@ -260,8 +263,43 @@ class Bus:
                     self._kind(item.channel),
                     item.channel,
                     item.identity,
-                    _giving(other, item),
+                    partial(self._bring, other, item),
                 )
+
+    def _bring(self, other: Receiver, item: Sample) -> None:
+        """Give an agent what another one has published. What goes by radio has no time of its own."""
+        came = item.time if self.links is None else self._driver.clock.now()
+        moment = self._measured(item.channel, came)
+        if moment is not None and moment != item.time:
+            self._tell_arrived(other, item.identity, item.channel, item.message, moment)
+            item = Sample(item.channel, item.message, item.sender, moment, item.identity)
+        other.post(item.identity, item)
+
+    def _measured(self, channel: str, came: int) -> int | None:
+        """When a message that came at a moment counts as sent, if it goes by radio; None if it has a time."""
+        rules = self._rules.get(channel)
+        return None if rules is None or rules.radio is None else came - rules.delay
+
+    def _tell_arrived(
+        self,
+        agent: Receiver,
+        identity: Identity,
+        channel: str,
+        message: Any,
+        moment: int,
+        host: str | None = None,
+    ) -> None:
+        if self.trace.active:
+            self.trace.write(
+                "arrived",
+                self._driver.clock.now(),
+                agent=agent.name,
+                input=list(identity),
+                channel=channel,
+                message=to_json(message),
+                measured=moment,
+                host=host,
+            )
 
     def _kind(self, channel: str) -> str:
         """How the links carry what is published on a channel: signal, state, data or radio."""
@@ -341,6 +379,8 @@ class Bus:
         with self._driver.holding(), self._lock:
             identity = agent.identity()
             now = self._driver.clock.now()
+            measured = self._measured(channel, now)
+            moment = now if measured is None else measured
             self.trace.write(
                 "radio_received",
                 now,
@@ -349,9 +389,10 @@ class Bus:
                 sender=sender,
                 channel=channel,
                 message=to_json(message),
+                measured=moment if moment != now else None,
             )
             if channel in self._reads[agent.name]:
-                agent.post(identity, Sample(channel, message, sender, now, identity))
+                agent.post(identity, Sample(channel, message, sender, moment, identity))
 
     def arrived(
         self,
@@ -371,18 +412,9 @@ class Bus:
         if reason is not None:
             return reason
         with self._driver.holding(), self._lock:
-            now = self._driver.clock.now()
-            if self.trace.active:
-                self.trace.write(
-                    "arrived",
-                    now,
-                    agent=agent.name,
-                    input=list(identity),
-                    channel=channel,
-                    message=to_json(message),
-                    measured=moment,
-                    host=host,
-                )
+            by_radio = self._measured(channel, self._driver.clock.now())
+            moment = moment if by_radio is None else by_radio
+            self._tell_arrived(agent, identity, channel, message, moment, host)
             if channel in self._reads[agent.name] or channel == SELECT:
                 agent.post(identity, Sample(channel, message, sender, moment, identity))
         return None
@@ -460,10 +492,6 @@ class Bus:
                 reason=reason,
                 until=until,
             )
-
-
-def _giving(agent: Receiver, item: Sample) -> Callable[[], None]:
-    return lambda: agent.post(item.identity, item)
 
 
 def _reads(plan: Plan) -> dict[str, frozenset[str | None]]:

@@ -140,6 +140,8 @@ class ChannelInfo:
     sources: tuple[str, ...] = ()
     radio: int | None = None
     """The most bytes a radio message of its topic may have, or None where it does not go by radio."""
+    delay: int = 0
+    """How old a radio message of its topic is when it arrives, in ns."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -284,6 +284,18 @@ class SignalAge(Problem):
     message = "a signal has no age: it is consumed by its reader"
 
 
+class AgeFromArrival(Problem):
+    """A message that goes by radio has no time, and its topic does not say how long it is on its way."""
+
+    code = "N771"
+    topic: str
+    hint = "add the longest delay of the radio to the topic, such as `delay 200ms`"
+
+    @property
+    def message(self) -> str:
+        return f"the age of a message on `{self.topic}` counts from its arrival"
+
+
 class NoHistory(Problem):
     """`form` looks back on a channel of a `kind` that is not kept."""
 

@@ -43,10 +43,11 @@ def topic(pieces: Pieces, node: Any) -> tree.Topic:
     name = pieces.name(node.name)
     under = pieces.name(node.under[0]) if node.under else None
     radio = pieces.integer_number(node.radio[0]) if node.radio else None
-    for clause, given in (("under", node.under), ("radio", node.radio)):
+    delay = pieces.duration(node.delay[0]) if node.delay else None
+    for clause, given in (("under", node.under), ("radio", node.radio), ("delay", node.delay)):
         if len(given) > 1:
             pieces.again(clause, pieces.spot(given[0]), pieces.spot(given[1]))
-    return tree.Topic(name, under, radio, pieces.all(_topic_entry, node.entries), pieces.span(node))
+    return tree.Topic(name, under, radio, delay, pieces.all(_topic_entry, node.entries), pieces.span(node))
 
 
 def _topic_entry(pieces: Pieces, node: Any) -> tree.TopicEntry:
