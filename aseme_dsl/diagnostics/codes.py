@@ -233,6 +233,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W560": ("warning", "possibly renamed use case"),
     "E565": ("error", "unknown activity that sends a message"),
     "E566": ("error", "message sent by a transition and an activity"),
+    "E567": ("error", "unclear sender of a message from one agent"),
     "W575": ("warning", "sends that race"),
     "N755": ("note", "message that any activity may send"),
     # Statecharts (E6xx): the structural rules of the papers' tools

@@ -217,6 +217,16 @@ def test_answers_are_counted_of_participants() -> None:
     assert labels(text)[:2] == ["manager", "contractor"]
 
 
+def test_a_message_may_come_from_the_agent_that_a_variable_holds() -> None:
+    text = instead(WAREHOUSE, "var bids : int = 0", "var best : agent")
+    assert "best" in labels(instead(text, "inform Done from contractor", f"inform Done from {CURSOR}"))
+
+
+def test_the_activities_of_a_participant_may_send_its_messages() -> None:
+    text = instead(WAREHOUSE, "accept_proposal Award, reject", f"accept_proposal Award by {CURSOR}, reject")
+    assert labels(text)[:2] == ["Announce", "CollectBids"]
+
+
 def test_control_is_offered_for_formulas_that_have_none() -> None:
     text = instead(SOCCER, "  control Guard {", "  control ‸ {")
     assert labels(text) == ["Guard", "goalie"]

@@ -299,3 +299,23 @@ aip hiring {
 """
     changed = renamed(text, "process = ^Ask", "Call")
     assert "sends cfp Task by Call or Wait  process = Call . Wait" in changed
+
+
+def test_a_variable_is_renamed_where_a_message_comes_from_its_agent() -> None:
+    text = """system S
+message Task { string id }
+aip hiring {
+  participant manager {
+    var best : agent
+    sends cfp Task  receives inform Task
+    process = Ask . Wait
+  }
+  participant worker [1..*] { sends inform Task  receives cfp Task  process = Work }
+  control manager {
+    enter Ask  : / send cfp Task to best
+    enter Wait : inform Task from best
+  }
+}
+"""
+    changed = renamed(text, "var ^best", "first")
+    assert "best" not in changed and "inform Task from first" in changed

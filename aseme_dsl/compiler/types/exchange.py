@@ -34,11 +34,63 @@ Typed = Callable[[Checker, tree.Expression], Value | None]
 
 
 def received(checker: Checker, written: tree.Received) -> amola.Received | None:
-    """`propose Bid b from contractor`: E205, E511, E512."""
+    """`propose Bid b from contractor`, or from an agent that a variable holds: E205, E511, E512, E567.
+
+    A message of one agent is one of the participant that sends such a message: see `only_from`.
+    """
+    if _names_agent(checker, written):
+        senders = _senders(checker, written)
+        if len(senders) != 1:
+            said = f"{written.performative} {written.message}"
+            problem = problems.SenderNotKnown(written.participant.text, said, senders)
+            checker.report(problem, written.participant.span)
+            return None
+        written = replace(written, participant=tree.Name(senders[0], written.participant.span))
     if not _is_exchanged(checker, written.performative, written.message, written.participant, False):
         return None
     parts = (written.performative.text, written.message.text, written.participant.text)
     return amola.Received(*parts, written.span, written.name.text if written.name is not None else "")
+
+
+def _names_agent(checker: Checker, written: tree.Received) -> bool:
+    """Whether what stands behind `from` is a variable that holds an agent."""
+    name = written.participant.text
+    known = checker.scope.variables.get(name)
+    return (
+        checker.scope.participant is not None
+        and name not in checker.scope.parties
+        and known is not None
+        and known[1] == AGENT
+    )
+
+
+def _senders(checker: Checker, written: tree.Received) -> tuple[str, ...]:
+    said = (written.performative.text, written.message.text)
+    return tuple(
+        party.name
+        for party in checker.scope.parties.values()
+        if party.name != checker.scope.participant
+        and said in [(item.performative, item.message) for item in party.sends]
+    )
+
+
+def only_from(checker: Checker, written: tree.TransitionExpression) -> amola.Value | None:
+    """What has to hold so that the message is of the agent behind `from`: `sender(…) == best` (E567)."""
+    named = [
+        item for item in written.events if isinstance(item, tree.Received) and _names_agent(checker, item)
+    ]
+    if not named:
+        return None
+    first = named[0]
+    same = [item for item in named if item.participant.text == first.participant.text]
+    if written.when or len(same) < len(written.events):
+        checker.report(problems.AgentAmongOthers(first.participant.text), first.participant.span)
+        return None
+    key, kind = checker.scope.variables[first.participant.text]
+    span = first.participant.span
+    called = (first.name or first.message).text
+    sender = amola.Sender(called, span)
+    return amola.Compare("==", sender, amola.VariableValue(key, kind, span), span)
 
 
 def lost(checker: Checker, written: tree.Lost) -> amola.Lost | None:
@@ -296,4 +348,4 @@ def _somebody_receives(checker: Checker, performative: tree.Name, message: tree.
     return False
 
 
-__all__ = ["check_use", "fill", "is_answered", "lost", "received", "send", "taken_by"]
+__all__ = ["check_use", "fill", "is_answered", "lost", "only_from", "received", "send", "taken_by"]

@@ -66,6 +66,10 @@ def type_expression(
             condition = value
     elif written.when:
         checker.report(values.WhenWithoutCondition(), written.span)
+    wanted = exchange.only_from(checker, written)
+    if wanted is not None:
+        both = (wanted,) if condition is None else (wanted, condition)
+        condition = wanted if condition is None else amola.Logic("&&", both, condition.span)
     made = [tuple(_actions(checker, action)) for action in written.actions]
     typed = amola.TransitionExpression(
         tuple(event for event in events if event is not None),

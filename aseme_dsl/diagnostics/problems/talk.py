@@ -347,6 +347,39 @@ class SentByTransitionToo(Problem):
         return f"remove `by {' or '.join(self.activities)}`, or the `send` of the transition"
 
 
+class SenderNotKnown(Problem):
+    """A message from one agent that no participant, or one of several, sends."""
+
+    code = "E567"
+    agent: str
+    agent_message: str
+    senders: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        if not self.senders:
+            return f"no other participant sends `{self.agent_message}`, so `{self.agent}` cannot"
+        return f"`{self.agent}` may be {' or '.join(self.senders)}: each sends `{self.agent_message}`"
+
+    @property
+    def hint(self) -> str:
+        if not self.senders:
+            return "add the message to the `sends` list of the participant that the agent plays"
+        return f"write `{self.agent_message} m from {self.senders[0]} [sender(m) == {self.agent}]`"
+
+
+class AgentAmongOthers(Problem):
+    """A message from one agent beside other events, or on a line with `when`."""
+
+    code = "E567"
+    agent: str
+    message = "a message from one agent stands beside other events"
+
+    @property
+    def hint(self) -> str:
+        return f"write the events that are not from `{self.agent}` on a line of their own"
+
+
 class SendsRace(Problem):
     """Two participants that may each send before the other's message has come, and then wait for ever."""
 
@@ -393,7 +426,9 @@ class SentByAnyActivity(Problem):
 
 
 __all__ = [
+    "AgentAmongOthers",
     "NoAgentPlays",
+    "SenderNotKnown",
     "SendsRace",
     "SentByAnyActivity",
     "SentByTransitionToo",

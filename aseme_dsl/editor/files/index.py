@@ -328,7 +328,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.StandingWay, "state"): (Use.READ, _is(Kind.STATE, _owner)),
     (tree.Received, "performative"): (Use.READ, _is(Kind.PERFORMATIVE)),
     (tree.Received, "message"): (Use.READ, _is(Kind.MESSAGE)),
-    (tree.Received, "participant"): (Use.READ, _party),
+    (tree.Received, "participant"): (Use.READ, _receiver),
     (tree.Received, "name"): (Use.DECLARATION, _value_named),
     (tree.Lost, "participant"): (Use.READ, _party),
     (tree.Lost, "name"): (Use.DECLARATION, _value_named),

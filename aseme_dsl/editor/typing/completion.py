@@ -12,6 +12,7 @@ from itertools import pairwise
 from typing import assert_never
 
 from aseme_dsl.amola.liveness import Formula, canonical
+from aseme_dsl.amola.messages import AGENT
 from aseme_dsl.amola.operators import INFIX
 from aseme_dsl.compiler.chart.aip_to_eac import PROCESS
 from aseme_dsl.compiler.formula.terms import Terms, ways
@@ -258,6 +259,9 @@ def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
             yield Item(slot.kind.value, ItemKind.WORD, "", "", f"{slot.kind.value} ", rank=2, goes_on=True)
         case SlotKind.SENDER | SlotKind.RECEIVER:
             yield from _parties(scope.parties, slot)
+            if slot.kind is SlotKind.SENDER and slot.said[:1] != ("lost",):
+                agents = (name for name, (_, kind) in scope.variables.items() if kind == AGENT)
+                yield from (Item(name, ItemKind.VARIABLE, "agent", rank=3) for name in agents)
         case SlotKind.FILL:
             filled = ask.known.symbols.message(slot.said[0])
             for field in filled.fields if filled is not None else ():

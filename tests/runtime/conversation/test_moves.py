@@ -195,3 +195,43 @@ def test_what_the_participant_does_not_send_at_all() -> None:
     assert why.startswith(
         "manager sends cfp Task, accept_proposal Award, reject_proposal Award, not refuse Task"
     )
+
+
+BEST = (
+    NET.replace("BY", "by AwardTask")
+    .replace(" REPEATEDLY", "")
+    .replace("WITH ", "")
+    .replace("activities { KIND } ", "")
+    .replace("leave Await    : inform Outcome from contractor", "leave Await : EVENT")
+)
+
+
+@pytest.mark.parametrize(
+    "event",
+    [
+        "inform Outcome from best",
+        'inform Outcome o from best [o.id == "t"]',
+        "inform Outcome from best or inform Note from best",
+        "inform Outcome o from contractor [sender(o) == best]",
+    ],
+)
+def test_a_message_from_one_agent_is_taken_from_that_one_only(event: str) -> None:
+    """Both are awarded; r1 is done first, and the manager waits for r2."""
+    generated = generate(BEST.replace("EVENT", event))
+
+    class AwardTask:
+        def execute(self, context: Context) -> None:
+            context.set_variable("best", "r2")
+            for name in ("r1", "r2"):
+                context.send("accept_proposal", generated.message("Award"), name)
+
+    class Work:
+        def execute(self, context: Context) -> None:
+            context.wait(1 if context.agent == "r1" else 5)
+
+    played = run(generated, AwardTask=AwardTask, Work=Work)
+    done = {r["agent"]: r["time"] for r in played.of("agent_message") if r["message"] == "Outcome"}
+    assert done["r1"] < done["r2"]
+    (left,) = [r["time"] for r in played.of("conversation", agent="desk") if r["what"] == "leave"]
+    assert left >= done["r2"]
+    assert played.result.reason == "finished"

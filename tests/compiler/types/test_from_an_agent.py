@@ -1,0 +1,39 @@
+"""`inform Task from best`: a message from one agent."""
+
+from __future__ import annotations
+
+import pytest
+
+from aseme_dsl.compiler import analyse
+from aseme_dsl.diagnostics.pages import page
+from aseme_dsl.source import Source
+
+
+def messages(old: str, new: str) -> list[tuple[str, str]]:
+    text = page("E567").right.files[0].text
+    assert old in text
+    found = analyse(Source("/nowhere/team.aseme", text.replace(old, new))).diagnostics
+    return [(item.code, item.message) for item in found if item.code.startswith("E")]
+
+
+@pytest.mark.parametrize(
+    ("new", "found"),
+    [
+        ("inform Task from best", []),
+        ('inform Task t from best [t.id != ""]', []),
+        ("inform Task from best or propose Task from best", []),
+        ("inform Task from best or after(1s)", ["a message from one agent stands beside other events"]),
+        ("inform Task from best or lost worker", ["a message from one agent stands beside other events"]),
+        ("cfp Task from best", ["no other participant sends `cfp Task`, so `best` cannot"]),
+    ],
+)
+def test_from_a_variable(new: str, found: list[str]) -> None:
+    assert messages("inform Task from best", new) == [("E567", message) for message in found]
+
+
+def test_a_misspelt_agent() -> None:
+    assert [code for code, _ in messages("inform Task from best", "inform Task from bets")] == ["E205"]
+
+
+def test_a_variable_that_does_not_hold_an_agent() -> None:
+    assert [code for code, _ in messages("var best : agent", 'var best : string = "x"')][:1] != []
