@@ -40,6 +40,10 @@ def command(output: Path, key: Path | None, as_json: bool) -> int:
             if agent["over"]:
                 doing = f"failed: {agent['failure']}" if agent["failure"] else "completed"
             click.echo(f"  {agent['name']:<12} {agent['role']:<12} model {agent['model']}  {doing}")
+        for name, clock in status.get("clocks", {}).items():
+            if clock["difference"]:  # that of another machine
+                off, wrong = clock["difference"] / 1e6, clock["uncertainty"] / 1e6
+                click.echo(f"  {name:<12} clock differs by {off:.3f} ms, known to {wrong:.3f} ms")
     if silent:
         not_done(silent, output).show()
     return 1 if silent else 0

@@ -184,6 +184,10 @@ class Control:
             "time": team.driver.clock.now(),
             "agents": agents,
             "elsewhere": sorted(team.elsewhere),
+            "clocks": {
+                name: {"difference": peer.difference, "uncertainty": peer.uncertainty}
+                for name, peer in sorted(team.peers().items())
+            },
             "swap": None if held is None or not held.is_alive() else {"id": held.number, "state": held.state},
         }
 

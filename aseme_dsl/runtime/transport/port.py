@@ -50,6 +50,8 @@ class Peer:
     """How many messages for it are on their way, or wait for it."""
     uncertainty: int | None = 0
     """By how many ns its times may be wrong here; 0 on one machine, None while its clock is not known."""
+    difference: int | None = 0
+    """What is added to the times of its clock, in ns; 0 on one machine, None while it is not known."""
 
 
 class MailPort(Protocol):

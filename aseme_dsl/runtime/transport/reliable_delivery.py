@@ -28,7 +28,7 @@ from aseme_dsl.runtime.message.acl import JSON, AclMessage, AgentIdentifier, Fip
 from aseme_dsl.runtime.message.wire import Schema, WireError
 from aseme_dsl.runtime.time.clock import RealClock
 from aseme_dsl.runtime.transport import envelope as envelopes
-from aseme_dsl.runtime.transport.delivery.clocks import clock_identity, difference_to, moment_of
+from aseme_dsl.runtime.transport.delivery.clocks import clock_identity, clock_record, difference_to, moment_of
 from aseme_dsl.runtime.transport.delivery.codec import Codec
 from aseme_dsl.runtime.transport.delivery.inbox import Inbox
 from aseme_dsl.runtime.transport.delivery.records import Kept, Other, Sent, Way
@@ -123,7 +123,8 @@ class Post(Transport):
                 lose(state, name, (*flying, *waiting), "the run ended before it could be brought")
             for other in state.others.values():
                 if other.life is not None or other.counts:
-                    tell(state, other, "count", counts=dict(sorted(other.counts.items())) or None)
+                    counts = dict(sorted(other.counts.items())) or None
+                    tell(state, other, "count", counts=counts, **clock_record(state, other))
             if state.strange:
                 tell(state, Other(NOBODY), "count", counts={"refused": state.strange})
 
@@ -241,6 +242,7 @@ class Post(Transport):
                 other.life,
                 unacknowledged=waiting,
                 uncertainty=uncertainty,
+                difference=0 if same else (quickest[1] if quickest else None),
                 **dict(other.counts),
             )
         return found

@@ -284,11 +284,16 @@ def test_the_clock_of_another_machine_is_measured(talk: Generated, box: Box) -> 
     before = wait_until(lambda: bob.team.peers()["ann"].uncertainty or 0)
     box.say += [("team.data.M", 2, None)]
     wait_until(lambda: 2 in arrived(bob, "bob", "team.data.M"))
-    uncertainty = max(before, bob.team.peers()["ann"].uncertainty or 0)
+    peer = bob.team.peers()["ann"]
+    uncertainty = max(before, peer.uncertainty or 0)
+    assert abs((peer.difference or 0) + OtherMachine.SKEW) <= max(uncertainty, 1_000_000)
     ann.stop()
     bob.stop()
     (sent,) = [r["time"] for r in ann.of("message", channel="team.data.M") if r["message"]["n"] == 2]
     (line,) = [r for r in bob.of("arrived", channel="team.data.M") if r["message"]["n"] == 2]
+    (count,) = [r for r in bob.of("peer", what="count") if r["peer"] == "ann"]
+    assert abs(count["difference"] + OtherMachine.SKEW) <= max(uncertainty, 1_000_000)
+    assert "difference" in count and count["uncertainty"] >= 0
     assert abs(line["measured"] - sent) <= max(uncertainty, 1_000_000) and line["measured"] <= line["time"]
 
 

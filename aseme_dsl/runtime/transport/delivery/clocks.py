@@ -37,6 +37,14 @@ def difference_to(state: Delivery, other: Other) -> int | None:
     return min(other.measured)[1] if other.measured else None
 
 
+def clock_record(state: Delivery, other: Other) -> dict[str, int]:
+    """What the trace says of another machine's clock; nothing if it is ours, or not known."""
+    if other.clock in (None, state.clock) or not other.measured:
+        return {}
+    trip, difference = min(other.measured)
+    return {"difference": difference, "uncertainty": trip // 2}
+
+
 @cache
 def clock_identity() -> int:
     """A number that all processes have in common that share the monotonic clock, and no others."""
