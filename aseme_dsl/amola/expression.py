@@ -89,6 +89,24 @@ class Sender:
     type: Type = AGENT
 
 
+LOSS = Type(Kind.OUTCOME, "lost participant")
+"""The type of the reasons for a loss."""
+LOSS_REASONS = ("left", "failed", "crashed", "timed_out", "replaced", "incompatible", "completed")
+"""Why an agent's part in a conversation is over: only the last of them has reached its END."""
+
+
+@dataclass(frozen=True, slots=True)
+class LossReason:
+    """`reason(gone)`: why the part of the agent that the transition has lost is over.
+
+    It is compared with a Literal of the same type, whose value is the reason.
+    """
+
+    name: str
+    span: Span
+    type: Type = LOSS
+
+
 @dataclass(frozen=True, slots=True)
 class Call:
     """A pure function, or one of the built-in ones (`function.target` starts with "builtin:")."""
@@ -314,6 +332,7 @@ Value = (
     | Member
     | Bound
     | Sender
+    | LossReason
     | Call
     | ListValue
     | Element
@@ -692,7 +711,7 @@ def values_of(expression: TransitionExpression) -> Iterator[Value]:
 
 def taken_message(expression: TransitionExpression) -> bool:
     """Whether the condition or the actions speak of the agent message that the transition takes."""
-    return any(isinstance(value, Bound | Sender) for value in values_of(expression))
+    return any(isinstance(value, Bound | Sender | LossReason) for value in values_of(expression))
 
 
 # ---- spelling ----------------------------------------------------------------------------------
@@ -774,6 +793,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = ".".join((name, *path))
             case Sender(name=name, lost=lost):
                 text = name if lost else f"sender({name})"
+            case LossReason(name=name):
+                text = f"reason({name})"
             case Call(function=function, arguments=arguments):
                 text = f"{function.name}({', '.join(show(a) for a in arguments)})"
             case ListValue(elements=elements):

@@ -11,6 +11,7 @@ from aseme_dsl.amola.expression import (
     At,
     Bound,
     Index,
+    LossReason,
     Lost,
     Mean,
     Member,
@@ -107,7 +108,7 @@ def _of_transition(transition: Transition) -> Iterator[Limit]:
 
 def _of_value(value: Value) -> AgentFeature | None:
     match value:
-        case Bound() | Sender() | RoundValue():
+        case Bound() | Sender() | LossReason() | RoundValue():
             return AgentFeature.AGENT_MESSAGES
         case Age():
             return AgentFeature.AGES

@@ -45,6 +45,8 @@ def value_term(value: e.Value) -> Term:
             return ("taken", path)
         case e.Sender():
             return ("sender",)
+        case e.LossReason():
+            return ("reason",)
         case e.Call(function=function, arguments=arguments):
             values = tuple(value_term(argument) for argument in arguments)
             if function.target.startswith("builtin:"):

@@ -231,6 +231,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W555": ("warning", "undeclared agent message in activity code"),
     "W556": ("warning", "unused agent message of a participant"),
     "W560": ("warning", "possibly renamed use case"),
+    "E560": ("error", "reason of an agent not lost"),
     "E565": ("error", "unknown activity that sends a message"),
     "E566": ("error", "message sent by a transition and an activity"),
     "E567": ("error", "unclear sender of a message from one agent"),

@@ -143,6 +143,7 @@ def asks(branch: Transition) -> bool:
             e.Member
             | e.Bound
             | e.Sender
+            | e.LossReason
             | e.VariableValue
             | e.Expired
             | e.Outcome

@@ -136,6 +136,7 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
             | e.Has()
             | e.Holds()
             | e.Sender()
+            | e.LossReason()
         ):
             return True
         case e.Not() | e.Logic():

@@ -15,7 +15,7 @@ Key = tuple[Any, ...]
 
 HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "expired", "age"
 OUTCOME, STATE, INDEX = "outcome", "state", "index"
-TAKEN, SENDER = "taken", "sender"
+TAKEN, SENDER, REASON = "taken", "sender", "reason"
 LIST, ELEMENT, SIZE, CONTAINS = "list", "element", "size", "contains"
 AT, MEAN, CALL, RAISES, THERE = "at", "mean", "call", "raises", "there"
 PRESENCES = (HAS, SET, THERE)
@@ -87,6 +87,8 @@ def identity(value: e.Value) -> Key:
             return (TAKEN, None, message, path)
         case e.Sender(lost=lost):
             return (SENDER, lost)
+        case e.LossReason():
+            return (REASON,)
         case e.Has(message=message):
             return (HAS, identity(message))
         case e.Age(message=message):
@@ -180,7 +182,15 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
             case e.VariableValue():
                 yield from _presence_unknowns(part, vocabulary)
                 yield Unknown(identity(part), e.value_text(part), part.type, presences(part, vocabulary))
-            case e.Expired() | e.Outcome() | e.StateValue() | e.RoundValue() | e.Index() | e.Sender():
+            case (
+                e.Expired()
+                | e.Outcome()
+                | e.StateValue()
+                | e.RoundValue()
+                | e.Index()
+                | e.Sender()
+                | e.LossReason()
+            ):
                 yield Unknown(identity(part), e.value_text(part), part.type)
             case e.Call() if is_unknown_function(part):
                 read = list(_needs(part, vocabulary))
@@ -246,7 +256,7 @@ def sources(value: e.Value) -> frozenset[Key]:
                 found.add(identity(part))
             case e.Bound(message=message):
                 found.add((TAKEN, None, message, ()))
-            case e.Sender():
+            case e.Sender() | e.LossReason():
                 found.add(identity(part))
     return frozenset(found)
 

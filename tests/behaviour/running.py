@@ -168,8 +168,8 @@ class Run:
                 return f"take mail of {identity[0]}"
             case Joined(branch=branch):
                 return f"join {branch}"
-            case Left(branch=branch):
-                return f"part {branch}"
+            case Left(branch=branch, completed=completed):
+                return f"{'complete' if completed else 'part'} {branch}"
             case FunctionResult(function=function, value=value):
                 return f"{function} is {value}"
             case Fault(transition=number):

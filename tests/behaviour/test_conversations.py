@@ -39,7 +39,7 @@ def test_a_participation_is_joined_and_left(play: Play) -> None:
     assert run.did == [f"join {branch}", "send cfp Note to b", "start A"]
     run.step(run.mail("inform", "Note"), run.mail("inform", "Note"))
     run.step(run.done("C"))
-    assert run.did == [f"part {branch}", f"join {branch}", "send cfp Note to b", "start A"]
+    assert run.did == [f"complete {branch}", f"join {branch}", "send cfp Note to b", "start A"]
 
 
 def test_one_message_is_taken_by_one_transition(play: Play) -> None:

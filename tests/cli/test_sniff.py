@@ -87,7 +87,7 @@ def test_what_is_said_as_lines(run: Path, here: Here) -> None:
         "1.1 s cid -- refuse Job --> ann [contract_net-ann-1]",
         "1.2 s bob -- propose Proposal (cost 0.0) --> ann [contract_net-ann-1]",
         "4 s ann -- accept_proposal Contract (contractor bob) --> bob [contract_net-ann-1]",
-        "5 s ann ! hears that bob is gone [contract_net-ann-1]",
+        "5 s ann ! lost bob (failed) [contract_net-ann-1]",
         "5 s bob x breaks down: CarryOut: RuntimeError: the pan is hot [contract_net-ann-1]",
     ]
     assert done.code == 0

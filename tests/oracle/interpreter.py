@@ -866,6 +866,7 @@ class Reference:
             if not self.is_complete(label):
                 inside = {state for state in self.active if label in self.around(state)}
                 self.kept[label] = (inside, inside & self.complete)
+        completed = self.is_complete(label)
         for child in self.children(label):
             if child in self.active:
                 self.leave(child)
@@ -887,7 +888,7 @@ class Reference:
             # "entering/leaving a participation gives Joined/Left"; what waits in its conversation is given up
             self.mailbox[label].clear()
             self.forget_rounds(label)
-            self.outcome.effects.append(Left(label))
+            self.outcome.effects.append(Left(label, completed))
         if label in self.regions and label != self.root():
             # "leaving the region drops its timers", and its blackboard "is dropped when the AND is left"
             del self.regions[label]
@@ -1167,6 +1168,9 @@ class Reference:
             case ("taken", path):
                 assert self.in_hand is not None
                 found = member(self.in_hand.content, path)
+            case ("reason",):
+                assert self.in_hand is not None
+                return ("const", self.in_hand.content)
             case ("sender",):
                 assert self.in_hand is not None
                 return ("const", self.in_hand.sender)
@@ -1406,7 +1410,9 @@ def parts(term: Term | None) -> Iterator[Term]:
 def speaks_of_mail(transition: Transition) -> bool:
     """Whether the condition or an action speaks of the agent message that the transition takes."""
     values = [value for action in transition.actions for value in values_of(action)]
-    return any(p[0] in ("taken", "sender") for term in (transition.condition, *values) for p in parts(term))
+    return any(
+        p[0] in ("taken", "sender", "reason") for term in (transition.condition, *values) for p in parts(term)
+    )
 
 
 def signals_of(*terms: Term | None) -> list[tuple[str, str | None]]:

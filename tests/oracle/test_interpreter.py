@@ -536,7 +536,11 @@ def test_a_participants_variables_start_anew() -> None:
     assert run.step().effects == [Joined("0.2"), Start("0.2.2", "A", 1)]
     run.step(Written("v", 5))
     assert run.chart.variable("v") == 5
-    assert run.step(Completed("0.2.2", 1)).effects == [Left("0.2"), Joined("0.2"), Start("0.2.2", "A", 2)]
+    assert run.step(Completed("0.2.2", 1)).effects == [
+        Left("0.2", completed=True),
+        Joined("0.2"),
+        Start("0.2.2", "A", 2),
+    ]
     assert run.chart.variable("v") == 3
 
 

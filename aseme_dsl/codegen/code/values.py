@@ -27,6 +27,7 @@ from aseme_dsl.amola.expression import (
     ListValue,
     Literal,
     Logic,
+    LossReason,
     Mean,
     Member,
     Named,
@@ -284,6 +285,8 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return _path(Field(Name(names.mail), "content"), message, path, (), names, known)
         case Sender():
             return Piece(Field(Name(names.mail), "sender"), known=known)
+        case LossReason():
+            return Piece(Field(Name(names.mail), "content"), known=known)
         case Member():
             return _member(value, names, known)
         case Age(message=message):
@@ -358,7 +361,7 @@ def may_fail(value: Value) -> bool:
             return not function.target.startswith("builtin:")
         case Arithmetic():
             return may_raise(value)
-        case Member() | Element() | Outcome() | Age() | At() | Mean() | Bound() | Sender():
+        case Member() | Element() | Outcome() | Age() | At() | Mean() | Bound() | Sender() | LossReason():
             return True
         case VariableValue(type=kind):
             return kind == AGENT

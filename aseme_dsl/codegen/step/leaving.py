@@ -32,10 +32,16 @@ class Leaving(Part):
         name = f"_exit_{key_of(node.label)}(self) -> None"
         self.names.method(name, f"What is done when {node.label} {docstring(node.name)} is left.", method)
 
-    def _left(self, node: Node) -> list[str]:
-        """What is done when a state is left, after what is inside it."""
+    def _left(self, node: Node, leaf: Node | None = None) -> list[str]:
+        """What is done when a state is left, after what is inside it: the active `leaf`, if that is known."""
         lines = [f"self._exit_{key_of(node.label)}()"] if self.chart.exits_of(node.label) else []
-        return [*lines, f"self.part({node.label!r})"] if self.chart.is_branch(node) else lines
+        if not self.chart.is_branch(node):
+            return lines
+        end = next((n for n in self.chart.children(node.label) if n.type is NodeType.END), None)
+        if end is None or (leaf is not None and leaf is not end):
+            return [*lines, f"self.part({node.label!r})"]
+        place = f"self.r{self.flat.region_number[end.label]} == {self.flat.leaf[end.label]}"
+        return [*lines, f"self.part({node.label!r}, completed={'True' if leaf is end else place})"]
 
     def leave_leaf(
         self, method: Method, depth: int, region: int, scope: str, leaf: Node | None, complete: bool
@@ -66,7 +72,7 @@ class Leaving(Part):
             method.add(depth, *self._left(leaf))
         for around in self.flat.around(leaf.label):
             if len(around.label) > len(scope):
-                method.add(depth, *self._left(around))
+                method.add(depth, *self._left(around, leaf))
 
     def leave(self, region: int) -> None:
         """Methods that leave whatever is active in a region."""

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import chain
 
-from aseme_dsl.amola.expression import Value
+from aseme_dsl.amola.expression import LOSS, LOSS_REASONS, Value
 from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
 from aseme_dsl.compiler.chart.flow import Contradict
 from aseme_dsl.compiler.formula.formulas import cut
@@ -56,7 +56,10 @@ def vocabulary_of(symbols: Symbols) -> Vocabulary:
     return Vocabulary(
         {item.name: replace(item, span=NOWHERE) for item in symbols.enums},
         {item.name: item for item in messages},
-        {name: item.ends for name, item in symbols.activities.items() if item.ends},
+        {
+            **{name: item.ends for name, item in symbols.activities.items() if item.ends},
+            LOSS.name: LOSS_REASONS,
+        },
     )
 
 

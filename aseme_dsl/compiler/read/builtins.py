@@ -39,6 +39,7 @@ FORMS: dict[str, str] = {
     "answered": "answered(participant) >= 3",
     "all_answered": "all_answered(participant)",
     "sender": "sender(message)",
+    "reason": "reason(agent) == left",
     "size": "size(topic.state.Message.members)",
     "contains": "contains(topic.state.Message.members, value)",
 }
@@ -46,7 +47,9 @@ FORMS: dict[str, str] = {
 
 STATE_QUESTIONS = ("in", "done", "count")
 ROUND_QUESTIONS = ("invited", "answered", "all_answered")
-YIELDING = frozenset(("outcome", "random", "sender", "size", "contains", *STATE_QUESTIONS, *ROUND_QUESTIONS))
+YIELDING = frozenset(
+    ("outcome", "random", "sender", "reason", "size", "contains", *STATE_QUESTIONS, *ROUND_QUESTIONS)
+)
 """The forms that came later: a function that a document declares under such a name goes before."""
 
 PERFORMATIVES = tuple(

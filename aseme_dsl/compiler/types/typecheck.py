@@ -23,7 +23,7 @@ from aseme_dsl.compiler.types.calls import (
     timer,
 )
 from aseme_dsl.compiler.types.operators import COMPARISONS, arithmetic, compare, is_condition, negate
-from aseme_dsl.compiler.types.outcome_values import alone, compare_outcome, is_about_outcome
+from aseme_dsl.compiler.types.outcome_values import NAMED_RESULTS, alone, compare_outcome, is_about_outcome
 from aseme_dsl.compiler.types.round_values import round_value
 from aseme_dsl.compiler.types.state_values import state_value
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
@@ -166,7 +166,7 @@ def paths_in(written: tree.Expression) -> Iterator[tree.Path]:
             case tree.Path():
                 yield item
             case tree.Binary() if is_about_outcome(item):
-                pass  # it names an activity and an outcome
+                pass  # it names an activity or an agent, and a result
             case tree.Call(arguments=arguments):
                 if item.function.text in ("expired", "start_timer"):
                     arguments = arguments[1:]
@@ -238,7 +238,7 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
             return None  # E109 says so; no chart is made of it
         case tree.Unary():
             return _unary(checker, written, depth)
-        case tree.Binary() if is_about_outcome(written):
+        case tree.Binary() if is_about_outcome(written, checker.scope.symbols):
             return compare_outcome(checker, written)
         case tree.Binary():
             left = _value(checker, written.left, depth + 1)
@@ -289,7 +289,7 @@ def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
     if name == "start_timer":
         checker.report(TimerAsValue(name, FORMS[name]), written.span)
         return None
-    if name == "outcome" and not checker.scope.symbols.overloads(name):
+    if name in NAMED_RESULTS and not checker.scope.symbols.overloads(name):
         alone(checker, written)
         return None
     if name in STATE_QUESTIONS and not checker.scope.symbols.overloads(name):

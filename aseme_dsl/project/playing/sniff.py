@@ -239,8 +239,9 @@ class Sniffer:
                     if len(untaken) == 1:
                         messages = self._names.get(conversation, {}).get(untaken[0], "a message")
                     yield Mark(moment, name, f"leaves without having taken {messages}", conversation)
-            case "gone":
-                yield Mark(moment, name, f"hears that {record['peer']} is gone", conversation)
+            case "gone" if record.get("reason") != "completed":  # that is how most parts end
+                reason = f" ({record['reason']})" if "reason" in record else ""
+                yield Mark(moment, name, f"lost {record['peer']}{reason}", conversation)
 
 
 def of_conversation(diagram: SequenceDiagram, name: str) -> SequenceDiagram:

@@ -264,7 +264,7 @@ class Agent:
         stop = _stop(outcome) if outcome.failure is not None else -1
         for place, effect in enumerate(outcome.effects):
             if place == stop:
-                self.conversations.lost(self)
+                self.conversations.leaving(self, "failed")
             self._carried_out[type(effect)](effect)
         if outcome.failure is not None:
             self._note_failure(now, outcome)
@@ -346,13 +346,14 @@ class Agent:
             self.failed_at = self.plan.transitions[self.recent[-1][0]].at
         now = self.driver.clock.now()
         self.trace.failure(now, self.name, reason, self.failed_at, traceback=frames)
-        self.conversations.lost(self)
+        self.conversations.leaving(self, "failed")
         self._end()
 
     def stop(self) -> None:
         """Cancel what runs and do nothing more. Called while the agent is guarded."""
         if not self.over:
             self.stopped = True
+            self.conversations.leaving(self, None)
         self._end()
 
     def _end(self) -> None:
@@ -407,7 +408,7 @@ class Agent:
             old.effects.clear()
             old.leave()
             effects = old.effects if not dead else [item for item in old.effects if not _is_said(item)]
-            self.conversations.lost(self)
+            self.conversations.leaving(self, "crashed" if dead else "replaced")
             for effect in effects:
                 self._carried_out[type(effect)](effect)
             if self.shown is not None and not dead:
@@ -514,7 +515,7 @@ class Agent:
 
     def _leave(self, effect: Left) -> None:
         self.requests.prepared.forget(effect.branch)
-        self.conversations.left(self, effect.branch)
+        self.conversations.left(self, effect.branch, effect.completed)
 
     def _fail_for_content(self) -> None:
         """Fail the state that was entered by a transition whose message has no content, or the agent."""

@@ -139,11 +139,11 @@ class Chart(ChartState):
         self.rounds.forget(branch)
         self.effects.append(Joined(branch))
 
-    def part(self, branch: str) -> None:
-        """A protocol branch is left; what waits there is given up."""
+    def part(self, branch: str, completed: bool = False) -> None:
+        """A protocol branch is left, at its END or before; what waits there is given up."""
         self.mail[branch].clear()
         self.rounds.forget(branch)
-        self.effects.append(Left(branch))
+        self.effects.append(Left(branch, completed))
 
     def fault(self, transition: int, reason: object) -> bool:
         """Note, once a step, that something of a transition could not be done; always False."""

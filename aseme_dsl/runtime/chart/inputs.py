@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, TypeVar, dataclass_transform
+from typing import Any, Literal, TypeVar, dataclass_transform, get_args
 
 _T = TypeVar("_T")
 
@@ -20,7 +20,11 @@ Identity = tuple[str, int]
 
 
 LOST = "lost"
-"""The performative of what tells that an agent which plays a participant is gone."""
+"""The performative of what tells that an agent's part in a conversation is over; the content says why."""
+
+Reason = Literal["left", "failed", "crashed", "timed_out", "replaced", "incompatible", "completed"]
+"""Why an agent's part in a conversation is over: only what has `completed` has reached its END."""
+REASONS: tuple[Reason, ...] = get_args(Reason)
 
 
 # ---- inputs ------------------------------------------------------------------------------------
@@ -82,7 +86,8 @@ class Written:
 class AgentMessage:
     """An agent message for the protocol branch at `branch`, to wait there until something takes it.
 
-    That an agent is gone is told as one whose performative is `LOST`, without a message, from that agent.
+    That an agent's part is over is told as one whose performative is `LOST`, without a message, from that
+    agent; its content is a `Reason`.
     """
 
     branch: str
@@ -200,9 +205,10 @@ class Joined:
 
 @_made_often
 class Left:
-    """The protocol branch at `branch` was left."""
+    """The protocol branch at `branch` was left; `completed` says whether its END was reached."""
 
     branch: str
+    completed: bool = False
 
 
 @_made_often

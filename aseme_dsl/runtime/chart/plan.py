@@ -6,7 +6,7 @@ Conditions and values are nested tuples whose first item says what they are:
 
     ("const", value)  ("enum", "PlayerState", "PLAYING", 3)  ("variable", name)
     ("member", host or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
-    ("taken", path)  ("sender",)                   (of the agent message that the transition takes)
+    ("taken", path)  ("sender",)  ("reason",)       (of the agent message that the transition takes)
     ("call", name, value, …)  ("builtin", name, value, …)  ("has", member or variable)
     ("list", value, …)  ("element", list, value, ("name",))  ("size", list)  ("contains", list, value)
     ("age", member)  ("at", member, value)  ("mean", member, value)  ("expired", timer)

@@ -22,7 +22,7 @@ from dataclasses import replace
 from typing import Any
 
 from aseme_dsl.runtime.chart.board import QUEUE
-from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity
+from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity, Reason
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.conversation import external_agents
 from aseme_dsl.runtime.conversation.choosing import Choosing
@@ -30,6 +30,7 @@ from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
 from aseme_dsl.runtime.conversation.directory import Directory
 from aseme_dsl.runtime.conversation.invitations import Part
+from aseme_dsl.runtime.conversation.losses import Losses, reason_of
 from aseme_dsl.runtime.conversation.management import Management
 from aseme_dsl.runtime.conversation.participation import REMEMBERED, Conversation, Desk, Participation
 from aseme_dsl.runtime.message.acl import (
@@ -75,7 +76,7 @@ class Conversations:
         self._agents: dict[str, Receiver] = {}
         self._plans: dict[str, Plan] = {}
         """Of everybody, also of agents in other processes, in the team's order."""
-        self._over: dict[str, set[tuple[str, str]]] = {}
+        self._over: dict[str, dict[tuple[str, str], Reason]] = {}
         """Who has left the conversations that are forgotten here but may go on elsewhere, the newest last."""
         self.links: Links | None = None
         """The simulated links between the agents, if they are not perfect."""
@@ -92,6 +93,16 @@ class Conversations:
         self._management = Management(self.directory, system, self._tell_outside, self._plans)
         self._opened: dict[tuple[str, str], int] = {}
         self._lock = threading.RLock()
+        self._losses = Losses(
+            self._told,
+            self._counting,
+            self._agents,
+            self._desks,
+            self._plans,
+            transport,
+            lambda: self.links,
+            self._bring,
+        )
 
     def join(self, agent: Receiver) -> None:
         """An agent can be talked to; the order in which they come is the team's."""
@@ -263,6 +274,7 @@ class Conversations:
             "" if first is None else first.reply_with,
             reply_by,
         )
+        place.said[message] = content
         self._told.sent(acl, [answered[name].identity for name in receivers if name in answered])
         self._choosing.sent(agent, receivers)
         if is_round:
@@ -333,6 +345,7 @@ class Conversations:
         if agent.name not in members:
             members.append(agent.name)
         self._told.takes_part(what, agent.name, place, name)
+        self._losses.joined(agent, place, name, conversation)
 
     def _receivers(
         self, agent: Receiver, place: Participation, to: str, performative: str, message: str
@@ -417,18 +430,25 @@ class Conversations:
             if self._desks[agent.name].was_heard(acl.identity):
                 self._told.unexpected(agent.name, acl, "it was received before")
                 return
-            self._told.received(agent.name, acl)
+            if acl.performative != LOST:  # that is told where somebody waits for it
+                self._told.received(agent.name, acl)
             played = (info.version for info in agent.plan.branches if info.protocol == acl.protocol)
             acl = replace(acl, version=next(played, ""))  # the transport brings only what is of our model
             conversation = self._conversations.get(acl.conversation)
             if conversation is None:
-                past = self._over.pop(acl.conversation, set())
+                past = self._over.pop(acl.conversation, {})
                 conversation = Conversation(acl.protocol, past=past)
                 self._conversations[acl.conversation] = conversation
             for part, names in members.items():
                 known = conversation.members.setdefault(part, [])
                 known.extend(name for name in names if name not in known)
-            self._deliver(agent, acl)
+            if acl.performative == LOST:
+                if (acl.sender, acl.participant) not in conversation.past:
+                    self._losses.over(
+                        conversation, acl.conversation, acl.sender, acl.participant, reason_of(acl)
+                    )
+            else:
+                self._deliver(agent, acl)
             if acl.conversation in self._conversations:
                 self._close(acl.conversation)
 
@@ -502,7 +522,7 @@ class Conversations:
         )
         self._told.received(agent.name, acl)
         if conversation is None:
-            past = self._over.pop(name, set())
+            past = self._over.pop(name, {})
             conversation = self._conversations[name] = Conversation(info.protocol, past=past)
         members = conversation.members.setdefault(found.participant, [])
         _, most = info.size_of(found.participant)
@@ -547,51 +567,34 @@ class Conversations:
         """An agent of the team that runs elsewhere is there."""
         self.directory.appeared(name, self._plans[name])
 
-    def vanished(self, name: str) -> None:
+    def vanished(self, name: str, reason: Reason = "crashed") -> None:
         """An agent elsewhere is gone: tell it in each conversation here that counts on it."""
         with self._driver.holding(), self._lock:
             self.directory.disappeared(name)
-            self._tell_gone(name, elsewhere=True)
+            self._tell_gone(name, reason, elsewhere=True)
 
     def _tell_outside(self, sender: str, message: FipaMessage, to: Iterable[AgentIdentifier]) -> None:
         with self._driver.holding(), self._lock:
             self._carry_outside(sender, message, to)
 
-    def _tell_gone(self, name: str, *, elsewhere: bool) -> None:
+    def _tell_gone(self, name: str, reason: Reason, *, elsewhere: bool) -> None:
         """Tell of an agent that is gone in the middle of the conversations that count on it.
 
         A branch with a transition for it gets it as mail, once for each participant that the agent was.
         """
-        for agent in self._agents.values():
-            for place in self._desks[agent.name].branches.values() if agent.name != name else ():
-                conversation = self._conversations.get(place.conversation or "")
-                if conversation is None:
-                    continue
-                parts = [
-                    part
-                    for part, who in conversation.members.items()
-                    if name in who and (name, part) not in conversation.past
-                ]
-                for part in parts:
-                    if part in place.info.counts:
-                        self._counting.settled(agent, place, part, name)
-                awaited = [part for part in parts if part in place.info.loses]
-                for part in awaited:
-                    identity = agent.identity()
-                    mail = AgentMessage(place.info.label, LOST, "", None, part, name, identity)
-                    self._told.takes_part(
-                        "gone",
-                        agent.name,
-                        place,
-                        place.conversation or "",
-                        peer=name,
-                        played=part,
-                        identity=identity,
-                    )
-                    place.waiting[identity] = mail
-                    agent.post(identity, mail, conversation=place.conversation)
-                if elsewhere and parts and not awaited:
-                    self._told.takes_part("gone", agent.name, place, place.conversation or "", peer=name)
+        for known, conversation in list(self._conversations.items()):
+            parts = [
+                part
+                for part, who in conversation.members.items()
+                if name in who and (name, part) not in conversation.past
+            ]
+            places = [(to, place) for (to, _), place in conversation.places.items() if to != name]
+            for part in parts:
+                self._losses.over(conversation, known, name, part, reason)
+            for to, place in places if elsewhere and parts else ():
+                if not any(part in place.info.loses for part in parts):
+                    self._told.takes_part("gone", to, place, known, peer=name, reason=reason)
+            self._close(known)
 
     def _deliver(self, agent: Receiver, acl: AclMessage) -> None:
         conversation = self._conversations.get(acl.conversation)
@@ -733,7 +736,11 @@ class Conversations:
                 else:
                     self._unexpected(agent, acl, f"{acl.to} does not receive it")
 
-    def left(self, agent: Receiver, branch: str) -> None:
+    def leaving(self, agent: Receiver, reason: Reason | None) -> None:
+        """Parts of an agent that end from now on before their END do so for this reason; None: in silence."""
+        self._desks[agent.name].leaving = reason
+
+    def left(self, agent: Receiver, branch: str, completed: bool = False) -> None:
         """A branch was left: its part in the conversation is over, and what it did not take is given up."""
         with self._driver.holding(), self._lock:
             desk = self._desks[agent.name]
@@ -747,9 +754,19 @@ class Conversations:
             conversation = self._conversations[name]
             conversation.places.pop((agent.name, place.info.participant), None)
             conversation.counting.pop((agent.name, place.info.participant), None)
-            conversation.past.add((agent.name, place.info.participant))
-            self._counting.gone(conversation, agent.name, place.info.participant)
-            self._told.takes_part("leave", agent.name, place, name, untaken=tuple(place.waiting))
+            reason: Reason | None = "completed" if completed else desk.leaving
+            self._told.takes_part(
+                "leave",
+                agent.name,
+                place,
+                name,
+                untaken=tuple(place.waiting),
+                reason=None if completed else reason,
+            )
+            if reason is None:
+                conversation.past[agent.name, place.info.participant] = "left"
+            else:
+                self._losses.ended(agent, place, name, conversation, reason)
             self._close(name)
 
     def _close(self, name: str) -> None:
@@ -786,6 +803,9 @@ class Conversations:
                 place.taken.pop(kind, None)
                 place.taken[kind] = mail
                 place.answered[mail.sender] = mail
+        if place.completed:
+            with self._driver.holding(), self._lock:
+                self._losses.consumed(agent, place)
 
     def taken_by(self, agent: Receiver, branch: str) -> tuple[AgentMessage, ...]:
         """What a participation has taken: the last of each kind and sender, the newest at the end."""
@@ -821,17 +841,18 @@ class Conversations:
             self._unexpected(agent, acl, "its part in the conversation is over")
             return False
 
-    def lost(self, agent: Receiver) -> None:
-        """An agent leaves everything though its part is not done: others may wait to hear of it."""
-        with self._driver.holding(), self._lock:
-            self._tell_gone(agent.name, elsewhere=False)
-
     def gone(self, agent: Receiver, reason: str = "") -> None:
-        """An agent has ended or left its plan: it takes part in nothing, and what waited is answered."""
+        """An agent has ended or left its plan: it takes part in nothing, and what waited is answered.
+
+        Why its parts are over was said before, with `leaving`.
+        """
         with self._driver.holding(), self._lock:
             desk = self._desks[agent.name]
             for branch in list(desk.branches):
                 self.left(agent, branch)
+            if desk.leaving not in (None, "left"):  # those who have asked it, and it has not joined
+                self._tell_gone(agent.name, desk.leaving, elsewhere=False)
+            desk.leaving = "left"
             for acl in desk.invitations.clear():
                 self._unexpected(agent, acl, reason or f"{agent.name} has ended")
                 self._conversations[acl.conversation].invitations -= 1
@@ -924,8 +945,10 @@ class Conversations:
             infos = {info.label: info for info in agent.plan.branches}
             desk = self._desks[agent.name]
             places = desk.branches
+            desk.leaving = "replaced"
             for branch in [item for item in places if labels.get(item) not in infos]:
                 self.left(agent, branch)
+            desk.leaving = "left"
             carried: dict[str, Participation] = {}
             for branch, place in places.items():
                 label = labels[branch]

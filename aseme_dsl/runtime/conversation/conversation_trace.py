@@ -132,6 +132,7 @@ class ConversationTrace:
         played: str | None = None,
         identity: Identity | None = None,
         in_reply_to: str = "",
+        reason: str | None = None,
     ) -> None:
         """An agent opens, joins or leaves a conversation, or hears that another one is gone or `settled`."""
         info = place.info
@@ -149,6 +150,7 @@ class ConversationTrace:
             peer=peer,
             played=played,
             in_reply_to=in_reply_to or None,
+            reason=reason,
         )
 
 

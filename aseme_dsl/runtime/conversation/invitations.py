@@ -61,6 +61,24 @@ class Invitations:
         self.size -= len(found)
         return [acl for _, acl in sorted(found, key=lambda item: item[0])]
 
+    def withdraw(self, conversation: str, sender: str) -> list[AclMessage]:
+        """What an agent has sent in a conversation, which then waits no more."""
+        found: list[AclMessage] = []
+        for waiting in self._waiting.values():
+            items = waiting.get(conversation, [])
+            found += [acl for _, acl in items if acl.sender == sender]
+            items[:] = [item for item in items if item[1].sender != sender]
+            if conversation in waiting and not items:
+                del waiting[conversation]
+        for (part, name), items in list(self._early.items()):
+            if name == conversation:
+                found += [acl for _, acl in items if acl.sender == sender]
+                items[:] = [item for item in items if item[1].sender != sender]
+                if not items:
+                    del self._early[part, name]
+        self.size -= len(found)
+        return found
+
     def waiting(self) -> list[AclMessage]:
         """All that waits, in the order in which it came."""
         found = [item for waiting in self._waiting.values() for items in waiting.values() for item in items]

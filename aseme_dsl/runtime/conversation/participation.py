@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Reason
 from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation.invitations import Invitations, Part
 from aseme_dsl.runtime.message.acl import AgentIdentifier
@@ -27,6 +27,10 @@ class Participation:
     """The last one taken of each kind and sender, the newest at the end."""
     answered: dict[str, AgentMessage] = field(default_factory=dict)
     """The last one taken of each sender: what is sent to it next is an answer to that."""
+    said: dict[str, Any] = field(default_factory=dict)
+    """What it has sent last of each type of message."""
+    completed: list[tuple[str, str]] = field(default_factory=list)
+    """Agents that have completed, each with its participant: lost once no message of them waits."""
     was_full: bool = False
 
     @property
@@ -37,11 +41,12 @@ class Participation:
 
 @dataclass(slots=True)
 class Conversation:
-    """Who takes part, by participant; who is invited, and who has left."""
+    """Who takes part or is invited, by participant."""
 
     protocol: str
     members: dict[str, list[str]] = field(default_factory=dict)
-    past: set[tuple[str, str]] = field(default_factory=set)
+    past: dict[tuple[str, str], Reason] = field(default_factory=dict)
+    """Whose part is over, by agent and participant, and why."""
     places: dict[tuple[str, str], Participation] = field(default_factory=dict)
     """The branches here that take part, by agent and participant."""
     counting: dict[tuple[str, str], tuple[Receiver, Participation]] = field(default_factory=dict)
@@ -61,6 +66,8 @@ class Desk:
     branches: dict[str, Participation] = field(default_factory=dict)
     free: dict[Part, dict[str, Participation]] = field(default_factory=dict)
     invitations: Invitations = field(default_factory=Invitations)
+    leaving: Reason | None = "left"
+    """Why a part of the agent ends now, if it has not reached its END; None: the run is over."""
     heard: dict[tuple[Any, ...], None] = field(default_factory=dict)
     """The messages from elsewhere that came last."""
 

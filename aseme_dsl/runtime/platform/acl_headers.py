@@ -113,7 +113,7 @@ def read_letter(said: Mapping[str, Any], headers: Headers, payload: bytes, syste
             raise EnvelopeError(f"its {name} is no {kind.__name__}")
     if values.pop("check", None) != zlib.crc32(payload):
         raise EnvelopeError("it was damaged on its way: its checksum is another")
-    if values.get("kind") not in range(5):
+    if values.get("kind") not in range(6):
         raise EnvelopeError(f"there is no kind {values.get('kind')} of envelope")
     if values["kind"] == envelopes.MAIL:
         performative = performative_of(headers.get("performative", ""))

@@ -6,7 +6,7 @@ its payload; sender, receiver and channel are the sample's key. In another langu
     syntax = "proto3";
     package aseme.transport;
 
-    enum Kind { MESSAGE = 0; MAIL = 1; ACKNOWLEDGE = 2; PING = 3; PONG = 4; }
+    enum Kind { MESSAGE = 0; MAIL = 1; ACKNOWLEDGE = 2; PING = 3; PONG = 4; LOSS = 5; }
 
     message Envelope {
       uint32 format = 1;                // 1
@@ -61,7 +61,7 @@ FORMAT = 1
 MOST_MISSING = 256
 """An acknowledgement says of at most so many places that they are missing."""
 
-MESSAGE, MAIL, ACKNOWLEDGE, PING, PONG = range(5)
+MESSAGE, MAIL, ACKNOWLEDGE, PING, PONG, LOSS = range(6)
 
 
 class EnvelopeError(ValueError):
@@ -142,7 +142,7 @@ def read(data: bytes, payload: bytes) -> Envelope:
         raise EnvelopeError(f"its envelope has the format {proto.format}; this is {FORMAT}")
     if proto.check != zlib.crc32(payload):
         raise EnvelopeError("it was damaged on its way: its checksum is another")
-    if proto.kind not in range(5):
+    if proto.kind not in range(6):
         raise EnvelopeError(f"there is no kind {proto.kind} of envelope")
     if len(proto.missing) > MOST_MISSING:
         raise EnvelopeError(f"it says of {len(proto.missing)} places that they are missing")
@@ -215,7 +215,7 @@ def _proto() -> Any:
         name="aseme/transport.proto", package="aseme.transport", syntax="proto3"
     )
     kind = file.enum_type.add(name="Kind")
-    for number, name in enumerate(("MESSAGE", "MAIL", "ACKNOWLEDGE", "PING", "PONG")):
+    for number, name in enumerate(("MESSAGE", "MAIL", "ACKNOWLEDGE", "PING", "PONG", "LOSS")):
         kind.value.add(name=name, number=number)
     part = file.message_type.add(name="Part")
     part.field.add(name="participant", number=1, type=kinds.TYPE_STRING, label=kinds.LABEL_OPTIONAL)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
-from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.chart.inputs import Identity, Reason
 from aseme_dsl.runtime.time.timers import Scheduler
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ class MailPort(Protocol):
     def arrived(self, agent: Receiver, acl: AclMessage, members: Mapping[str, Sequence[str]]) -> None: ...
     def receive_external(self, to: str, message: FipaMessage) -> None: ...
     def appeared(self, name: str) -> None: ...
-    def vanished(self, name: str) -> None: ...
+    def vanished(self, name: str, reason: Reason = ...) -> None: ...
 
 
 class BusPort(Protocol):

@@ -23,7 +23,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl import outside
-from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.chart.inputs import LOST, Identity
 from aseme_dsl.runtime.message.acl import JSON, AclMessage, AgentIdentifier, FipaMessage, name_of
 from aseme_dsl.runtime.message.wire import Schema, WireError
 from aseme_dsl.runtime.time.clock import RealClock
@@ -190,14 +190,16 @@ class Post(Transport):
     def carry(self, message: AclMessage, to: str, members: Mapping[str, Sequence[str]]) -> None:
         state = self.state
         sender, sequence = message.identity
-        payload = encoded(state, sender, f"{message.performative} {message.message}", message.content)
+        is_loss = message.performative == LOST
+        what = f"{message.performative} {message.message}"
+        payload = b"" if is_loss else encoded(state, sender, what, message.content)
         if payload is None:
             return
         envelope = state.envelope(
-            envelopes.MAIL,
+            envelopes.LOSS if is_loss else envelopes.MAIL,
             sequence,
             state.origin + state.now(),
-            performative=message.performative,
+            performative="" if is_loss else message.performative,
             message=message.message,
             protocol=message.protocol,
             conversation=message.conversation,

@@ -92,7 +92,7 @@ def test_a_robot_that_fails_is_lost() -> None:
             raise RuntimeError("stuck")
 
     run = auction(offer="", deliver=Deliver)
-    (gone,) = run.of("conversation", what="gone")
+    (gone,) = run.of("conversation", what="gone", reason="failed")
     assert (gone["agent"], gone["peer"], gone["played"], gone["participant"]) == (
         "shop",
         "r2",

@@ -394,11 +394,11 @@ aip net {
     process = Await . Offer
   }
   control manager {
-    enter Announce : / send cfp Task to contractor
+    enter Announce : / send cfp Task { .. } to contractor
     leave AwaitBids : propose Bid from contractor or after(20s)
   }
   control contractor {
-    enter Offer : cfp Task from manager / send propose Bid to manager
+    enter Offer : cfp Task from manager / send propose Bid { .. } to manager
   }
 }
 srm boss {

@@ -262,6 +262,21 @@ class NoActivityWithOutcomes(Unknown):
         return f"say them among the `activities` of a role: `{self.name} ends done, failed`"
 
 
+class NoReasonOfLoss(Unknown):
+    """`reasons` are all there are."""
+
+    code = "E520"
+    reasons: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"`{self.name}` is not a reason of a loss"
+
+    @property
+    def advice(self) -> str:
+        return f"reasons are {listed(self.reasons)}"
+
+
 class NoOutcome(Unknown):
     """`ends` are the outcomes of the activity in the order in which they are declared."""
 

@@ -146,7 +146,7 @@ class WrongNumberForForm(_OfForm):
         return f"`{self.form}` takes {self.wanted} argument{plural}, not {self.given}"
 
 
-Named = Literal["activity", "participant", "state", "timer"]
+Named = Literal["activity", "agent", "participant", "state", "timer"]
 """What the name in a form is the name of."""
 
 

@@ -233,27 +233,55 @@ class OutcomeAlone(Problem):
 
     code = "E521"
     written: str
-    activity: str
+    activity: str | None
     ends: tuple[str, ...]
 
-    message = "an outcome is no value of its own: it is compared with a name"
+    @property
+    def message(self) -> str:
+        what = "the reason of a loss" if self.activity is None else "an outcome"
+        return f"{what} is not a value of its own: it is compared with a name"
 
     @property
     def hint(self) -> str:
-        ways = listed(self.ends, "or")
-        return f"write `{self.written} == {self.ends[0]}`; `{self.activity}` ends {ways}"
+        return f"write `{self.written} == {self.ends[0]}`; {_answers(self.activity, self.ends)}"
 
 
 class OutcomeComparedWithValue(Problem):
     code = "E521"
-    activity: str
+    activity: str | None
     ends: tuple[str, ...]
 
-    message = "an outcome is compared with a name only"
+    @property
+    def message(self) -> str:
+        what = "the reason of a loss" if self.activity is None else "an outcome"
+        return f"{what} is compared with a name only"
 
     @property
     def hint(self) -> str:
-        return f"`{self.activity}` ends {listed(self.ends, 'or')}"
+        return _answers(self.activity, self.ends)
+
+
+def _answers(activity: str | None, names: tuple[str, ...]) -> str:
+    """The names that an outcome of an activity, or (None) the reason of a loss, is compared with."""
+    return f"reasons are {listed(names)}" if activity is None else f"`{activity}` ends {listed(names, 'or')}"
+
+
+class ReasonOfOther(Problem):
+    """`known` is the name of the agent that the event has lost, if it has one."""
+
+    code = "E560"
+    name: str
+    known: str | None
+
+    @property
+    def message(self) -> str:
+        return f"`{self.name}` is not an agent that this line has lost"
+
+    @property
+    def hint(self) -> str:
+        if self.known is not None:
+            return f"write `reason({self.known})`"
+        return f"name the agent in the event: `lost participant {self.name}`"
 
 
 class RandomInCondition(Problem):

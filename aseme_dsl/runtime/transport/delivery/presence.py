@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 
+from aseme_dsl.runtime.chart.inputs import Reason
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.delivery.records import Other
 from aseme_dsl.runtime.transport.delivery.reports import count, lose, meet_stranger, tell
@@ -97,8 +98,8 @@ def end_before(state: Delivery, agent: str, life: int) -> None:
         vanished(state, agent, other.life)
 
 
-def vanished(state: Delivery, agent: str, incarnation: int) -> None:
-    """An agent elsewhere is not there any more."""
+def vanished(state: Delivery, agent: str, incarnation: int, reason: Reason = "crashed") -> None:
+    """An agent elsewhere is not there any more, for a reason."""
     state.gate.wait()
     if agent in state.here:
         state.twins.discard(incarnation)
@@ -113,7 +114,7 @@ def vanished(state: Delivery, agent: str, incarnation: int) -> None:
             return
         other.alive, other.gone_at = False, time.monotonic()
         tell(state, other, "gone")
-    state.team.conversations.vanished(agent)
+    state.team.conversations.vanished(agent, reason)
     with state.lock:
         others = other.present - other.ended
         if other.alive or not others:

@@ -6,6 +6,7 @@ import time
 from collections.abc import Sequence
 from typing import Any
 
+from aseme_dsl.runtime.chart.inputs import LOST
 from aseme_dsl.runtime.message.acl import JSON, AclMessage, name_of
 from aseme_dsl.runtime.message.wire import WireError
 from aseme_dsl.runtime.transport import envelope as envelopes
@@ -74,12 +75,14 @@ def sender_of(state: Delivery, to: str, sender: str) -> Other | None:
 
 def decoded(state: Delivery, other: Other, envelope: Envelope, payload: bytes) -> tuple[Envelope, Any] | None:
     """The message in an envelope; None, after telling why, if it is none for us."""
-    mail = envelope.kind == envelopes.MAIL
+    mail = envelope.kind in (envelopes.MAIL, envelopes.LOSS)
     name = envelope.message if mail else envelope.channel
     if envelope.model != state.codec.model:
         reason = f"{name} is of the model {envelope.model or '(none)'}; ours is {state.codec.model}"
         count(state, other, "refused", reason, about=name)
         return None
+    if envelope.kind == envelopes.LOSS:  # it has no content
+        return envelope, None
     kind: Any = state.codec.schema.channels.get(name)
     if mail:
         kind = next((k for k in state.codec.schema.classes if k.__name__ == name), None)
@@ -144,9 +147,9 @@ def hand_on(state: Delivery, to: str, other: Other, envelope: Envelope, message:
     other.counts["taken"] = other.counts.get("taken", 0) + 1
     identity = (other.name, envelope.sequence)
     try:
-        if envelope.kind == envelopes.MAIL:
+        if envelope.kind in (envelopes.MAIL, envelopes.LOSS):
             acl = AclMessage(
-                envelope.performative,
+                LOST if envelope.kind == envelopes.LOSS else envelope.performative,
                 other.name,
                 envelope.receivers,
                 envelope.message,

@@ -50,7 +50,7 @@ def keep_up(state: Delivery) -> None:
                     state.rest.wait(BEAT)
             quiet = silent(state)
         for name, life in quiet:  # without the lock, since conversations are told
-            vanished(state, name, life)
+            vanished(state, name, life, "timed_out")
 
 
 def look_after(state: Delivery) -> bool:

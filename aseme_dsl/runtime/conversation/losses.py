@@ -1,0 +1,196 @@
+"""Losses: whoever shares a conversation with an agent is told that its part there is over, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
+
+from aseme_dsl.runtime.chart.inputs import LOST, REASONS, AgentMessage, Reason
+from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
+from aseme_dsl.runtime.conversation.counting import Counting
+from aseme_dsl.runtime.conversation.participation import Conversation, Desk, Participation
+from aseme_dsl.runtime.message.acl import AclMessage, name_of
+from aseme_dsl.runtime.ports import Links, Receiver
+from aseme_dsl.runtime.transport.port import Transport
+
+FAREWELLS = ("cancel", "failure", "refuse", "reject_proposal")
+"""What an external agent is sent when a part ends early: the first of these that the protocol has for it."""
+
+
+class Losses:
+    """What conversations do when an agent's part ends, in whatever way. Called with their lock."""
+
+    def __init__(
+        self,
+        told: ConversationTrace,
+        counting: Counting,
+        agents: Mapping[str, Receiver],
+        desks: Mapping[str, Desk],
+        plans: Mapping[str, Plan],
+        transport: Transport,
+        links: Callable[[], Links | None],
+        send: Callable[[str, AclMessage], None],
+    ) -> None:
+        """`send` sends one message to an agent that is not here; `links` are the simulated ones, if any."""
+        self._told = told
+        self._counting = counting
+        self._agents = agents
+        self._desks = desks
+        self._plans = plans
+        self._transport = transport
+        self._links = links
+        self._send = send
+
+    def ended(
+        self, agent: Receiver, place: Participation, name: str, conversation: Conversation, reason: Reason
+    ) -> None:
+        """The part of an agent of this process is over; everybody in its conversation is told."""
+        part = place.info.participant
+        self.over(conversation, name, agent.name, part, reason)
+        for to, theirs in _others(conversation, agent.name):
+            if to in self._agents:
+                continue
+            if to in self._plans:
+                if reason != "completed" or self._awaits(to, place.info.protocol, theirs, part):
+                    loss = _message(agent, place, name, to, theirs, LOST, reason, None)
+                    self._transport.carry(loss, to, conversation.members)
+            elif reason != "completed":
+                self._bid_farewell(agent, place, name, to, theirs)
+
+    def over(self, conversation: Conversation, name: str, who: str, part: str, reason: Reason) -> None:
+        """An agent's part is over, wherever it runs; the agents of this process are told."""
+        conversation.past[who, part] = reason
+        for (to, _), place in list(conversation.places.items()):
+            if to != who:
+                self.tell(self._agents[to], place, name, who, part, reason)
+        if reason != "completed":
+            self._withdraw(conversation, name, who, reason)
+
+    def tell(
+        self, agent: Receiver, place: Participation, name: str, who: str, part: str, reason: Reason
+    ) -> None:
+        """A branch is told of an agent, if a transition waits for that or a condition counts its answers."""
+        if part in place.info.counts:
+            self._counting.settled(agent, place, part, who)
+        if part not in place.info.loses:
+            return
+        give = partial(self._give, agent, place, name, who, part, reason)
+        links = self._links()
+        if links is None or who not in self._agents:
+            give()
+        else:  # behind what it has sent before
+            links.carry(who, agent.name, "mail", LOST, agent.identity(), give)
+
+    def _give(
+        self, agent: Receiver, place: Participation, name: str, who: str, part: str, reason: Reason
+    ) -> None:
+        if place.conversation != name or self._desks[agent.name].branches.get(place.info.label) is not place:
+            return
+        if reason == "completed" and _waits_from(place, who):
+            place.completed.append((who, part))
+            return
+        identity = agent.identity()
+        mail = AgentMessage(place.info.label, LOST, "", reason, part, who, identity)
+        self._told.takes_part(
+            "gone", agent.name, place, name, peer=who, played=part, identity=identity, reason=reason
+        )
+        place.waiting[identity] = mail
+        agent.post(identity, mail, conversation=name)
+
+    def consumed(self, agent: Receiver, place: Participation) -> None:
+        """A message was taken: who has completed, and of whom nothing waits any more, is lost now."""
+        for item in place.completed[:]:
+            if not _waits_from(place, item[0]):
+                place.completed.remove(item)
+                self._give(agent, place, place.conversation or "", *item, "completed")
+
+    def joined(self, agent: Receiver, place: Participation, name: str, conversation: Conversation) -> None:
+        """A branch takes part from now on: it is told whose part is over already."""
+        for (who, part), reason in list(conversation.past.items()):
+            if part in place.info.loses and who != agent.name:
+                self.tell(agent, place, name, who, part, reason)
+
+    def _withdraw(self, conversation: Conversation, name: str, who: str, reason: Reason) -> None:
+        """What an agent has sent, and nobody has joined for yet, opens nothing any more."""
+        for to, desk in self._desks.items():
+            for acl in desk.invitations.withdraw(name, who):
+                conversation.invitations -= 1
+                self._told.unexpected(to, acl, f"{who} has left the conversation: {reason}")
+
+    def _awaits(self, agent: str, protocol: str, own: str, part: str) -> bool:
+        """Whether an agent elsewhere has a transition for that a part has ended."""
+        return any(
+            part in info.loses or part in info.counts
+            for info in self._plans[agent].branches
+            if (info.protocol, info.participant) == (protocol, own)
+        )
+
+    def _bid_farewell(self, agent: Receiver, place: Participation, name: str, to: str, theirs: str) -> None:
+        """An external agent is sent what its protocol has for a part that ends early."""
+        moves = [move for act in FAREWELLS for move in place.info.sends if move[0] == act]
+        if not moves:
+            return
+        performative, message = moves[0]
+        content: Any = place.said.get(message)
+        if content is None:
+            kind = agent.kinds.get(message)
+            content = kind() if kind is not None else None
+        if content is None:
+            return
+        acl = _message(agent, place, name, to, theirs, performative, message, content)
+        self._told.sent(acl, [place.answered[to].identity] if to in place.answered else [])
+        self._send(to, acl)
+
+
+def _waits_from(place: Participation, who: str) -> bool:
+    return any(mail.sender == who and mail.performative != LOST for mail in place.waiting.values())
+
+
+def _others(conversation: Conversation, name: str) -> list[tuple[str, str]]:
+    """Who else takes part or was asked to, each with its participant."""
+    return [
+        (agent, part)
+        for part, agents in conversation.members.items()
+        for agent in agents
+        if agent != name and (agent, part) not in conversation.past
+    ]
+
+
+def _message(
+    agent: Receiver,
+    place: Participation,
+    name: str,
+    to: str,
+    theirs: str,
+    performative: str,
+    message: str,
+    content: Any,
+) -> AclMessage:
+    identity = agent.identity()
+    heard = place.answered.get(to)
+    return AclMessage(
+        performative,
+        agent.name,
+        (to,),
+        message,
+        content,
+        place.info.protocol,
+        name,
+        place.info.participant,
+        theirs,
+        identity,
+        place.info.version,
+        agent.plan.system,
+        name_of(identity),
+        in_reply_to=heard.reply_with if heard is not None else "",
+    )
+
+
+def reason_of(acl: AclMessage) -> Reason:
+    """The reason in a message that tells of a loss; one that is unknown here counts as `left`."""
+    return next((reason for reason in REASONS if reason == acl.message), "left")
+
+
+__all__ = ["Losses", "reason_of"]
