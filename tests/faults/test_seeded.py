@@ -15,7 +15,7 @@ from aseme_dsl.runtime.activity.context import Context
 from aseme_dsl.runtime.team.faults import Crash, Faults, Partition
 from aseme_dsl.runtime.trace.trace import Record
 from tests.faults.changing import version
-from tests.faults.test_swap import NET
+from tests.faults.test_swap import NET, NODDING
 from tests.runtime.playing import MS, SECOND, make
 from tests.support.generated import Generated, generate
 
@@ -128,8 +128,7 @@ def test_signals_are_neither_lost_nor_doubled_nor_overtaken(group: int) -> None:
 @pytest.mark.parametrize("group", range(GROUPS))
 def test_no_run_of_a_protocol_has_two_versions(group: int) -> None:
     old = generate(NET)
-    changed = NET.replace("process = Think . Tell", "process = Think . Nod . Tell")
-    new, back = version(generate(changed)), version(generate(NET))
+    new, back = version(generate(NODDING)), version(generate(NET))
     models = {kind.PLAN.model: "new" for kind in new.charts.values()}
     done = 0
     for seed in range(group, RUNS, GROUPS):

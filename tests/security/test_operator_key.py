@@ -183,7 +183,9 @@ def test_control_over_the_bus_is_off_unless_there_are_keys(
     loaded = cast("Loaded", SimpleNamespace(name=SYSTEM, folder=tmp_path / "out" / "monas" / SYSTEM))
     with Running() as (team, _):
         answers: list[Any] = []
-        transport = SimpleNamespace(answer=answers.append, life="", go=lambda: None, close=lambda: None)
+        transport = SimpleNamespace(
+            answer=answers.append, life="", go=lambda: None, close=lambda: None, peers=dict
+        )
         monkeypatch.setattr(team, "transport", transport)
         with operable(team, loaded, tmp_path, keys=keys if on else None):
 

@@ -174,7 +174,7 @@ def test_nonsense_from_an_address_of_the_team_is_harmless(net: Generated, square
 def test_what_is_too_large_is_told_and_not_sent(square: Square) -> None:
     long = "x" * 20_000
     text = NET.replace("message Task { int n }", "message Task { string n }")
-    net = generate(text.replace("send cfp Task to", f'send cfp Task {{ n = "{long}" }} to'))
+    net = generate(text.replace("send cfp Task { .. } to", f'send cfp Task {{ n = "{long}" }} to'))
     boss = part(net, ["ann"], {}, link(square)).start()
     wait_until(lambda: boss.of("fault"))
     boss.stop()
