@@ -302,7 +302,8 @@ class _Reading:
                 return Settled(record["branch"], record["played"], record["peer"], reply)
             case _:
                 part = record["played"]
-                return AgentMessage(record["branch"], LOST, "", None, part, record["peer"], identity)
+                reason = record.get("reason", "left")
+                return AgentMessage(record["branch"], LOST, "", reason, part, record["peer"], identity)
 
     def _message(self, agent: str, identity: Identity, record: Record) -> Sample:
         channel = record["channel"]

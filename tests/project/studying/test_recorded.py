@@ -15,6 +15,7 @@ from aseme_dsl.project.studying.recorded import NotPlayable, recorded
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.trace.trace import Record
 from tests.cli.support import asemec
+from tests.runtime.conversation.test_losses import TEXT as KITCHEN
 from tests.runtime.held import play_held
 from tests.runtime.playing import MS, SECOND, make
 from tests.support.generated import Generated, generate
@@ -194,3 +195,14 @@ def test_a_trace_that_cannot_be_played_says_why(tmp_path: Path) -> None:
     torn = trace.read_bytes()[: trace.stat().st_size // 2]
     trace.write_bytes(torn)
     assert "the trace breaks off" in str(recorded(trace, "S", MADE.charts, vars(MADE.messages)).problem)
+
+
+def test_why_an_agent_was_lost(tmp_path: Path) -> None:
+    control = "control robot { enter Flee : after(2s) }"
+    made = generate(KITCHEN.format(robot="robot = cook [> Flee", control=control, rings="true"))
+    team, records = make(made, {}, until=20 * SECOND)
+    team.run()
+    (course,) = read(written(tmp_path / "kitchen.jsonl", records), made)["human"]
+    steps = [r for r in records if r["kind"] == "step" and r["agent"] == "ann"]
+    assert (course.until, len(course.steps)) == ("", len(steps))
+    assert course.taken == {n for r in steps for way in r["taken"] for n in way["transitions"]}
