@@ -217,16 +217,22 @@ def value(reader: Reader) -> tree.Expression:
 def _elements(reader: Reader) -> tree.List:
     """`[a, b]`"""
     opener = reader.take()
-    elements: list[tree.Expression] = []
-    if reader.next != "]":
-        elements.append(operation(reader))
+    elements = _separated(reader, opener, "]")
+    return reader.grown(tree.List(tuple(elements), reader.since(opener.start)), *elements)
+
+
+def _separated(reader: Reader, opener: Token, closer: str) -> list[tree.Expression]:
+    """The values behind an opener, with commas between them, and the closer."""
+    found: list[tree.Expression] = []
+    if reader.next != closer:
+        found.append(operation(reader))
         while reader.next == ",":
             reader.take()
-            elements.append(operation(reader))
-    if reader.next != "]":
-        raise reader.unexpected(Wanted.OPERATOR, ",", "]", related=(reader.still_open(opener),))
+            found.append(operation(reader))
+    if reader.next != closer:
+        raise reader.unexpected(Wanted.OPERATOR, ",", closer, related=(reader.still_open(opener),))
     reader.take()
-    return reader.grown(tree.List(tuple(elements), reader.since(opener.start)), *elements)
+    return found
 
 
 def _whole(reader: Reader) -> tree.Expression:
@@ -255,16 +261,7 @@ def _whole(reader: Reader) -> tree.Expression:
     path = read_path(reader.source, first)
     if reader.next != "(":
         return path
-    opener = reader.take()
-    arguments: list[tree.Expression] = []
-    if reader.next != ")":
-        arguments.append(operation(reader))
-        while reader.next == ",":
-            reader.take()
-            arguments.append(operation(reader))
-    if reader.next != ")":
-        raise reader.unexpected(Wanted.OPERATOR, ",", ")", related=(reader.still_open(opener),))
-    reader.take()
+    arguments = _separated(reader, reader.take(), ")")
     return reader.grown(tree.Call(path, tuple(arguments), reader.since(first.start)), *arguments)
 
 

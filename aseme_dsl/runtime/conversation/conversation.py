@@ -339,8 +339,6 @@ class Conversations:
         self._desks[agent.name].free.get(part, {}).pop(place.info.label, None)
         conversation = self._conversations[name]
         conversation.places[agent.name, part[1]] = place
-        if place.info.counts:
-            conversation.counting[agent.name, part[1]] = agent, place
         members = conversation.members.setdefault(part[1], [])
         if agent.name not in members:
             members.append(agent.name)
@@ -753,7 +751,6 @@ class Conversations:
             name = place.conversation
             conversation = self._conversations[name]
             conversation.places.pop((agent.name, place.info.participant), None)
-            conversation.counting.pop((agent.name, place.info.participant), None)
             reason: Reason | None = "completed" if completed else desk.leaving
             self._told.takes_part(
                 "leave",

@@ -30,12 +30,6 @@ class Counting:
             if (name, acl.to) in conversation.past or self._is_gone(name):
                 self.settled(agent, place, acl.to, name)
 
-    def gone(self, conversation: Conversation, name: str, participant: str) -> None:
-        """An agent does not take part as a participant any more."""
-        for agent, place in conversation.counting.values():
-            if participant in place.info.counts and agent.name != name:
-                self.settled(agent, place, participant, name)
-
     def unexpected(self, agent: Receiver, conversation: Conversation | None, acl: AclMessage) -> None:
         """A message was refused or is unexpected: nothing will be taken of it."""
         place = conversation.places.get((agent.name, acl.to)) if conversation is not None else None

@@ -9,7 +9,6 @@ from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Reason
 from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation.invitations import Invitations, Part
 from aseme_dsl.runtime.message.acl import AgentIdentifier
-from aseme_dsl.runtime.ports import Receiver
 
 REMEMBERED = 4096
 """So many messages from elsewhere are known again, and of so many conversations that are over it is known who
@@ -49,8 +48,6 @@ class Conversation:
     """Whose part is over, by agent and participant, and why."""
     places: dict[tuple[str, str], Participation] = field(default_factory=dict)
     """The branches here that take part, by agent and participant."""
-    counting: dict[tuple[str, str], tuple[Receiver, Participation]] = field(default_factory=dict)
-    """Those of them in which a condition counts answers."""
     chosen: set[str] = field(default_factory=set)
     """The participants of which an agent here has invited those who take part: nobody else does."""
     invitations: int = 0
