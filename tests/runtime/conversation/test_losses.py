@@ -6,8 +6,11 @@ from typing import Any
 
 import pytest
 
+from aseme_dsl.amola.expression import LOSS_REASONS
 from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.chart.inputs import REASONS
 from aseme_dsl.runtime.team.faults import Crash, Faults
+from aseme_dsl.runtime.trace.trace_schema import schema
 from tests.runtime.playing import MS, SECOND, Played, play
 from tests.runtime.transport.net import Air, part
 from tests.support.generated import generate
@@ -182,3 +185,9 @@ def test_losses_are_told_between_processes(robot: str, control: str, last: str) 
     wait_until(lambda: ann.of("activity", what="start", activity=last))
     ann.stop()
     bob.stop()
+
+
+def test_the_language_the_runtime_and_the_trace_know_the_same_reasons() -> None:
+    assert LOSS_REASONS == REASONS
+    record = next(item for item in schema()["oneOf"] if item["title"] == "conversation")
+    assert tuple(record["properties"]["reason"]["enum"]) == REASONS
