@@ -40,7 +40,7 @@ def main(lines: int) -> None:
     begun = time.process_time()
     format_source(Source("large.aseme", text))
     formatting = time.process_time() - begun
-    states = sum(len(chart.nodes) for chart in system.statecharts)
+    states = sum(len(chart.states) for chart in system.statecharts)
     size = sum(len(artefact.text) for artefact in artefacts) / 1e6
     print(f"{text.count(chr(10))} lines, {len(system.statecharts)} statecharts, {states} states")
     print(f"parse     {parsing:6.2f} s")

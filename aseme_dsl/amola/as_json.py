@@ -21,7 +21,7 @@ from aseme_dsl.amola.liveness import canonical
 from aseme_dsl.amola.messages import AGENT, DURATION, Parameter
 from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Module, Srm, Subscription
-from aseme_dsl.amola.statechart import Node, Statechart
+from aseme_dsl.amola.statechart import State, Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
 from aseme_dsl.source import Span, is_library_path
@@ -169,7 +169,7 @@ def srm_json(srm: Srm, activities: Iterable[Activity], system: str, folder: Pure
 
 def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
     """An EAC or IAC: states in document order, transitions in the template's order."""
-    nodes = [
+    states = [
         {
             "label": node.label,
             "name": node.name,
@@ -180,14 +180,14 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
             "span": _span(node.span, folder),
             **_arguments(node),
         }
-        for node in chart.nodes
+        for node in chart.states
     ]
     transitions = []
     for item in chart.transitions:
         expression = item.expression
         condition = expression.condition
         marks: Json = {"first": True} if item.first else {}
-        if not item.is_way:
+        if not item.changes_state:
             marks["kind"] = item.kind.value
         if item.resume:
             marks["resume"] = True
@@ -211,7 +211,7 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
         "format": FORMAT,
         "name": chart.name,
         "system": chart.system,
-        "nodes": nodes,
+        "states": states,
         "transitions": transitions,
         "variables": [
             {"name": item.name, "type": str(item.type), "initial": _initial(item.initial)}
@@ -229,7 +229,7 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
     }
 
 
-def _arguments(node: Node) -> Json:
+def _arguments(node: State) -> Json:
     if not node.arguments:
         return {}
     given = [{"name": item.name, "value": value_text(item.value, expand=True)} for item in node.arguments]

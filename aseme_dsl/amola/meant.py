@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.amola.statechart import State, Statechart, StateType
 
 
 def states_meant(
-    chart: Statechart, source: str, name: str, fits: Callable[[Node], bool] | None = None
-) -> tuple[Node, ...]:
+    chart: Statechart, source: str, name: str, fits: Callable[[State], bool] | None = None
+) -> tuple[State, ...]:
     """The states that an expression of a transition out of `source` means by `name`, in document order.
 
     They are those of that name in the innermost state around `source` (`source` included) that holds any;
@@ -25,7 +25,7 @@ def states_meant(
     return ()
 
 
-def performers(chart: Statechart, source: str, activity: str) -> tuple[Node, ...]:
+def performers(chart: Statechart, source: str, activity: str) -> tuple[State, ...]:
     """The states of which `outcome(activity)` is the last outcome, in a transition out of `source`.
 
     They are looked for from its region, or its participant's branch, outwards: there one thing is done after
@@ -36,7 +36,7 @@ def performers(chart: Statechart, source: str, activity: str) -> tuple[Node, ...
         chart,
         branch if branch.startswith(f"{region}.") else region,
         activity,
-        lambda node: node.type is NodeType.BASIC and node.activity == activity,
+        lambda node: node.type is StateType.BASIC and node.activity == activity,
     )
 
 
@@ -48,7 +48,7 @@ def loop_of(chart: Statechart, label: str) -> str:
     while not chart.is_region(label):
         node = chart.node(label)
         assert node.parent is not None
-        if any(way.target == label and way.is_way for way in chart.outgoing(label)):
+        if any(way.target == label and way.changes_state for way in chart.outgoing(label)):
             return node.parent
         label = node.parent
     return label

@@ -59,7 +59,7 @@ def list_of(element: Type | None) -> Type:
 BUILT_IN = {str(t): t for t in (BOOL, INT, DOUBLE, STRING, BYTES, DURATION)}
 
 
-class Comm(StrEnum):
+class ChannelKind(StrEnum):
     """The papers' commType: how long a message counts and for whom."""
 
     SIGNAL = "signal"
@@ -126,7 +126,7 @@ class Channel:
     """What a message is published on: topic, channel kind and message type."""
 
     topic: str
-    comm: Comm
+    comm: ChannelKind
     message: str
 
     def __str__(self) -> str:

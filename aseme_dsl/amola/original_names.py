@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from aseme_dsl.amola.operators import Operator
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 
 _SPELLINGS = sorted(
     (
@@ -37,19 +37,19 @@ def labels_as_original(chart: Statechart) -> Statechart:
     """
     names = {
         node.label: original_name(node.name)
-        if node.type in (NodeType.OR, NodeType.AND) and node.name != node.label
+        if node.type in (StateType.OR, StateType.AND) and node.name != node.label
         else node.name
-        for node in chart.nodes
+        for node in chart.states
     }
     nodes = tuple(
         node if names[node.label] == node.name else replace(node, name=names[node.label])
-        for node in chart.nodes
+        for node in chart.states
     )
     transitions = tuple(
-        replace(item, name=f"{names[item.source]}TO{names[item.target]}") if item.is_way else item
+        replace(item, name=f"{names[item.source]}TO{names[item.target]}") if item.changes_state else item
         for item in chart.transitions
     )
-    return replace(chart, nodes=nodes, transitions=transitions)
+    return replace(chart, states=nodes, transitions=transitions)
 
 
 __all__ = ["labels_as_original", "original_name"]

@@ -21,7 +21,7 @@ from aseme_dsl.amola.srm import Module
 from aseme_dsl.source import Span
 
 
-class NodeType(StrEnum):
+class StateType(StrEnum):
     """The six types of state."""
 
     START = "START"
@@ -61,12 +61,12 @@ class Argument:
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class State:
     """A state. `label` is its place (`0.2.1`), `parent` the label around it, None for the root."""
 
     label: str
     name: str
-    type: NodeType
+    type: StateType
     parent: str | None
     activity: str | None
     origin: Origin
@@ -75,12 +75,12 @@ class Node:
 
 
 class TransitionKind(StrEnum):
-    """Whether a transition leads somewhere (WAY), or belongs to its source, which is its target, too.
+    """Whether a transition leads somewhere (EXTERNAL), or belongs to its source, which is its target, too.
 
     ON does its actions without leaving the source; EXIT does them whenever the source is left.
     """
 
-    WAY = "way"
+    EXTERNAL = "external"
     ON = "on"
     EXIT = "exit"
 
@@ -103,20 +103,20 @@ class Transition:
     origin: Origin
     span: Span
     first: bool = False
-    kind: TransitionKind = TransitionKind.WAY
+    kind: TransitionKind = TransitionKind.EXTERNAL
     resume: bool = False
     reactive: bool = False
 
     @property
-    def is_way(self) -> bool:
+    def changes_state(self) -> bool:
         """Whether it leads somewhere: something is left and entered."""
-        return self.kind is TransitionKind.WAY
+        return self.kind is TransitionKind.EXTERNAL
 
 
 def transition_text(transition: Transition) -> str:
     """What people read on a transition: its expression, after `[>` where it cuts its source short, after `on`
     or `exit` where it stays, after `resume` where its target goes on."""
-    word = "[>" if transition.first else "" if transition.is_way else transition.kind.value
+    word = "[>" if transition.first else "" if transition.changes_state else transition.kind.value
     verb = "resume" if transition.resume else "reactive" if transition.reactive else ""
     return " ".join(filter(None, (word, verb, expression_text(transition.expression))))
 
@@ -163,7 +163,7 @@ class Statechart:
     name: str
     system: str
     kind: str
-    nodes: tuple[Node, ...]
+    states: tuple[State, ...]
     transitions: tuple[Transition, ...]
     variables: tuple[Variable, ...] = ()
     regions: tuple[Region, ...] = ()
@@ -172,20 +172,20 @@ class Statechart:
     """What runs beside it in each agent of the role."""
 
     @cached_property
-    def by_label(self) -> dict[str, Node]:
-        return {node.label: node for node in self.nodes}
+    def by_label(self) -> dict[str, State]:
+        return {node.label: node for node in self.states}
 
     @cached_property
-    def _children(self) -> dict[str | None, tuple[Node, ...]]:
-        found: dict[str | None, list[Node]] = {}
-        for node in self.nodes:
+    def _children(self) -> dict[str | None, tuple[State, ...]]:
+        found: dict[str | None, list[State]] = {}
+        for node in self.states:
             found.setdefault(node.parent, []).append(node)
         return {label: tuple(nodes) for label, nodes in found.items()}
 
     @cached_property
-    def _called(self) -> dict[str, tuple[Node, ...]]:
-        found: dict[str, list[Node]] = {}
-        for node in self.nodes:
+    def _called(self) -> dict[str, tuple[State, ...]]:
+        found: dict[str, list[State]] = {}
+        for node in self.states:
             own = node.name.partition("(")[0] if node.arguments else node.name
             for name in dict.fromkeys((own, node.name, node.activity)):
                 if name is not None:
@@ -204,13 +204,13 @@ class Statechart:
         }
 
     @property
-    def root(self) -> Node:
-        return self.nodes[0]
+    def root(self) -> State:
+        return self.states[0]
 
-    def node(self, label: str) -> Node:
+    def node(self, label: str) -> State:
         return self.by_label[label]
 
-    def children(self, label: str) -> tuple[Node, ...]:
+    def children(self, label: str) -> tuple[State, ...]:
         """The states directly inside `label`, in document order."""
         return self._children.get(label, ())
 
@@ -224,14 +224,14 @@ class Statechart:
     @cached_property
     def _values(self) -> tuple[tuple[str, Value], ...]:
         found: list[tuple[str, Value]] = []
-        for node in self.nodes:
-            if node.type is NodeType.BASIC:
+        for node in self.states:
+            if node.type is StateType.BASIC:
                 found += [(node.label, value) for item in node.arguments for value in walk(item.value)]
         for transition in self.transitions:
             found += [(transition.source, value) for value in values_of(transition.expression)]
         return tuple(found)
 
-    def called(self, name: str) -> tuple[Node, ...]:
+    def called(self, name: str) -> tuple[State, ...]:
         """The states that are called `name`, or whose activity is, in document order."""
         return self._called.get(name, ())
 
@@ -247,15 +247,15 @@ class Statechart:
         """The transitions of a source in the order in which they are tried, with those that stay in it."""
         return self._outgoing.get(label, ())
 
-    def ways_from(self, label: str) -> tuple[Transition, ...]:
+    def outgoing_edges(self, label: str) -> tuple[Transition, ...]:
         """The transitions that lead out of a source, or to itself, in the order in which they are tried."""
-        return tuple(item for item in self.outgoing(label) if item.is_way)
+        return tuple(item for item in self.outgoing(label) if item.changes_state)
 
     def exits_of(self, label: str) -> tuple[Transition, ...]:
         """What is done when a state is left, in that order."""
         return self._exits.get(label, ())
 
-    def ancestors(self, label: str) -> Iterator[Node]:
+    def ancestors(self, label: str) -> Iterator[State]:
         """The states around `label`, from its parent to the root."""
         parent = self.by_label[label].parent
         while parent is not None:
@@ -263,11 +263,11 @@ class Statechart:
             yield node
             parent = node.parent
 
-    def start_of(self, label: str) -> Node | None:
-        return next((node for node in self.children(label) if node.type is NodeType.START), None)
+    def start_of(self, label: str) -> State | None:
+        return next((node for node in self.children(label) if node.type is StateType.START), None)
 
-    def end_of(self, label: str) -> Node | None:
-        return next((node for node in self.children(label) if node.type is NodeType.END), None)
+    def end_of(self, label: str) -> State | None:
+        return next((node for node in self.children(label) if node.type is StateType.END), None)
 
     def is_region(self, label: str) -> bool:
         """Whether `label` is the root or an OR child of an AND."""
@@ -278,8 +278,8 @@ class Statechart:
         known = self.by_label
         return frozenset(
             node.label
-            for node in self.nodes
-            if node.parent is None or known[node.parent].type is NodeType.AND
+            for node in self.states
+            if node.parent is None or known[node.parent].type is StateType.AND
         )
 
     def region_of(self, label: str) -> str:
@@ -290,9 +290,9 @@ class Statechart:
             label = parent
         return label
 
-    def is_branch(self, node: Node) -> bool:
+    def is_branch(self, node: State) -> bool:
         """Whether a state is the outermost of what came from a participant."""
-        if node.origin.kind is not OriginKind.PROTOCOL or node.type is not NodeType.OR:
+        if node.origin.kind is not OriginKind.PROTOCOL or node.type is not StateType.OR:
             return False
         parent = None if node.parent is None else self.node(node.parent)
         return parent is not None and parent.origin != node.origin
@@ -308,30 +308,30 @@ class Statechart:
         """The lowest OR state that holds source and target (P1, section 4.3)."""
         around = {node.label for node in self.ancestors(transition.target)}
         for node in self.ancestors(transition.source):
-            if node.type is NodeType.OR and node.label in around:
+            if node.type is StateType.OR and node.label in around:
                 return node.label
         return self.root.label
 
     def acts_in(self, transition: Transition) -> str:
         """The region in which the actions of a transition count: that of its scope."""
-        if not transition.is_way:
+        if not transition.changes_state:
             return self.region_of(transition.source)
         return self.region_of(self.scope_of(transition))
 
     @cached_property
     def levels(self) -> int:
         """The number of levels: the segments of the longest label."""
-        return max(node.label.count(".") + 1 for node in self.nodes)
+        return max(node.label.count(".") + 1 for node in self.states)
 
 
 __all__ = [
     "EMPTY",
     "Argument",
-    "Node",
-    "NodeType",
     "Origin",
     "OriginKind",
     "Region",
+    "State",
+    "StateType",
     "Statechart",
     "Transition",
     "TransitionKind",

@@ -182,7 +182,7 @@ class Telling:
         """A transition, or the parts of a compound one."""
         plan = self._plan(record["agent"])
         parts = [plan.transitions[number] for number in numbers]
-        labels = (parts[0].source, parts[-1].target) if parts[0].kind == "way" else (parts[0].source,)
+        labels = (parts[0].source, parts[-1].target) if parts[0].kind == "external" else (parts[0].source,)
         ends = [_state(plan, label) for label in labels]
         text = " ; ".join(part.text for part in parts if part.text)
         self._say(record, f"{' -> '.join(ends)}  {text}".rstrip())

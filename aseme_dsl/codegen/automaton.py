@@ -13,7 +13,7 @@ from functools import cached_property
 
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.expression import Received, Send, TransitionExpression
-from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
+from aseme_dsl.amola.statechart import Statechart, StateType, Transition
 from aseme_dsl.codegen.moves import moves_of, subchart_of
 
 LARGEST = 3000
@@ -96,7 +96,7 @@ class _Explorer:
     def steps(self, configuration: Configuration) -> Iterable[tuple[tuple[Letter, ...], Configuration]]:
         """What can come next: what is received and sent on the way (nothing in a silent step), and where."""
         for leaf in sorted(configuration):
-            if self.eac.node(leaf).type is NodeType.BASIC:
+            if self.eac.node(leaf).type is StateType.BASIC:
                 for letter in (*self._received, *self._sent.get(leaf, ())):
                     yield (letter,), configuration
         for label in self._active(configuration):
@@ -113,7 +113,7 @@ class _Explorer:
         if waits and not self._is_complete(item.source, configuration):
             return
         target, sent = configuration, _sends(expression)
-        if item.is_way:
+        if item.changes_state:
             scope = self.eac.scope_of(item)
             left = {leaf for leaf in configuration if leaf.startswith(f"{scope}.")}
             exited = sorted(
@@ -152,9 +152,9 @@ class _Explorer:
         todo = [label]
         while todo:
             node = self.eac.node(todo.pop())
-            if node.type is NodeType.AND:
+            if node.type is StateType.AND:
                 todo += [child.label for child in self.eac.children(node.label)]
-            elif node.type is NodeType.OR and (start := self.eac.start_of(node.label)) is not None:
+            elif node.type is StateType.OR and (start := self.eac.start_of(node.label)) is not None:
                 todo.append(start.label)
             else:
                 leaves.add(node.label)
@@ -162,10 +162,10 @@ class _Explorer:
 
     def _is_complete(self, label: str, configuration: Configuration) -> bool:
         node = self.eac.node(label)
-        if node.type is NodeType.OR:
+        if node.type is StateType.OR:
             end = self.eac.end_of(label)
             return end is not None and end.label in configuration
-        if node.type is NodeType.AND:
+        if node.type is StateType.AND:
             return all(self._is_complete(child.label, configuration) for child in self.eac.children(label))
         return True
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import AgentMessage, Participant
 from aseme_dsl.amola.expression import Send
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.amola.statechart import State, Statechart, StateType
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,10 +22,10 @@ class Move:
     repeatedly: bool
 
 
-def subchart_of(eac: Statechart, participant: str) -> Node | None:
+def subchart_of(eac: Statechart, participant: str) -> State | None:
     """The subchart of a participant in the statechart of its protocol; of several, the first."""
     return next(
-        (node for node in eac.nodes if node.origin.name == participant and eac.is_branch(node)),
+        (node for node in eac.states if node.origin.name == participant and eac.is_branch(node)),
         None,
     )
 
@@ -49,8 +49,8 @@ def moves_of(eac: Statechart, participant: Participant) -> tuple[Move, ...]:
     sent = sent_by_transitions(eac, subchart.label)
     acting = [
         node
-        for node in eac.nodes
-        if node.type is NodeType.BASIC and node.activity and eac.branch_of(node.label) == subchart.label
+        for node in eac.states
+        if node.type is StateType.BASIC and node.activity and eac.branch_of(node.label) == subchart.label
     ]
     return tuple(
         Move(
@@ -64,7 +64,7 @@ def moves_of(eac: Statechart, participant: Participant) -> tuple[Move, ...]:
     )
 
 
-def _may_send(node: Node, message: AgentMessage) -> bool:
+def _may_send(node: State, message: AgentMessage) -> bool:
     return not message.by or node.activity in message.by
 
 

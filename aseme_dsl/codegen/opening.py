@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.expression import Received, Send
-from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
+from aseme_dsl.amola.statechart import Statechart, StateType, Transition
 from aseme_dsl.codegen.moves import subchart_of
 
 NOT_UNDERSTOOD = "not_understood"
@@ -36,7 +36,7 @@ def openings_of(eac: Statechart, participant: Participant) -> tuple[Kind, ...]:
         reached = _reached_in_silence(eac, subchart.label, inside, with_events)
         first = [item for item in inside if item.source in reached]
         found = set(_taken(item for item in first if not item.first))
-        if any(eac.node(label).type is NodeType.BASIC for label in reached):
+        if any(eac.node(label).type is StateType.BASIC for label in reached):
             found |= set(listed) - set(_taken(inside))
         if found or any(_sends(item) for item in first):
             break
@@ -70,7 +70,7 @@ def _reached_in_silence(
         changed = False
         for item in inside:
             if (
-                item.is_way
+                item.changes_state
                 and item.source in reached
                 and item.target not in reached
                 and _is_silent(item, with_events)
@@ -94,10 +94,10 @@ def _is_complete(eac: Statechart, transition: Transition, reached: set[str]) -> 
     node, expression = eac.node(transition.source), transition.expression
     if expression.events or expression.when:
         return True
-    if node.type is NodeType.OR:
+    if node.type is StateType.OR:
         end = eac.end_of(node.label)
         return end is not None and end.label in reached
-    if node.type is NodeType.AND:
+    if node.type is StateType.AND:
         ends = [eac.end_of(child.label) for child in eac.children(node.label)]
         return all(end is not None and end.label in reached for end in ends)
     return True
@@ -110,9 +110,9 @@ def _entered(eac: Statechart, label: str) -> set[str]:
     while todo:
         node = eac.node(todo.pop())
         found.add(node.label)
-        if node.type is NodeType.AND:
+        if node.type is StateType.AND:
             todo += [child.label for child in eac.children(node.label)]
-        elif node.type is NodeType.OR:
+        elif node.type is StateType.OR:
             start = eac.start_of(node.label)
             todo += [] if start is None else [start.label]
     return found

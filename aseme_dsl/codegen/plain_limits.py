@@ -27,7 +27,7 @@ from aseme_dsl.amola.expression import (
     values_of,
     walk,
 )
-from aseme_dsl.amola.messages import AGENT, Comm
+from aseme_dsl.amola.messages import AGENT, ChannelKind
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import OriginKind, Statechart, Transition, TransitionKind
 from aseme_dsl.codegen.code.values import may_fail
@@ -53,11 +53,11 @@ def limits(chart: Statechart, activities: Iterable[Activity] = ()) -> tuple[Limi
 
 
 def _limits(chart: Statechart, activities: Iterable[Activity]) -> Iterator[Limit]:
-    used = {node.activity for node in chart.nodes}
+    used = {node.activity for node in chart.states}
     for said in activities:
         if said.name in used and said.within is not None:
             yield Limit(AgentFeature.DEADLINES, said.span)
-    for node in chart.nodes:
+    for node in chart.states:
         for argument in node.arguments:
             for value in walk(argument.value):
                 what = AgentFeature.GIVEN if may_fail(value) else _of_value(value)
@@ -119,9 +119,9 @@ def _of_value(value: Value) -> AgentFeature | None:
         case VariableValue(type=kind) if kind == AGENT:
             return AgentFeature.AGENTS
         case Member(channel=channel):
-            if channel.comm is Comm.SIGNAL:
+            if channel.comm is ChannelKind.SIGNAL:
                 return AgentFeature.SIGNALS
-            if channel.comm is Comm.DATA:
+            if channel.comm is ChannelKind.DATA:
                 return AgentFeature.DATA
     return None
 

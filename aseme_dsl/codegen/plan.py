@@ -10,7 +10,7 @@ from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Topic
 from aseme_dsl.amola.srm import Activity, Module
-from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable, transition_text
+from aseme_dsl.amola.statechart import State, Statechart, Transition, Variable, transition_text
 from aseme_dsl.amola.system import Agent, System
 from aseme_dsl.codegen.automaton import TooManyStates, automaton_of
 from aseme_dsl.codegen.code.values import function_key
@@ -157,7 +157,7 @@ def _call(name: str, required: Sequence[object], optional: Iterable[tuple[str, o
     return f"{name}({', '.join(parts)})"
 
 
-def _state(node: Node, flat: FlatChart, placed: bool = True) -> str:
+def _state(node: State, flat: FlatChart, placed: bool = True) -> str:
     branch = f"{node.origin.owner}.{node.origin.name}" if flat.chart.is_branch(node) else None
     return _call(
         "State",
@@ -172,7 +172,7 @@ def _state(node: Node, flat: FlatChart, placed: bool = True) -> str:
     )
 
 
-def _given(node: Node) -> tuple[tuple[str, Term], ...]:
+def _given(node: State) -> tuple[tuple[str, Term], ...]:
     """What the activity of a state is given, by parameter."""
     if node.activity is None:
         return ()
@@ -194,7 +194,7 @@ def _transition(transition: Transition, placed: bool = True) -> str:
             ("condition", condition, None),
             ("actions", tuple(action_term(action) for action in expression.actions), ()),
             ("first", transition.first, False),
-            ("kind", transition.kind.value, "way"),
+            ("kind", transition.kind.value, "external"),
             ("resume", transition.resume, False),
             ("text", transition_text(transition), ""),
             ("at", place(transition.span) if placed else "", ""),
@@ -292,7 +292,7 @@ def plan_sections(system: System, chart: Statechart, versions: Mapping[str, str]
     """
     flat = FlatChart(chart)
     kept = retention(system, chart)
-    used = {node.activity for node in chart.nodes if node.activity}
+    used = {node.activity for node in chart.states if node.activity}
     activities = [item for item in system.activities if item.name in used]
     channels = {str(c) for region in chart.regions for c in (*region.reads, *region.writes)}
     functions = {
@@ -301,7 +301,7 @@ def plan_sections(system: System, chart: Statechart, versions: Mapping[str, str]
         if isinstance(value, e.Call) and not value.function.target.startswith("builtin:")
     }
     sections = [
-        ("states", [_state(node, flat) for node in chart.nodes]),
+        ("states", [_state(node, flat) for node in chart.states]),
         ("transitions", [_transition(transition) for transition in chart.transitions]),
         (
             "variables",
@@ -393,7 +393,7 @@ def _branches(
     return [_branch(system, chart, node, versions.get(node.origin.owner, "")) for node in flat.branches]
 
 
-def _branch(system: System, chart: Statechart, node: Node, version: str) -> str:
+def _branch(system: System, chart: Statechart, node: State, version: str) -> str:
     participant = _participant(system, node.origin.owner, node.origin.name)
     sends = tuple((m.performative, m.message) for m in participant.sends) if participant else ()
     receives = tuple((m.performative, m.message) for m in participant.receives) if participant else ()
@@ -413,14 +413,14 @@ def _branch(system: System, chart: Statechart, node: Node, version: str) -> str:
     )
 
 
-def _opens(system: System, branch: Node, participant: Participant | None) -> tuple[tuple[str, str], ...]:
+def _opens(system: System, branch: State, participant: Participant | None) -> tuple[tuple[str, str], ...]:
     """What can be the first message that a participant takes."""
     eac = system.eac(branch.origin.owner)
     return () if eac is None or participant is None else openings_of(eac, participant)
 
 
 def _moves(
-    system: System, branch: Node, participant: Participant | None
+    system: System, branch: State, participant: Participant | None
 ) -> tuple[tuple[str, str, tuple[str, ...], bool], ...]:
     """What activities of a branch may send, with the labels of their states in the role."""
     eac = system.eac(branch.origin.owner)
@@ -491,9 +491,9 @@ def _spoken(system: System, eac: Statechart, participant: Participant) -> str:
     return repr((automaton.ways, sorted(automaton.ends)))
 
 
-def _branch_text(system: System, chart: Statechart, flat: FlatChart, branch: Node) -> str:
+def _branch_text(system: System, chart: Statechart, flat: FlatChart, branch: State) -> str:
     """All that a branch is, with its labels as if it were a root."""
-    inside = [n for n in chart.nodes if n.label == branch.label or n.label.startswith(branch.label + ".")]
+    inside = [n for n in chart.states if n.label == branch.label or n.label.startswith(branch.label + ".")]
     labels = {node.label for node in inside}
     used = {node.activity for node in inside}
     items = [

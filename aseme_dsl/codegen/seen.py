@@ -19,8 +19,8 @@ def seen_by_roles(system: System) -> tuple[System, ...]:
     aips = {item.name: item for item in system.aips}
     found: list[System] = []
     for chart in system.iacs:
-        used = {node.activity for node in chart.nodes if node.activity is not None} & order.keys()
-        played = {node.origin.owner for node in chart.nodes}
+        used = {node.activity for node in chart.states if node.activity is not None} & order.keys()
+        played = {node.origin.owner for node in chart.states}
         found.append(
             replace(
                 system,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import Kind
-from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
+from aseme_dsl.amola.statechart import Statechart, StateType, Transition
 from aseme_dsl.proofs.choice import (
     Always,
     Covered,
@@ -107,7 +107,7 @@ def findings(situation: Situation, prover: Prover) -> list[Finding]:
 
 def _ways(chart: Statechart, branch: Transition) -> tuple[Way, ...]:
     own = () if branch.expression.condition is None else (branch.expression.condition,)
-    if chart.node(branch.target).type is not NodeType.CONDITION:
+    if chart.node(branch.target).type is not StateType.CONDITION:
         return (own,)
     return tuple((*own, *path.conditions) for path in paths(chart, branch.target))
 

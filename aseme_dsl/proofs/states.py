@@ -7,7 +7,7 @@ from itertools import permutations
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.meant import states_meant
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.amola.statechart import State, Statechart, StateType
 
 
 def facts_of_states(chart: Statechart, source: str, conditions: Sequence[e.Value]) -> tuple[e.Value, ...]:
@@ -34,20 +34,20 @@ def _not_together(one: e.Value, other: e.Value) -> e.Value:
     return e.Not(e.Logic("&&", (one, other), one.span), one.span)
 
 
-def _holds(outer: Node, inner: Node) -> bool:
+def _holds(outer: State, inner: State) -> bool:
     return inner.label == outer.label or inner.label.startswith(f"{outer.label}.")
 
 
-def _exclude(chart: Statechart, one: Node, other: Node) -> bool:
+def _exclude(chart: Statechart, one: State, other: State) -> bool:
     """Whether two states are never active together: neither holds the other, and one OR holds both."""
     if _holds(one, other) or _holds(other, one):
         return False
     around = set(_around(chart, one))
     lowest = next(label for label in _around(chart, other) if label in around)
-    return chart.node(lowest).type is NodeType.OR
+    return chart.node(lowest).type is StateType.OR
 
 
-def _around(chart: Statechart, node: Node) -> Iterator[str]:
+def _around(chart: Statechart, node: State) -> Iterator[str]:
     return (item.label for item in chart.ancestors(node.label))
 
 

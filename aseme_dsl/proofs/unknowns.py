@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.messages import AGENT, BOOL, Comm, EnumType, Function, Kind, Message, Type
+from aseme_dsl.amola.messages import AGENT, BOOL, ChannelKind, EnumType, Function, Kind, Message, Type
 
 Key = tuple[Any, ...]
 """Which unknown it is: two places that read the same in one snapshot have the same key."""
@@ -263,4 +263,6 @@ def sources(value: e.Value) -> frozenset[Key]:
 
 def reads_signal(value: e.Value) -> bool:
     """Whether it reads a signal, which comes and goes like an event."""
-    return any(isinstance(part, e.Member) and part.channel.comm is Comm.SIGNAL for part in e.walk(value))
+    return any(
+        isinstance(part, e.Member) and part.channel.comm is ChannelKind.SIGNAL for part in e.walk(value)
+    )

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
+from aseme_dsl.amola.statechart import Statechart, StateType, Transition
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,15 +60,15 @@ def paths(chart: Statechart, source: str) -> tuple[Path, ...]:
     """The compound transitions out of a state, in the order in which they are tried: the first MOST."""
     found: list[Path] = []
     stack: list[tuple[Transition, ...]] = [
-        (item,) for item in reversed(chart.ways_from(source)) if not item.reactive
+        (item,) for item in reversed(chart.outgoing_edges(source)) if not item.reactive
     ]
     while stack and len(found) < MOST:
         segments = stack.pop()
         target = segments[-1].target
-        if chart.node(target).type is not NodeType.CONDITION:
+        if chart.node(target).type is not StateType.CONDITION:
             found.append(Path(segments))
         elif target not in [segment.source for segment in segments]:
-            stack += [(*segments, following) for following in reversed(chart.ways_from(target))]
+            stack += [(*segments, following) for following in reversed(chart.outgoing_edges(target))]
     return tuple(found)
 
 
@@ -82,24 +82,24 @@ def trigger_of(transition: Transition, at_once: bool) -> frozenset[str]:
 
 def forks(chart: Statechart) -> Iterator[Fork]:
     """Every place where transitions wait for the same, from every state in which is waited."""
-    for node in chart.nodes:
-        if node.type in (NodeType.CONDITION, NodeType.END):
+    for node in chart.states:
+        if node.type in (StateType.CONDITION, StateType.END):
             continue
         stack: list[tuple[str, tuple[e.Value, ...], frozenset[str]]] = [(node.label, (), frozenset())]
         number = 0
         while stack and number < MOST:
             label, before, passed = stack.pop()
-            at_once = node.type is NodeType.START or label != node.label
+            at_once = node.type is StateType.START or label != node.label
             groups: dict[frozenset[str], list[Transition]] = {}
             for transition in chart.outgoing(label):
                 if transition.expression is e.NEVER or transition.reactive:
                     continue
-                if not transition.is_way:  # it takes nothing from the others, nor they from it
+                if not transition.changes_state:  # it takes nothing from the others, nor they from it
                     number += 1
                     yield Fork(node.label, label, before, trigger_of(transition, at_once), (transition,))
                     continue
                 groups.setdefault(trigger_of(transition, at_once), []).append(transition)
-                if chart.node(transition.target).type is NodeType.CONDITION:
+                if chart.node(transition.target).type is StateType.CONDITION:
                     condition = transition.expression.condition
                     after = before if condition is None else (*before, condition)
                     if transition.target not in passed:

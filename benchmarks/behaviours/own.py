@@ -34,7 +34,8 @@ from aseme_dsl.amola.expression import (
     values_of,
     walk,
 )
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
+from aseme_dsl.amola.statechart import State as ChartState
+from aseme_dsl.amola.statechart import Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.plain.generate import problems_of
 from aseme_dsl.codegen.code.python import text_of
@@ -61,7 +62,7 @@ FAILURE = "failure"
 _KNOWN = re.compile(r"bb|m\w*\d+|call_\d+|len|abs|min|max|float|int|tuple|map")
 """What code may name: the blackboard, locals, functions, and what Python has."""
 
-KINDS: dict[NodeType, description.Kind] = {NodeType.OR: "or", NodeType.AND: "and"}
+KINDS: dict[StateType, description.Kind] = {StateType.OR: "or", StateType.AND: "and"}
 
 
 class Refused(Exception):
@@ -128,7 +129,7 @@ class _Describing:
     def __init__(self, system: System, chart: Statechart) -> None:
         self.chart = chart
         self.flat = FlatChart(chart)
-        self.name = {node.label: identifier(node) for node in chart.nodes}
+        self.name = {node.label: identifier(node) for node in chart.states}
         self.constants = {
             (enum.name, name): str(value) for enum in system.enums for name, value in enum.constants
         }
@@ -144,7 +145,7 @@ class _Describing:
         }
         self.timed = {
             node.label
-            for node in chart.nodes
+            for node in chart.states
             for item in self.flat.segments(node.label)
             if item.expression.every is not None
             or any(isinstance(event, After) for event in item.expression.events)
@@ -174,7 +175,7 @@ class _Describing:
         if self.is_timed:
             values += [("now", "0"), *((self.time(label), "0") for label in sorted(self.timed))]
             values += [(_timer(*key), str(NEVER)) for key in self.timers]
-        flags = [self.flag(node) for node in self.chart.nodes if self.flag(node)]
+        flags = [self.flag(node) for node in self.chart.states if self.flag(node)]
         event, before = self.step(course.steps[0])
         if event != NO_EVENT:
             raise Refused("it was sent an event before it began")
@@ -195,30 +196,30 @@ class _Describing:
 
     # ---- states ------------------------------------------------------------------------------
 
-    def flag(self, node: Node) -> str:
+    def flag(self, node: ChartState) -> str:
         """What says on the blackboard that a state is complete; "" where that is said otherwise."""
-        if node.type is NodeType.BASIC or (node.type is NodeType.OR and self.chart.end_of(node.label)):
+        if node.type is StateType.BASIC or (node.type is StateType.OR and self.chart.end_of(node.label)):
             return f"done_{self.name[node.label]}"
         return ""
 
-    def complete(self, node: Node) -> Guard | None:
+    def complete(self, node: ChartState) -> Guard | None:
         """The flags that say it, none for what is complete always; None for what never is."""
         match node.type:
-            case NodeType.START:
+            case StateType.START:
                 return ()
-            case NodeType.AND:
+            case StateType.AND:
                 inside = [self.complete(region) for region in self.chart.children(node.label)]
                 return None if None in inside else tuple(part for parts in inside if parts for part in parts)
-            case NodeType.END:
+            case StateType.END:
                 return None
         return ((self.flag(node), True),) if self.flag(node) else None
 
-    def state(self, node: Node) -> State:
-        children = [item for item in self.chart.children(node.label) if item.type is not NodeType.CONDITION]
-        children.sort(key=lambda item: item.type is not NodeType.START)  # the initial one is the first
+    def state(self, node: ChartState) -> State:
+        children = [item for item in self.chart.children(node.label) if item.type is not StateType.CONDITION]
+        children.sort(key=lambda item: item.type is not StateType.START)  # the initial one is the first
         entry: tuple[Action, ...] = (("set", self.flag(node), False),) if self.flag(node) else ()
         parent = self.chart.node(node.parent) if node.parent is not None else None
-        if node.type is NodeType.END and parent is not None:
+        if node.type is StateType.END and parent is not None:
             entry = (("set", self.flag(parent), True),)
         if node.label in self.timed:
             entry = (*entry, ("python", f"bb[{self.time(node.label)!r}] = bb['now']"))
@@ -232,7 +233,7 @@ class _Describing:
         inside = tuple(map(self.state, children))
         return State(self.name[node.label], KINDS.get(node.type, "basic"), inside, entry, exits, ways)
 
-    def transitions(self, node: Node) -> Iterator[description.Transition]:
+    def transitions(self, node: ChartState) -> Iterator[description.Transition]:
         for way in self.flat.ways(node.label):
             for path in self.paths(way):
                 first = path.parts[0].expression
@@ -266,14 +267,14 @@ class _Describing:
                         name = event.name if isinstance(event, Raised) else FAILURE if event else ""
                         yield description.Transition(name, target, guard, actions)
 
-    def since(self, node: Node, duration: int) -> tuple[str, str]:
+    def since(self, node: ChartState, duration: int) -> tuple[str, str]:
         """The condition that a state was entered so long ago."""
         return "", f"bb['now'] - bb[{self.time(node.label)!r}] >= {duration}"
 
     def paths(self, way: Way) -> Iterator[_Path]:
         """A way through each of the branches behind it, in the order in which they are tried."""
         own = self.flat.transition(way.number)
-        if self.chart.node(own.target).type is not NodeType.CONDITION:
+        if self.chart.node(own.target).type is not StateType.CONDITION:
             yield _Path((own,))
         for branch in way.branches:
             for path in self.paths(branch):
@@ -394,7 +395,7 @@ def _timer(region: int, name: str) -> str:
     return f"timer_{region}_{name}"
 
 
-def identifier(node: Node) -> str:
+def identifier(node: ChartState) -> str:
     """A name that says which state it is, and is an identifier everywhere."""
     is_word = re.fullmatch(r"[A-Za-z]\w*", node.name) is not None
     return f"{node.name if is_word else node.type.lower()}_{node.label.replace('.', '_')}"

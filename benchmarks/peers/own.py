@@ -169,7 +169,7 @@ def _compare(
     if tuple(trail) != course.trail:
         raise ValueError(f"{role.name}: the reference interpreter goes another way")
     whole = instrumented(behaviour)
-    names = {identifier(node): node.label for node in chart.nodes}
+    names = {identifier(node): node.label for node in chart.states}
     expected: dict[str, int] = {}
     for state in list(walk(behaviour.root))[1:]:
         expected[entered(state.name)] = entries.get(names[state.name], 0)

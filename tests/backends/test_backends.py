@@ -31,7 +31,7 @@ class Counting:
     name = "counting"
 
     def generate(self, system, options):
-        lines = [f"{chart.name}: {len(chart.nodes)} states" for chart in system.statecharts]
+        lines = [f"{chart.name}: {len(chart.states)} states" for chart in system.statecharts]
         return (Artefact(f"{system.name}.txt", "\\n".join(lines) + "\\n"),)
 
 

@@ -80,7 +80,7 @@ def check(agent: JadeLikeAgent) -> None:
     ways = Counter(
         (w.source, w.target, w.text, w.stays) for item in agent.behaviours for w in item.transitions
     )
-    assert ways == Counter((t.source, t.target, t.text, t.kind != "way") for t in plan.transitions)
+    assert ways == Counter((t.source, t.target, t.text, t.kind != "external") for t in plan.transitions)
 
     afters = [event for t in plan.transitions for event in t.events if event[0] == "after"]
     wakers = [item for item in agent.behaviours if isinstance(item, WakerBehaviour)]
@@ -109,7 +109,9 @@ def wanted(plan: Plan, item: Behaviour) -> type[Behaviour]:
         return ParallelBehaviour
     children = plan.children(state.label)
     ways = [
-        t for t in plan.transitions if t.kind == "way" and t.source in {child.label for child in children}
+        t
+        for t in plan.transitions
+        if t.kind == "external" and t.source in {child.label for child in children}
     ]
     steps = [child.label for child in children if child.type != "CONDITION"]
     pairs = {(way.source, way.target) for way in ways}

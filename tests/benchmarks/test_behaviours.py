@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.amola.expression import action_text, event_text, value_text
-from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.amola.statechart import StateType
 from benchmarks.behaviours.aseme import labels
 from benchmarks.behaviours.catalogue import BEHAVIOURS, MANY
 from benchmarks.behaviours.counts import Course, course_of
@@ -54,7 +54,7 @@ def test_the_text_is_the_chart_that_is_described(name: str) -> None:
         if state.name not in ended
     }
     nodes = {
-        node.label: (str(node.type), node.name) for node in chart.nodes if node.type is not NodeType.START
+        node.label: (str(node.type), node.name) for node in chart.states if node.type is not StateType.START
     }
     assert nodes == states
 
@@ -74,7 +74,7 @@ def test_the_text_is_the_chart_that_is_described(name: str) -> None:
     ways = []
     for transition in chart.transitions:
         written = transition.expression
-        if chart.node(transition.source).type is NodeType.START:
+        if chart.node(transition.source).type is StateType.START:
             assert not written.events
             assert written.condition is None
             assert initial.pop(transition.source.rpartition(".")[0]) == transition.target

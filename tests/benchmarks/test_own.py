@@ -80,7 +80,7 @@ def differences(made: Generated, role: str, behaviour: Behaviour, course: Course
     entries, exits, trail = counts_of(made.plan(role), course, vars(made.messages))
     assert tuple(trail) == course.trail
     chart = next(chart for chart in made.system.iacs if chart.name == role)
-    label = {identifier(node): node.label for node in chart.nodes}
+    label = {identifier(node): node.label for node in chart.states}
     return [
         f"{counter(state.name)}: {machine.bb[counter(state.name)]}"
         for state in list(walk(behaviour.root))[1:]

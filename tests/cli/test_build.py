@@ -351,7 +351,7 @@ def test_states_may_be_named_as_the_originals_do(here: Here, folder: Path) -> No
     def names(*arguments: str) -> set[str]:
         assert here("build", "good.aseme", "-o", "out", *arguments).code == 0
         model = json.loads((folder / "out/models/iac.robot.json").read_text())
-        return {node["name"] for node in model["nodes"]}
+        return {node["name"] for node in model["states"]}
 
     assert "(Walk | Stand)" in names()
     assert not any(" | " in name for name in names("--labels", "original"))

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.amola.messages import Channel, Comm, Kind, Type
+from aseme_dsl.amola.messages import Channel, ChannelKind, Kind, Type
 from aseme_dsl.compiler.names.resolve import Symbols, resolve
 from aseme_dsl.compiler.read.load import load
 from aseme_dsl.diagnostics import render_text
@@ -70,7 +70,7 @@ def test_a_topic_says_what_it_carries_and_for_whom() -> None:
     assert topic is not None
     assert (topic.under, topic.radio) == ("world", 10)
     state, signal = topic.channels
-    assert state.channel == Channel("vision", Comm.STATE, "Ball")
+    assert state.channel == Channel("vision", ChannelKind.STATE, "Ball")
     assert (state.every, state.persist, state.queued, state.sources) == (33_000_000, True, False, ())
     assert (signal.every, signal.persist, signal.queued, signal.sources) == (None, False, True, ("r",))
     assert symbols.channels_of("Ball") == (state.channel, signal.channel)

@@ -17,8 +17,8 @@ from aseme_dsl.amola.expression import (
     TransitionExpression,
     VariableValue,
 )
-from aseme_dsl.amola.messages import BOOL, INT, STRING, Channel, Comm
-from aseme_dsl.amola.statechart import Node, NodeType, Origin, OriginKind, Statechart, Transition, label_key
+from aseme_dsl.amola.messages import BOOL, INT, STRING, Channel, ChannelKind
+from aseme_dsl.amola.statechart import Origin, OriginKind, State, Statechart, StateType, Transition, label_key
 from aseme_dsl.source import Source, Span
 
 SPAN = Span(Source("test.aseme", "system Test\n"), 0, 6)
@@ -102,32 +102,32 @@ def statechart(
     texts = {"Test": formulas} if isinstance(formulas, str) else formulas
     terms = {name: parse(text) for name, text in texts.items()}
     name = next(iter(terms))
-    nodes: list[Node] = []
+    nodes: list[State] = []
     found: list[tuple[str, str]] = []
 
-    def add(label: str, title: str, type: NodeType, parent: str | None, origin: Origin) -> None:
-        activity = title if type is NodeType.BASIC else None
-        nodes.append(Node(label, title, type, parent, activity, origin, SPAN))
+    def add(label: str, title: str, type: StateType, parent: str | None, origin: Origin) -> None:
+        activity = title if type is StateType.BASIC else None
+        nodes.append(State(label, title, type, parent, activity, origin, SPAN))
 
-    def point(parent: str, k: int, type: NodeType, origin: Origin) -> None:
+    def point(parent: str, k: int, type: StateType, origin: Origin) -> None:
         add(f"{parent}.{k}", f"{parent}.{k}", type, parent, origin)
 
     def operand(parent: str, k: int, term: Term, origin: Origin) -> None:
         label = f"{parent}.{k}"
         if isinstance(term, str) and term not in terms:
-            add(label, term, NodeType.BASIC, parent, origin)
+            add(label, term, StateType.BASIC, parent, origin)
             return
         title = spelling(term)
         if isinstance(term, str):
             origin = (origins or {}).get(term, origin)
             term = terms[term]
-        add(label, title, NodeType.OR, parent, origin)
+        add(label, title, StateType.OR, parent, origin)
         fill(label, term, origin)
 
     def fill(label: str, term: Term, origin: Origin) -> None:
         while isinstance(term, tuple) and term[0] == "()":
             term = term[1]  # type: ignore[assignment]
-        point(label, 1, NodeType.START, origin)
+        point(label, 1, StateType.START, origin)
         operator, operands = (".", [term]) if isinstance(term, str) else (term[0], list(term[1:]))
         to = [f"{label}.{k}" for k in range(len(operands) + 4)]  # to[k] is child k
         last = 2
@@ -138,7 +138,7 @@ def statechart(
                 last = len(operands) + 2
                 found.extend((to[k], to[k + 1]) for k in range(1, last))
             case "|":
-                point(label, 2, NodeType.CONDITION, origin)
+                point(label, 2, StateType.CONDITION, origin)
                 for k, item in enumerate(operands, start=3):
                     operand(label, k, item, origin)  # type: ignore[arg-type]
                 last = len(operands) + 3
@@ -147,18 +147,18 @@ def statechart(
                 found.extend((to[k], to[last]) for k in range(last - 1, 2, -1))
             case "||":
                 last = 3
-                add(to[2], spelling(term), NodeType.AND, label, origin)
+                add(to[2], spelling(term), StateType.AND, label, origin)
                 found.extend([(to[1], to[2]), (to[2], to[3])])
                 for k, item in enumerate(operands, start=1):
                     region = f"{to[2]}.{k}"
-                    add(region, region, NodeType.OR, to[2], origin)
-                    point(region, 1, NodeType.START, origin)
+                    add(region, region, StateType.OR, to[2], origin)
+                    point(region, 1, StateType.START, origin)
                     operand(region, 2, item, origin)  # type: ignore[arg-type]
-                    point(region, 3, NodeType.END, origin)
+                    point(region, 3, StateType.END, origin)
                     found.extend([(f"{region}.1", f"{region}.2"), (f"{region}.2", f"{region}.3")])
             case "*" | "[]":
                 last = 4
-                point(label, 2, NodeType.CONDITION, origin)
+                point(label, 2, StateType.CONDITION, origin)
                 operand(label, 3, operands[0], origin)  # type: ignore[arg-type]
                 loop = [(to[3], to[3])] if operator == "*" else []
                 skip = [(to[2], to[4]), (to[3], to[4])]
@@ -170,9 +170,9 @@ def statechart(
                 if operator == "+":
                     found.append((to[2], to[3]))
         if operator != "~":
-            point(label, last, NodeType.END, origin)
+            point(label, last, StateType.END, origin)
 
-    add("0", name, NodeType.OR, None, OWN)
+    add("0", name, StateType.OR, None, OWN)
     fill("0", terms[name], OWN)
     nodes.sort(key=lambda node: label_key(node.label))
     plain = [Transition("", source, target, EMPTY, 0, OWN, SPAN) for source, target in found]
@@ -182,7 +182,7 @@ def statechart(
 
 def condition(text: str = "x", number: int = 1) -> TransitionExpression:
     """`[game.state.Ball.<text> == <number>] / seen = true`."""
-    member = Member(None, Channel("game", Comm.STATE, "Ball"), (text,), INT, SPAN)
+    member = Member(None, Channel("game", ChannelKind.STATE, "Ball"), (text,), INT, SPAN)
     seen = Assign(VariableValue("seen", BOOL, SPAN), Literal(True, BOOL, SPAN), SPAN)
     return TransitionExpression(
         condition=Compare("==", member, Literal(number, INT, SPAN), SPAN), actions=(seen,), span=SPAN
@@ -220,7 +220,7 @@ def random_statechart(seed: int, size: int = 6, extra: int = 4) -> Statechart:
         way: condition(f"x{place}", place) for place, way in enumerate(ways(chart)) if chance.random() < 0.4
     }
     more = []
-    free = [node for node in chart.nodes if node.type in (NodeType.BASIC, NodeType.OR, NodeType.AND)]
+    free = [node for node in chart.states if node.type in (StateType.BASIC, StateType.OR, StateType.AND)]
     free = [node for node in free if not chart.is_region(node.label)]
     for _ in range(extra if free else 0):
         source = chance.choice(free)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from aseme_dsl.amola.expression import expression_text
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagrams import Expressions, Layout, Options, draw_statechart, render
 from tests.diagrams.building import FIGURE_4, random_statechart, statechart
 from tests.diagrams.pictures import Picture, distance_to_border, is_deep_inside
@@ -24,8 +24,8 @@ def picture(chart: Statechart, layout: Layout) -> Picture:
 
 def test_the_random_charts_are_what_they_should_be() -> None:
     charts = [random_chart(seed) for seed in SEEDS]
-    assert max(len(chart.nodes) for chart in charts) <= 60
-    assert sum(any(node.type is NodeType.AND for node in chart.nodes) for chart in charts) >= 10
+    assert max(len(chart.states) for chart in charts) <= 60
+    assert sum(any(node.type is StateType.AND for node in chart.states) for chart in charts) >= 10
     loops = [sum(t.source == t.target and bool(c.children(t.source)) for t in c.transitions) for c in charts]
     assert sum(loops) >= 20
 
@@ -35,10 +35,10 @@ def test_everything_is_drawn(seed: int) -> None:
     chart = random_chart(seed)
     for layout in Layout:
         shown = picture(chart, layout)
-        assert {f"n{node.label}" for node in chart.nodes} <= shown.ids
+        assert {f"n{node.label}" for node in chart.states} <= shown.ids
         assert {f"t{place}" for place in range(len(chart.transitions))} <= shown.ids
-        for node in chart.nodes:
-            if node.type is NodeType.BASIC:
+        for node in chart.states:
+            if node.type is StateType.BASIC:
                 assert node.name in shown.says(f"n{node.label}")
             assert node.label in shown.tip(f"n{node.label}")
         for place, transition in enumerate(chart.transitions):
@@ -49,7 +49,7 @@ def test_everything_is_drawn(seed: int) -> None:
 def test_states_are_inside_the_states_that_hold_them(seed: int) -> None:
     chart = random_chart(seed)
     shown = picture(chart, Layout.NESTED)
-    for node in chart.nodes:
+    for node in chart.states:
         if node.parent is not None:
             left, top, right, bottom = shown.frame(f"n{node.label}")
             around = shown.frame(f"n{node.parent}")
@@ -76,8 +76,8 @@ def test_lines_do_not_run_into_the_composites_that_they_join(seed: int) -> None:
 @pytest.mark.parametrize("expressions", list(Expressions))
 def test_the_player_of_figure_4_is_drawn_whole(expressions: Expressions) -> None:
     chart = statechart(FIGURE_4)
-    assert (len(chart.nodes), len(chart.transitions), chart.levels) == (124, 92, 19)
+    assert (len(chart.states), len(chart.transitions), chart.levels) == (124, 92, 19)
     for drawing in draw_statechart(chart, Options(expressions=expressions)):
         shown = Picture(render(drawing, "svg"))
-        assert {f"n{node.label}" for node in chart.nodes} <= shown.ids
+        assert {f"n{node.label}" for node in chart.states} <= shown.ids
         assert {f"t{place}" for place in range(92)} <= shown.ids

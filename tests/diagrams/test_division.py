@@ -31,7 +31,7 @@ def test_pieces_are_small_and_together_they_are_the_whole() -> None:
         assert index.name == drawing.name
         assert all(piece.states <= PIECE for piece in pieces)
         ids = [item.id for piece in pieces for item in piece.shown]
-        for node in chart.nodes:
+        for node in chart.states:
             assert f"n{node.label}" in ids
         for place in range(len(chart.transitions)):
             assert f"t{place}" in ids
@@ -51,7 +51,9 @@ def test_a_closed_state_leads_to_the_file_that_shows_its_inside() -> None:
 
 def test_a_part_that_is_asked_for_is_divided_like_a_whole() -> None:
     chart = random_statechart(7, size=40, extra=0)
-    at = next(node.label for node in chart.nodes if node.label.count(".") == 2 and chart.children(node.label))
+    at = next(
+        node.label for node in chart.states if node.label.count(".") == 2 and chart.children(node.label)
+    )
     (drawing,) = draw_statechart(chart, Options(layout=Layout.NESTED, at=at))
     assert drawing.pieces is not None
     index, top, *_ = drawing.pieces()
@@ -79,7 +81,7 @@ def test_a_thousand_operands_are_one_picture() -> None:
 @pytest.mark.slow
 def test_a_deep_chart_is_drawn_in_pieces_whose_names_files_can_have() -> None:
     chart = deep(400)
-    assert len(chart.nodes) > 1500
+    assert len(chart.states) > 1500
     for drawing in draw_statechart(chart):
         drawn = draw(drawing, "svg")
         assert len(drawn.files) > 10

@@ -62,7 +62,7 @@ def test_a_string_in_an_expression_is_shown_as_it_is_written(text: str, expressi
 def test_a_state_may_have_any_name(text: str) -> None:
     plain = statechart("A . (B . C)")
     names = {"0.2": text, "0.3": text}
-    nodes = tuple(replace(node, name=names.get(node.label, node.name)) for node in plain.nodes)
+    nodes = tuple(replace(node, name=names.get(node.label, node.name)) for node in plain.states)
     chart = Statechart(text, "Test", "IAC", nodes, plain.transitions)
     for layout in Layout:
         (drawing,) = draw_statechart(chart, Options(layout=layout))
@@ -94,8 +94,8 @@ def test_lines_break_where_words_join(text: str, width: int, lines: tuple[str, .
 def test_a_name_of_a_thousand_words_is_cut() -> None:
     name = " || ".join(f"Activity{n}" for n in range(1000))
     chart = statechart(" || ".join(f"Activity{n}" for n in range(3)))
-    nodes = tuple(replace(n, name=name) if n.label == "0.2" else n for n in chart.nodes)
-    for drawing in draw_statechart(replace(chart, nodes=nodes)):
+    nodes = tuple(replace(n, name=name) if n.label == "0.2" else n for n in chart.states)
+    for drawing in draw_statechart(replace(chart, states=nodes)):
         shown = Picture(render(drawing, "svg"))
         assert len(shown.says("n0.2").split("\n")[0]) < 40
         assert shown.says("n0.2").count("…") == 1

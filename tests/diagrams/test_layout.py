@@ -141,7 +141,7 @@ def _real_svg() -> bytes:
 def test_where_nothing_draws_it_whole_it_is_drawn_in_pieces(fake: Fake, tmp_path: Path) -> None:
     chart = random_statechart(3, size=20, extra=0)
     (whole,) = draw_statechart(chart, Options(layout=Layout.NESTED))
-    assert len(chart.nodes) > 120
+    assert len(chart.states) > 120
     # Whatever has more than a few kilobytes fails; small drawings succeed.
     limit = len(whole.dot) - 1
     text = tmp_path / "text"
@@ -160,7 +160,7 @@ def test_where_nothing_draws_it_whole_it_is_drawn_in_pieces(fake: Fake, tmp_path
     for name in names[1:]:
         assert name in index.text
     shown = set.union(*(Picture(content).ids for _, content in drawn.files[1:]))
-    assert {f"n{node.label}" for node in chart.nodes} <= shown
+    assert {f"n{node.label}" for node in chart.states} <= shown
     assert {f"t{place}" for place in range(len(chart.transitions))} <= shown
 
 
@@ -174,7 +174,7 @@ def test_a_piece_that_fails_too_is_drawn_or_state_by_or_state(fake: Fake, tmp_pa
         f'exec "{REAL}" "$@" < \'{text}\''
     )
     drawn = draw(whole, "svg")
-    composites = [node for node in chart.nodes if chart.children(node.label)]
+    composites = [node for node in chart.states if chart.children(node.label)]
     assert len(drawn.files) == len(composites) + 1
     assert len({name for name, _ in drawn.files}) == len(drawn.files)
     shown = set.union(*(Picture(content).ids for _, content in drawn.files))

@@ -89,7 +89,7 @@ def test_a_legend_entry_is_found_at_its_transition_in_the_tree_too() -> None:
 
 def test_the_whole_expression_is_in_the_tip_of_transition_and_state() -> None:
     robot = chart()
-    choice = next(node for node in robot.nodes if node.label == "0.2.3.2")
+    choice = next(node for node in robot.states if node.label == "0.2.3.2")
     place = next(i for i, t in enumerate(robot.transitions) if robot.node(t.target).name == "Scan")
     for shown in (nested(robot), tree(robot), nested(robot, expressions=Expressions.NONE)):
         assert "[!near]" in shown.tip(f"t{place}")
@@ -163,7 +163,7 @@ def test_a_depth_of_nothing_is_refused() -> None:
 def test_the_branch_of_a_protocol_is_marked_in_a_role() -> None:
     player = compiled(TEAM).iacs[0]
     branches = {
-        str(node.origin): node.label for node in reversed(player.nodes) if "protocol" in str(node.origin)
+        str(node.origin): node.label for node in reversed(player.states) if "protocol" in str(node.origin)
     }
     label = branches["protocol attack.center_for"]
     for shown in (nested(player), tree(player)):

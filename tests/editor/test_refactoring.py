@@ -26,7 +26,7 @@ def charts(text: str) -> list[object]:
     return [
         (
             chart.name,
-            [(node.label, node.type, node.activity) for node in chart.nodes],
+            [(node.label, node.type, node.activity) for node in chart.states],
             [(item.source, item.target, item.priority) for item in chart.transitions],
         )
         for chart in (*made.eacs, *made.iacs)

@@ -45,8 +45,8 @@ def test_the_size_limit_counts_the_states_that_the_chart_has(operator: Operator)
     role = f"R = {written(operator, operator.value)}"
     chart = role_chart(role, CONTROL.get(operator, ""))
     text = f"system T srm R {{ liveness {{ {role} }} {CONTROL.get(operator, '')} }}"
-    assert "E304" not in codes(text, largest=len(chart.nodes))
-    assert "E304" in codes(text, largest=len(chart.nodes) - 1)
+    assert "E304" not in codes(text, largest=len(chart.states))
+    assert "E304" in codes(text, largest=len(chart.states) - 1)
 
 
 def test_the_reference_gives_the_infix_operators_from_the_tightest_to_the_loosest() -> None:

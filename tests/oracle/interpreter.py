@@ -466,7 +466,7 @@ class Reference:
     @cached_property
     def repeated(self) -> set[str]:
         """The states with a transition to themselves."""
-        ways = [way for way in self.plan.transitions if way.kind == "way"]
+        ways = [way for way in self.plan.transitions if way.kind == "external"]
         return {way.source for way in ways if way.source == way.target}
 
     def count_entry(self, label: str) -> None:

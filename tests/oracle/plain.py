@@ -27,7 +27,7 @@ from aseme_dsl.amola.expression import (
     rewritten_expression,
     values_of,
 )
-from aseme_dsl.amola.messages import Channel, Comm, Kind
+from aseme_dsl.amola.messages import Channel, ChannelKind, Kind
 from aseme_dsl.amola.statechart import OriginKind, Statechart, Transition, TransitionKind
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.plain_limits import limits
@@ -38,7 +38,7 @@ def without_limits(system: System, *, simple: bool = True) -> System | None:
 
     A `simple` one has no timers, failures, paces and chance, either.
     """
-    if any(node.origin.kind is OriginKind.PROTOCOL for chart in system.iacs for node in chart.nodes):
+    if any(node.origin.kind is OriginKind.PROTOCOL for chart in system.iacs for node in chart.states):
         return None
     changed = replace(system, iacs=tuple(_tamed(chart, simple) for chart in system.iacs))
     assert not any(limits(chart) for chart in changed.iacs)
@@ -97,8 +97,8 @@ def _simple_value(value: Value) -> Value:
 
 def _plain_value(value: Value) -> Value:
     match value:
-        case Member(channel=channel) if channel.comm is not Comm.STATE:
-            return replace(value, channel=Channel("t", Comm.STATE, channel.message))
+        case Member(channel=channel) if channel.comm is not ChannelKind.STATE:
+            return replace(value, channel=Channel("t", ChannelKind.STATE, channel.message))
         case At(message=message, type=kind) | Mean(message=message, type=kind):
             return _something(kind.kind, value) if kind != message.type else message
         case Age() | Index() | Outcome():

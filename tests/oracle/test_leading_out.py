@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import pytest
 
 from aseme_dsl.amola.messages import INT
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagnostics import Severity
 from aseme_dsl.runtime.chart import chart
 from tests.oracle import interpreter
@@ -73,8 +73,8 @@ def _with_ways_out(written: str, choices: Choices) -> str | None:
 def _way_out(made: Statechart, choices: Choices) -> str | None:
     inside = [
         node.label
-        for node in made.nodes
-        if node.type not in (NodeType.END, NodeType.AND, NodeType.CONDITION)
+        for node in made.states
+        if node.type not in (StateType.END, StateType.AND, StateType.CONDITION)
         and made.region_of(node.label) != "0"
         and made.branch_of(node.label) is None
     ]
@@ -84,8 +84,8 @@ def _way_out(made: Statechart, choices: Choices) -> str | None:
     around = {made.region_of(node.label) for node in made.ancestors(source)} - {made.region_of(source)}
     targets = [
         node.label
-        for node in made.nodes
-        if node.type in (NodeType.BASIC, NodeType.OR, NodeType.END)
+        for node in made.states
+        if node.type in (StateType.BASIC, StateType.OR, StateType.END)
         and node.parent is not None
         and not made.is_region(node.label)
         and made.region_of(node.label) in around

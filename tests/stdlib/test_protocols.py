@@ -398,7 +398,7 @@ def test_two_lines_are_a_role(item: Protocol) -> None:
     found = analyse(Source("team.aseme", item.text()))
     assert found.diagnostics == (), render_text(found.diagnostics)
     assert found.system is not None
-    used = {node.activity for chart in found.system.iacs for node in chart.nodes if node.activity}
+    used = {node.activity for chart in found.system.iacs for node in chart.states if node.activity}
     assert used == set(item.acts)
 
 

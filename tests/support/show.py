@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from aseme_dsl.amola.expression import expression_text
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 
 
 def show(chart: Statechart) -> str:
     """All of a chart; origins are given where they change."""
-    counts = f"{len(chart.nodes)} states, {len(chart.transitions)} transitions, {chart.levels} levels"
+    counts = f"{len(chart.states)} states, {len(chart.transitions)} transitions, {chart.levels} levels"
     lines = [f"{chart.kind} {chart.name}: {counts}"]
     origin = ""
-    for node in chart.nodes:
+    for node in chart.states:
         indent = "  " * (node.label.count(".") + 1)
         name = "" if node.name == node.label else f" {node.name}"
         activity = f" = {node.activity}" if node.activity not in (None, node.name) else ""
-        where = f"   <- {node.origin}" if str(node.origin) != origin and node.type is not NodeType.END else ""
+        where = (
+            f"   <- {node.origin}" if str(node.origin) != origin and node.type is not StateType.END else ""
+        )
         if where:
             origin = str(node.origin)
         lines.append(f"{indent}{node.label} {node.type}{name}{activity}{where}")

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 
 Configuration = Any
 """A BASIC state: whether it is complete; an OR: its active child with that one's; an AND: its regions'."""
@@ -52,25 +52,25 @@ def _at_rest(chart: Statechart, configurations: set[Configuration]) -> set[Confi
 
 def _entered(chart: Statechart, label: str) -> Configuration:
     match chart.node(label).type:
-        case NodeType.OR:
+        case StateType.OR:
             start = chart.start_of(label)
             assert start is not None
             return (start.label, None)
-        case NodeType.AND:
+        case StateType.AND:
             return tuple(_entered(chart, child.label) for child in chart.children(label))
-        case NodeType.BASIC:
+        case StateType.BASIC:
             return False
     return None
 
 
 def _is_complete(chart: Statechart, label: str, configuration: Configuration) -> bool:
     match chart.node(label).type:
-        case NodeType.OR:
-            return chart.node(configuration[0]).type is NodeType.END
-        case NodeType.AND:
+        case StateType.OR:
+            return chart.node(configuration[0]).type is StateType.END
+        case StateType.AND:
             children = chart.children(label)
             return all(_is_complete(chart, c.label, i) for c, i in zip(children, configuration, strict=True))
-        case NodeType.BASIC:
+        case StateType.BASIC:
             return bool(configuration)
     return True
 
@@ -79,14 +79,14 @@ def _moves(
     chart: Statechart, label: str, configuration: Configuration
 ) -> Iterator[tuple[str, Configuration]]:
     match chart.node(label).type:
-        case NodeType.BASIC:
+        case StateType.BASIC:
             if not configuration:
                 yield chart.node(label).activity or "", True
-        case NodeType.AND:
+        case StateType.AND:
             for place, child in enumerate(chart.children(label)):
                 for letter, moved in _moves(chart, child.label, configuration[place]):
                     yield letter, (*configuration[:place], moved, *configuration[place + 1 :])
-        case NodeType.OR:
+        case StateType.OR:
             active, inner = configuration
             for letter, moved in _moves(chart, active, inner):
                 yield letter, (active, moved)

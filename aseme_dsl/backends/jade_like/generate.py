@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, assert_never
 
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.expression import duration_text
-from aseme_dsl.amola.statechart import Node, Statechart, Transition, transition_text
+from aseme_dsl.amola.statechart import State, Statechart, Transition, transition_text
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import ACTIVITIES, Artefact, BackendOptions
 from aseme_dsl.backends.jade_like.tree import POINTS, Behaviour, Kind, Tree, Waker, behaviour_tree
@@ -212,7 +212,7 @@ def _formula(chart: Statechart, item: Behaviour) -> str:
     """What is in a behaviour, as a formula, where its kind says how it would be written."""
     parts: list[str] = []
     for label in item.inside:
-        node: Node | None = chart.node(label)
+        node: State | None = chart.node(label)
         while node is not None and node.name == node.label:  # a region is called by its label
             node = next((child for child in chart.children(node.label) if child.name != child.label), None)
         parts.append(node.name if node is not None else label)
@@ -249,12 +249,12 @@ def _calls(chart: Statechart, tree: Tree, item: Behaviour) -> Iterator[str]:
     for transition in item.shown:
         text = transition_text(transition)
         source, target = (_named(chart, tree, item, end) for end in (transition.source, transition.target))
-        arguments = [source] if not transition.is_way else [source, target]
+        arguments = [source] if not transition.changes_state else [source, target]
         names = [waker.name for waker in wakers.get(transition, ())]
-        if text or names or not transition.is_way:
+        if text or names or not transition.changes_state:
             arguments.append(repr(text))
-        call = "register_action" if not transition.is_way else "register_transition"
-        if transition.is_way and _is_default(transition):
+        call = "register_action" if not transition.changes_state else "register_transition"
+        if transition.changes_state and _is_default(transition):
             call = "register_default_transition"
         yield f"self.{call}({', '.join([*arguments, *names])})"
 
@@ -284,7 +284,7 @@ def _point(chart: Statechart, around: Behaviour, label: str) -> str | None:
 def _points(chart: Statechart, tree: Tree, item: Behaviour) -> Iterator[str]:
     """The points that the calls of a behaviour name."""
     for transition in item.shown:
-        ends = (transition.source, transition.target) if transition.is_way else (transition.source,)
+        ends = (transition.source, transition.target) if transition.changes_state else (transition.source,)
         for label in ends:
             point = _point(chart, item, label) if label not in tree.by_state else None
             if point is not None:
@@ -296,7 +296,7 @@ def _way(chart: Statechart, transition: Transition) -> str:
     ends = [chart.node(label) for label in (transition.source, transition.target)]
     whence, where = (POINTS.get(node.type) or node.name for node in ends)
     around = next((node.name for node in chart.ancestors(ends[0].label) if node.name != node.label), "")
-    text = f"from {whence} to {where}" if transition.is_way else f"in {whence}"
+    text = f"from {whence} to {where}" if transition.changes_state else f"in {whence}"
     return f"{text}, in {around}" if around and any(node.type in POINTS for node in ends) else text
 
 

@@ -26,11 +26,11 @@ from typing import assert_never
 
 from aseme_dsl.amola.expression import After, duration_text
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, label_key
+from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, label_key
 from aseme_dsl.amola.system import System
 from aseme_dsl.runtime.message.naming import class_name
 
-POINTS = {NodeType.START: "START", NodeType.CONDITION: "CHOICE", NodeType.END: "END"}
+POINTS = {StateType.START: "START", StateType.CONDITION: "CHOICE", StateType.END: "END"}
 """The types of state that are no behaviour, and what they are called inside the behaviour around them."""
 
 
@@ -65,7 +65,7 @@ class Behaviour:
 
     name: str
     kind: Kind
-    node: Node
+    node: State
     states: tuple[str, ...]
     inside: tuple[str, ...]
     """The labels by which the behaviours in it are known."""
@@ -109,11 +109,11 @@ class _Planter:
         for transition in chart.transitions:
             home = chart.node(transition.source).parent or transition.source
             self.from_inside.setdefault(home, []).append(transition)
-            if transition.is_way:
+            if transition.changes_state:
                 self.to[transition.target] += 1
 
     def plant(self) -> Tree:
-        chains: list[tuple[Node, ...]] = []
+        chains: list[tuple[State, ...]] = []
         stack = [self.chart.root]
         while stack:
             chain = self.chain(stack.pop())
@@ -126,21 +126,21 @@ class _Planter:
 
     # ---- which states are one behaviour ------------------------------------------------------
 
-    def chain(self, node: Node) -> tuple[Node, ...]:
+    def chain(self, node: State) -> tuple[State, ...]:
         """A state, and those inside it that are one behaviour with it."""
         found = [node]
         while (inside := self.wrapped(found[-1])) is not None:
             found.append(inside)
         return tuple(found)
 
-    def wrapped(self, node: Node) -> Node | None:
+    def wrapped(self, node: State) -> State | None:
         """The state that an OR only wraps, if it wraps one."""
-        if node.type is not NodeType.OR:
+        if node.type is not StateType.OR:
             return None
         children = self.chart.children(node.label)
         inner = [child for child in children if not _is_point(child)]
         types = [child.type for child in children if _is_point(child)]
-        if len(inner) != 1 or types not in ([NodeType.START, NodeType.END], [NodeType.START]):
+        if len(inner) != 1 or types not in ([StateType.START, StateType.END], [StateType.START]):
             return None
         start, end = self.chart.start_of(node.label), self.chart.end_of(node.label)
         assert start is not None
@@ -156,11 +156,11 @@ class _Planter:
 
     # ---- kinds -------------------------------------------------------------------------------
 
-    def kind(self, node: Node) -> Kind:
+    def kind(self, node: State) -> Kind:
         """How the states inside a state follow on each other."""
-        if node.type is NodeType.BASIC:
+        if node.type is StateType.BASIC:
             return Kind.ONE_SHOT if self.pace(node) is None else Kind.TICKER
-        if node.type is NodeType.AND:
+        if node.type is StateType.AND:
             return Kind.PARALLEL
         pairs = self.pairs(node)
         inner = [child.label for child in self.chart.children(node.label) if not _is_point(child)]
@@ -173,30 +173,30 @@ class _Planter:
             return Kind.SEQUENTIAL
         return Kind.FSM
 
-    def ways(self, node: Node) -> list[Transition]:
+    def ways(self, node: State) -> list[Transition]:
         """The transitions that lead somewhere from what is directly inside a state."""
         return [
             item
             for item in self.from_inside.get(node.label, ())
-            if item.is_way and item.source != node.label  # those of the root are no ways
+            if item.changes_state and item.source != node.label  # those of the root are no ways
         ]
 
-    def pairs(self, node: Node) -> set[tuple[str, str]]:
+    def pairs(self, node: State) -> set[tuple[str, str]]:
         return {(item.source, item.target) for item in self.ways(node)}
 
-    def round(self, node: Node) -> int | None:
+    def round(self, node: State) -> int | None:
         """The pace, in ns, at which a state goes round that goes round for ever."""
         paces = {item.expression.every for item in self.ways(node) if item.source == item.target}
         return paces.pop() if len(paces) == 1 else None
 
-    def pace(self, node: Node) -> int | None:
+    def pace(self, node: State) -> int | None:
         """The pace, in ns, of the activity of a BASIC state."""
         activity = self.activities.get(node.activity or "")
         return activity.every if activity is not None else None
 
     # ---- names -------------------------------------------------------------------------------
 
-    def names(self, chains: Sequence[tuple[Node, ...]], kinds: Mapping[str, Kind]) -> dict[str, str]:
+    def names(self, chains: Sequence[tuple[State, ...]], kinds: Mapping[str, Kind]) -> dict[str, str]:
         """A class name for each behaviour: of those that would have the same, the later ones are numbered."""
         wished = {chain[0].label: self.wish(chain, kinds[chain[0].label]) for chain in chains}
         self.taken |= {*wished.values()}
@@ -207,11 +207,11 @@ class _Planter:
             seen.add(wish)
         return names
 
-    def wish(self, chain: Sequence[Node], kind: Kind) -> str:
+    def wish(self, chain: Sequence[State], kind: Kind) -> str:
         node = next((node for node in chain if node.name != node.label), chain[-1])
         if re.fullmatch(r"[A-Za-z_]\w*", node.name):
             return _usable(class_name(node.name))
-        if node.type is NodeType.BASIC:
+        if node.type is StateType.BASIC:
             return _usable(class_name(node.activity or node.name.partition("(")[0]))
         inner = [self.word(child) for child in self.chart.children(chain[-1].label) if not _is_point(child)]
         first = inner[0] if inner else "Empty"
@@ -230,11 +230,11 @@ class _Planter:
             case _:
                 assert_never(kind)
 
-    def _machine(self, chain: Sequence[Node], inner: Sequence[str], first: str) -> str:
+    def _machine(self, chain: Sequence[State], inner: Sequence[str], first: str) -> str:
         """What a state machine is called, by the operator that it is."""
         ways = self.ways(chain[-1])
         loops = any(item.source == item.target for item in ways)
-        choice = any(child.type is NodeType.CONDITION for child in self.chart.children(chain[-1].label))
+        choice = any(child.type is StateType.CONDITION for child in self.chart.children(chain[-1].label))
         if any(item.first for item in ways):
             return _joined(inner, "Until", "Disabling")
         if choice and len(inner) > 1:
@@ -243,7 +243,7 @@ class _Planter:
             return f"{first}AnyTimes" if loops else f"{first}OrNot"
         return f"{first}Repeatedly" if loops and len(inner) == 1 else f"{first}Machine"
 
-    def word(self, node: Node) -> str:
+    def word(self, node: State) -> str:
         """The first name in what a state is called; of one that is called by its label, in what it wraps."""
         while node.name == node.label:
             inside = [child for child in self.chart.children(node.label) if not _is_point(child)]
@@ -255,7 +255,7 @@ class _Planter:
 
     # ---- behaviours --------------------------------------------------------------------------
 
-    def behaviour(self, chain: Sequence[Node], kind: Kind, names: Mapping[str, str]) -> Behaviour:
+    def behaviour(self, chain: Sequence[State], kind: Kind, names: Mapping[str, str]) -> Behaviour:
         core = chain[-1]
         implied = [item for node in chain[:-1] for item in self.from_inside.get(node.label, ())]
         shown: list[Transition] = []
@@ -279,7 +279,7 @@ class _Planter:
             tuple(implied),
             tuple(self.wakers(shown, names)),
             (branch.origin.owner, branch.origin.name) if branch is not None else None,
-            self.pace(core) if core.type is NodeType.BASIC else period,
+            self.pace(core) if core.type is StateType.BASIC else period,
         )
 
     def wakers(self, shown: Iterable[Transition], names: Mapping[str, str]) -> Iterator[Waker]:
@@ -299,11 +299,11 @@ class _Planter:
         stack, seen = [label], {label}
         while stack:
             at = stack.pop()
-            if self.chart.node(at).type is not NodeType.CONDITION:
+            if self.chart.node(at).type is not StateType.CONDITION:
                 found.append(at)
                 continue
             for item in self.chart.transitions:
-                if item.is_way and item.target == at and item.source not in seen:
+                if item.changes_state and item.target == at and item.source not in seen:
                     seen.add(item.source)
                     stack.append(item.source)
         return tuple(sorted(found, key=label_key))
@@ -318,13 +318,13 @@ class _Planter:
         return "State"
 
 
-def _is_point(node: Node) -> bool:
+def _is_point(node: State) -> bool:
     return node.type in POINTS
 
 
 def _in_order(transition: Transition) -> tuple[tuple[int, ...], bool, int]:
     """Transitions by their sources, in the order in which they are tried; what stays comes last."""
-    return label_key(transition.source), not transition.is_way, transition.priority
+    return label_key(transition.source), not transition.changes_state, transition.priority
 
 
 def _is_plain(transition: Transition) -> bool:
@@ -332,7 +332,11 @@ def _is_plain(transition: Transition) -> bool:
     said = transition.expression
     decided = said.is_unconditional and not said.when and said.every is None
     return (
-        transition.is_way and decided and not said.actions and not transition.first and not transition.resume
+        transition.changes_state
+        and decided
+        and not said.actions
+        and not transition.first
+        and not transition.resume
     )
 
 

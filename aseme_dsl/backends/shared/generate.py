@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.amola.srm import Activity, Module
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import ACTIVITIES, DEFAULT, NOTHING_KNOWN, Artefact, BackendOptions, Known
 from aseme_dsl.codegen.messages import generate_messages, meaning_of_messages
@@ -214,7 +214,7 @@ def _activities(templates: Environment, system: System, known: Known) -> Iterato
 
 def _performed(chart: Statechart) -> tuple[str, ...]:
     """The activities of a role."""
-    found = (node.activity for node in chart.nodes if node.type is NodeType.BASIC)
+    found = (node.activity for node in chart.states if node.type is StateType.BASIC)
     return tuple(dict.fromkeys(name for name in found if name is not None))
 
 

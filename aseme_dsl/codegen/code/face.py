@@ -10,7 +10,7 @@ from typing import assert_never
 from aseme_dsl.amola.expression import RoundValue, StateValue
 from aseme_dsl.amola.meant import states_meant
 from aseme_dsl.amola.messages import Kind, Type
-from aseme_dsl.amola.statechart import Node, NodeType, Variable, transition_text
+from aseme_dsl.amola.statechart import State, StateType, Variable, transition_text
 from aseme_dsl.codegen.code.tree import (
     FALSE,
     TRUE,
@@ -116,9 +116,9 @@ class Face:
             return self.constants[variable.type.name, constant]
         return repr(float(value)) if variable.type.kind is Kind.DOUBLE else repr(value)
 
-    def leaf_title(self, leaf: Node, number: int) -> str:
+    def leaf_title(self, leaf: State, number: int) -> str:
         """A leaf for people: its label, what it is, and for an activity whether it still runs."""
-        if leaf.type is not NodeType.BASIC:
+        if leaf.type is not StateType.BASIC:
             return f"{leaf.label} {leaf.type.value}"
         return f"{leaf.label} {leaf.name} {'runs' if number == self.flat.leaf[leaf.label] else 'is complete'}"
 
@@ -126,19 +126,19 @@ class Face:
         """The test whether a region has a number."""
         return compared(own(f"r{region}"), "==", Const(number))
 
-    def complete(self, leaf: Node, number: int) -> Expr:
+    def complete(self, leaf: State, number: int) -> Expr:
         """Whether a leaf is complete: known for the number, or a condition for an AND."""
         match leaf.type:
-            case NodeType.START:
+            case StateType.START:
                 return TRUE
-            case NodeType.BASIC:
+            case StateType.BASIC:
                 return Const(number != self.flat.leaf[leaf.label])
-            case NodeType.AND:
+            case StateType.AND:
                 ends = completing_ends(self.flat, leaf)
                 if ends is None:
                     return FALSE
                 return all_of(self.at(region, self.flat.leaf[end]) for region, end in ends)
-            case NodeType.END | NodeType.OR | NodeType.CONDITION:
+            case StateType.END | StateType.OR | StateType.CONDITION:
                 return FALSE
             case _:
                 assert_never(leaf.type)
@@ -167,20 +167,20 @@ class Face:
         code = any_of(map(in_brackets, found))
         return Group(code) if len(found) > 1 else code
 
-    def is_active(self, node: Node) -> Expr | None:
+    def is_active(self, node: State) -> Expr | None:
         """Whether a state is active; None if it never is."""
         region = self.flat.region_number[node.label]
         first, last = self.flat.range[node.label]
         return self.at(region, first) if first == last else within(first, own(f"r{region}"), last)
 
-    def is_done(self, node: Node) -> Expr | None:
+    def is_done(self, node: State) -> Expr | None:
         """Whether a state is active and complete; None if it never is."""
         region = self.flat.region_number[node.label]
-        if node.type is NodeType.OR:
+        if node.type is StateType.OR:
             end = self.chart.end_of(node.label)
             return None if end is None else self.at(region, self.flat.leaf[end.label])
         number = self.flat.leaf[node.label]
-        if node.type is NodeType.BASIC:
+        if node.type is StateType.BASIC:
             return self.at(region, number + 1)
         complete = self.complete(node, number)
         return None if complete == FALSE else all_of((self.at(region, number), complete))

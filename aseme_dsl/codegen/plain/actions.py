@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from aseme_dsl.amola.expression import Action, Assign, Evaluate, StartTimer, Value, VariableValue
-from aseme_dsl.amola.statechart import Node, TransitionKind
+from aseme_dsl.amola.statechart import State, TransitionKind
 from aseme_dsl.codegen.code.tree import (
     NONE,
     NOW,
@@ -135,7 +135,7 @@ class Actions:
             return ()
         return (Spread(BB, tuple(map(names.variable_on_board, names.copied))),)
 
-    def on_entry(self, node: Node) -> Block:
+    def on_entry(self, node: State) -> Block:
         """What is noted as a state is entered."""
         names, registers = self._names, self._names.registers
         found: list[Statement] = []
@@ -154,7 +154,7 @@ class Actions:
         """What notes when a state was entered."""
         return Set((self._names.time(label),), NOW)
 
-    def begin(self, region: int, node: Node) -> Statement:
+    def begin(self, region: int, node: State) -> Statement:
         """The call that starts the activity of a state, with what it is given."""
         values = self._names.names(region, f"{region}_")
         self._names.asked_at(node.label, values)
@@ -165,7 +165,7 @@ class Actions:
         ]
         return Do(own_call(f"start_{node.activity}", Const(node.label), *given))
 
-    def stop(self, node: Node, number: int | None) -> Block:
+    def stop(self, node: State, number: int | None) -> Block:
         """The call that cuts an activity short, unless it has returned."""
         names = self._names
         if number != names.flat.leaf[node.label]:
@@ -181,7 +181,7 @@ class Actions:
             return (when(failures, Do(forget)),)
         return (when(_not_failed(failures, forget), *stop),)
 
-    def left(self, region: int, node: Node) -> Block:
+    def left(self, region: int, node: State) -> Block:
         """What is done when a state is left, after what is inside it."""
         found: list[Statement] = []
         for transition in self._names.chart.exits_of(node.label):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from aseme_dsl.amola.expression import NEVER, After, Event, Failed, Raised, Value
-from aseme_dsl.amola.statechart import NodeType, TransitionKind
+from aseme_dsl.amola.statechart import StateType, TransitionKind
 from aseme_dsl.codegen.code.face import docstring
 from aseme_dsl.codegen.code.tree import (
     FALSE,
@@ -86,7 +86,7 @@ class Conditions:
             if guard != TRUE:
                 tests = (*tests, guard)
         taken = (*before, way.number)
-        if names.chart.node(transition.target).type is NodeType.CONDITION:
+        if names.chart.node(transition.target).type is StateType.CONDITION:
             found_ways = [
                 item
                 for branch in way.branches

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import VariableValue, walk
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.codegen.code.face import docstring, natural
 from aseme_dsl.codegen.code.tree import (
     NONE,
@@ -194,11 +194,11 @@ class Head:
             (region.number, flat.leaf[leaf.label]): tuple(r.number for r in flat.regions_of(leaf.label))
             for region in flat.regions
             for leaf in flat.leaves(region.number)
-            if leaf.type is NodeType.AND
+            if leaf.type is StateType.AND
         }
         if inner:
             yield Attribute("INNER", inner, "tuple[int, int], tuple[int, ...]")
-        here = [node for node in self._chart.nodes if node.label in flat.leaf]
+        here = [node for node in self._chart.states if node.label in flat.leaf]
         running = {
             node.label: (flat.region_number[node.label], flat.leaf[node.label])
             for node in here
@@ -238,7 +238,7 @@ class Head:
             if not wakes.keys().isdisjoint((*read, *assigned(transition.expression))):
                 yield number
 
-    def _of_leaves(self, word: Callable[[Node], str]) -> list[str]:
+    def _of_leaves(self, word: Callable[[State], str]) -> list[str]:
         """A word for each of a region's leaves by their numbers."""
         return [
             " ".join(
@@ -364,14 +364,14 @@ class Head:
             return
         took = "A transition is taken, given by the numbers of its parts in `TRANSITIONS`."
         yield Method("took", "None", took, (), (("*transitions", "int"),))
-        activities = {node.activity: node for node in self._chart.nodes if node.activity is not None}
+        activities = {node.activity: node for node in self._chart.states if node.activity is not None}
         for node in activities.values():
             for word, document in (("start", "begins"), ("stop", "is cut short")):
                 told = f"{docstring(node.activity or '')} {document}, the activity of the state `label`."
                 given = tuple(self._parameters(node)) if word == "start" else ()
                 yield Method(f"{word}_{node.activity}", "None", told, (), (("label", "str"), *given))
 
-    def _parameters(self, node: Node) -> Iterator[Parameter]:
+    def _parameters(self, node: State) -> Iterator[Parameter]:
         """What the method of an activity is given: by the declared types, or by those of the values."""
         declared = self._names.registers.parameters(node)
         for item in node.arguments:
@@ -381,12 +381,12 @@ class Head:
             yield item.name, name
 
 
-def _leaf_name(node: Node) -> str:
+def _leaf_name(node: State) -> str:
     """What a leaf is called; what has no name, by what it is."""
     return node.name if node.name.isidentifier() else node.type.value
 
 
-def _name_or_type(node: Node) -> str:
+def _name_or_type(node: State) -> str:
     """The name of a leaf, or what it is in brackets."""
     name = _leaf_name(node)
     return name if name == node.name else f"({name})"

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from aseme_dsl.amola.expression import Call, Failed, Random
 from aseme_dsl.amola.messages import Kind, Type
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.codegen.code.face import Face, Identifiers
 from aseme_dsl.codegen.code.tree import (
     FALSE,
@@ -201,13 +201,13 @@ class PlainNames(Face):
 
     # ---- where it stands -------------------------------------------------------------------
 
-    def last(self, leaf: Node) -> int:
+    def last(self, leaf: State) -> int:
         """The last number of a leaf."""
         return self.flat.leaf[leaf.label] + self.rests.width(leaf) - 1
 
-    def title(self, leaf: Node, number: int) -> str:
+    def title(self, leaf: State, number: int) -> str:
         """A leaf for people; of an activity that is not waited for there is nothing more to say."""
-        if self.rests.width(leaf) == 1 and leaf.type is NodeType.BASIC:
+        if self.rests.width(leaf) == 1 and leaf.type is StateType.BASIC:
             return f"{leaf.label} {leaf.name}"
         return self.leaf_title(leaf, number)
 
@@ -217,8 +217,8 @@ class PlainNames(Face):
             return name if number else Negated(name)
         return compared(name, "==", Const(number))
 
-    def complete(self, leaf: Node, number: int) -> Expr:
-        if leaf.type is NodeType.AND:
+    def complete(self, leaf: State, number: int) -> Expr:
+        if leaf.type is StateType.AND:
             found = super().complete(leaf, number)
             if found == FALSE:
                 return FALSE
@@ -230,7 +230,7 @@ class PlainNames(Face):
             return all_of(parts)
         return super().complete(leaf, number)
 
-    def is_active(self, node: Node) -> Expr | None:
+    def is_active(self, node: State) -> Expr | None:
         """Whether a state is active: what is left keeps its number, so what is around it counts."""
         found = self.flat.range.get(node.label)
         if found is None:
@@ -252,15 +252,15 @@ class PlainNames(Face):
                 first = last = self.flat.leaf[parent]
         return all_of(reversed(tests))
 
-    def is_done(self, node: Node) -> Expr | None:
+    def is_done(self, node: State) -> Expr | None:
         region = self.flat.region_number[node.label]
-        if node.type is NodeType.OR:
+        if node.type is StateType.OR:
             end = self.chart.end_of(node.label)
             return None if end is None else self.is_active(end)
         number = self.flat.leaf.get(node.label)
         if number is None:
             return None
-        if node.type is NodeType.BASIC:
+        if node.type is StateType.BASIC:
             return self.is_inside(region, number + 1, number + 1)
         complete = self.complete(node, number)
         if complete == FALSE:

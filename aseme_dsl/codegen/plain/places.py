@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.codegen.code.tree import (
     NONE,
     Block,
@@ -33,12 +33,12 @@ class Places:
         """The regions whose leaving is written; False for those with nothing to do."""
         self._times = frozenset(map(actions.entered_now, names.registers.timed))
 
-    def leave(self, region: int, scope: str, leaf: Node, number: int | None) -> Block:
+    def leave(self, region: int, scope: str, leaf: State, number: int | None) -> Block:
         """What is done as everything inside `scope` is left; None for a BASIC state that may be complete."""
         found: list[Statement] = []
-        if leaf.type is NodeType.BASIC and (self._names.options.watched or self._names.may_fail):
+        if leaf.type is StateType.BASIC and (self._names.options.watched or self._names.may_fail):
             found += self._actions.stop(leaf, number)
-        elif leaf.type is NodeType.AND:
+        elif leaf.type is StateType.AND:
             for inner in self._flat.regions_of(leaf.label):
                 found += self.leave_region(inner.number)
         for node in left_with(self._flat, leaf, scope):
@@ -87,7 +87,7 @@ class Places:
             node = self._chart.node(target)
             if target == self._flat.regions[region].label and region:
                 found += self._begin_region(region)
-            if node.type is NodeType.OR:
+            if node.type is StateType.OR:
                 start = self._chart.start_of(target)
                 assert start is not None
                 found += self._actions.on_entry(start)
@@ -99,15 +99,15 @@ class Places:
                 stands += self._stand(region, node, number)
                 if target in self._names.registers.ending:
                     found += (Set((place,), NONE) for place in self._names.outcomes_of(target))
-                if node.type is NodeType.BASIC and self._names.options.watched:
+                if node.type is StateType.BASIC and self._names.options.watched:
                     found.append(self._actions.begin(region, node))
-                elif node.type is NodeType.AND:
+                elif node.type is StateType.AND:
                     inner = [(item.number, item.label, None) for item in self._flat.regions_of(target)]
                     stack += reversed(inner)
         times = dict.fromkeys(item for item in found if item in self._times)
         return (*stands, *times, *(item for item in found if item not in self._times))
 
-    def _stand(self, region: int, leaf: Node, number: int | None) -> Block:
+    def _stand(self, region: int, leaf: State, number: int | None) -> Block:
         """Note which leaf is active, where that is not known."""
         entered = self._flat.leaf[leaf.label]
         if self._flat.regions[region].size == 1 or entered == number:
@@ -115,7 +115,7 @@ class Places:
         value = bool(entered) if region in self._names.truths else entered
         return (Set((own(f"r{region}"),), Const(value), self._names.title(leaf, entered)),)
 
-    def _pass(self, region: int, node: Node) -> Block:
+    def _pass(self, region: int, node: State) -> Block:
         """Go on at once from a START or an END that is never rested at, into the target's surroundings."""
         way = self._names.rests.passed[node.label]
         step = self._flat.transition_number[id(way)]

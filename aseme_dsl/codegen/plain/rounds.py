@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import replace
 
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.codegen.code.face import docstring
 from aseme_dsl.codegen.code.tree import (
     FALSE,
@@ -161,7 +161,7 @@ class Rounds:
         if self.others is not None:
             return merged(self._beside_others(mode, region, depth, self.others))
         touched = set(self._touched.get(mode.event, {}).get(region, ()))
-        touched.update(place for place, leaf in enumerate(leaves) if leaf.type is NodeType.AND)
+        touched.update(place for place, leaf in enumerate(leaves) if leaf.type is StateType.AND)
         others = self._untouched.setdefault((region, mode.loops, mode.direct, mode.flags), Untouched())
         other = replace(mode, event=OTHER)
         if not others.pieces:
@@ -175,7 +175,7 @@ class Rounds:
         if not others.starts:
             for place, leaf in enumerate(leaves):
                 if others.pieces[place] is None:
-                    is_and = leaf.type is NodeType.AND  # it is never used then
+                    is_and = leaf.type is StateType.AND  # it is never used then
                     of = [_never_used(place)] if is_and else self._pieces(other, region, leaf, depth)
                     others.pieces[place] = of
             others.join()
@@ -209,7 +209,7 @@ class Rounds:
         found = bisect_right(begins, last) - 1
         return found >= 0 and ends[found] >= first
 
-    def _pieces(self, mode: Mode, region: int, leaf: Node, depth: int) -> list[Body]:
+    def _pieces(self, mode: Mode, region: int, leaf: State, depth: int) -> list[Body]:
         """What is done for each number of a leaf."""
         found: list[Body] = []
         first = self._flat.leaf[leaf.label]
@@ -219,7 +219,7 @@ class Rounds:
                 continue
             block = self.from_leaf(mode, region, leaf, number, depth + 3)
             title = self._names.title(leaf, number)
-            is_and = leaf.type is NodeType.AND
+            is_and = leaf.type is StateType.AND
             found.append(Body(number, number, leaf.label, title, title, block, is_and))
         return found
 
@@ -268,7 +268,7 @@ class Rounds:
 
     # ---- from a leaf -----------------------------------------------------------------------
 
-    def from_leaf(self, mode: Mode, region: int, leaf: Node, number: int, depth: int) -> Block:
+    def from_leaf(self, mode: Mode, region: int, leaf: State, number: int, depth: int) -> Block:
         """What one round may do while `leaf` is active: what cuts short, the outermost first; then innermost
         source first."""
         flat = self._flat
@@ -289,7 +289,7 @@ class Rounds:
                 ways += self._conditions.candidates(mode, region, source.label, ended, way)
         inside: list[Statement] = []
         flag = ""
-        if leaf.type is NodeType.AND:
+        if leaf.type is StateType.AND:
             flags = mode.flags
             if ways:
                 mode.inside += 1

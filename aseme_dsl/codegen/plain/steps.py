@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.codegen.code.face import docstring
 from aseme_dsl.codegen.code.python import length
 from aseme_dsl.codegen.code.tree import (
@@ -275,7 +275,7 @@ class Steps:
         alone = names.following.alone()
         for region in self._flat.regions:
             for leaf in self._flat.leaves(region.number):
-                if leaf.type is NodeType.BASIC and names.rests.width(leaf) > 1:
+                if leaf.type is StateType.BASIC and names.rests.width(leaf) > 1:
                     place = places + self._flat.leaf[leaf.label]
                     does = self._returned(region.number, leaf, places, alone[region.number])
                     title = f"{leaf.label} {leaf.name}"
@@ -330,7 +330,7 @@ class Steps:
         call = Return(own_call(name, *map(Name, given)))
         return Body(one.first, other.last, one.label, one.begins, other.ends, (call,))
 
-    def _returned(self, region: int, leaf: Node, places: int, alone: bool) -> Block:
+    def _returned(self, region: int, leaf: State, places: int, alone: bool) -> Block:
         """What is done as the activity of a leaf has returned, and all of the step if it moves `alone`.
 
         Where nothing can be said of the rest, a step is to follow.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from aseme_dsl.amola.statechart import Node
+from aseme_dsl.amola.statechart import State
 from aseme_dsl.codegen.code.tree import (
     Arm,
     Block,
@@ -42,7 +42,7 @@ class Taking:
         self,
         mode: Mode,
         region: int,
-        leaf: Node,
+        leaf: State,
         number: int,
         candidates: Sequence[Candidate],
         otherwise: Block = (),
@@ -65,7 +65,7 @@ class Taking:
             return otherwise
         return (If(tuple(arms), otherwise or None),)
 
-    def _take(self, mode: Mode, region: int, leaf: Node, number: int, candidate: Candidate) -> Block:
+    def _take(self, mode: Mode, region: int, leaf: State, number: int, candidate: Candidate) -> Block:
         names, following = self._names, self._names.following
         move = move_of(names.flat, candidate.taken)
         spends = candidate.spends is True

@@ -80,7 +80,7 @@ def _uses(flat: FlatChart, watched: bool) -> dict[str | None, tuple[_Use, ...]]:
         uses += [_Use(name, region, writes=True) for name in assigned(expression)]
         for event in raised if only_raised else (None,):
             found.setdefault(event, {}).update(dict.fromkeys(uses))
-    for node in flat.chart.nodes if watched else ():
+    for node in flat.chart.states if watched else ():
         for argument in node.arguments:
             for value in values_of(TransitionExpression(condition=argument.value)):
                 if isinstance(value, VariableValue):

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
 from aseme_dsl.amola.expression import NEVER, After, Failed, Raised
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.codegen.program.flat import FlatChart, Way, paths
 from aseme_dsl.codegen.program.resting import Resting, is_open
 from aseme_dsl.codegen.program.uses import Uses
@@ -47,7 +47,7 @@ class Events:
         """The leaves for which it makes a difference which event it is: their places in their regions."""
         own: dict[str, frozenset[str]] = {}
         """The events that the transitions of a state wait for, and those of the states around it."""
-        for node in self._chart.nodes:  # parents come before children
+        for node in self._chart.states:  # parents come before children
             around = own[node.parent] if node.parent is not None else frozenset()
             events = {
                 event.name
@@ -88,16 +88,16 @@ class Events:
         while stack:
             label = self.rest(stack.pop())
             yield label
-            if self._chart.node(label).type is NodeType.AND:
+            if self._chart.node(label).type is StateType.AND:
                 stack += [region.label for region in self._flat.regions_of(label)]
 
     def regions_in(self, target: str) -> Iterator[int]:
         """The regions that are entered with `target`."""
         for label in self.rests_in(target):
-            if self._chart.node(label).type is NodeType.AND:
+            if self._chart.node(label).type is StateType.AND:
                 yield from (region.number for region in self._flat.regions_of(label))
 
-    def open_paths(self, mode: str, leaf: Node) -> Iterator[tuple[tuple[int, ...], bool]]:
+    def open_paths(self, mode: str, leaf: State) -> Iterator[tuple[tuple[int, ...], bool]]:
         """The compound transitions that may be taken while a leaf is active, each with whether it certainly
         spends the event."""
         for way in self.open_ways(mode, leaf):
@@ -106,11 +106,11 @@ class Events:
                 if spends is not None:
                     yield taken, spends == "yes"
 
-    def open_ways(self, mode: str, leaf: Node) -> Iterator[Way]:
+    def open_ways(self, mode: str, leaf: State) -> Iterator[Way]:
         """The ways that may be taken while a leaf is active, if what they wait for is there."""
         for source in (leaf, *self._flat.around(leaf.label)):
             if source is leaf:
-                complete = leaf.type is not NodeType.BASIC or not (mode and self.is_left(leaf))
+                complete = leaf.type is not StateType.BASIC or not (mode and self.is_left(leaf))
             else:
                 complete = self._flat.completes(leaf, source)
             for way in (*self._flat.first_ways(source.label), *self._flat.ways(source.label)):
@@ -143,7 +143,7 @@ class Events:
         """The leaf at which its region rests when `target` has been entered."""
         node = self._chart.node(target)
         while True:
-            if node.type is NodeType.OR:
+            if node.type is StateType.OR:
                 start = self._chart.start_of(node.label)
                 assert start is not None
                 node = start
@@ -152,11 +152,11 @@ class Events:
             else:
                 return node.label
 
-    def is_left(self, leaf: Node) -> bool:
+    def is_left(self, leaf: State) -> bool:
         """Whether a state is left as soon as it is complete: no step with an event finds it so."""
-        ways = self._chart.ways_from(leaf.label)
+        ways = self._chart.outgoing_edges(leaf.label)
         return any(
-            is_open(way.expression) and self._chart.node(way.target).type is not NodeType.CONDITION
+            is_open(way.expression) and self._chart.node(way.target).type is not StateType.CONDITION
             for way in ways
         )
 

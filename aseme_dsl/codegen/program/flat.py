@@ -12,9 +12,9 @@ from functools import cached_property
 
 from aseme_dsl.amola.expression import NEVER
 from aseme_dsl.amola.statechart import (
-    Node,
-    NodeType,
+    State,
     Statechart,
+    StateType,
     Transition,
     TransitionKind,
 )
@@ -40,7 +40,7 @@ class FlatRegion:
 class FlatChart:
     """A statechart with its regions, its leaves, and the ways that lead out of its states."""
 
-    def __init__(self, chart: Statechart, width: Callable[[Node], int] | None = None) -> None:
+    def __init__(self, chart: Statechart, width: Callable[[State], int] | None = None) -> None:
         """`width` says how many numbers a leaf needs, none if it is never active between two rounds."""
         self.chart = chart
         self._width = width or _width
@@ -52,14 +52,14 @@ class FlatChart:
         """The first and last number of the leaves of each state inside its region."""
         self.regions: tuple[FlatRegion, ...] = self._number()
         self.transition_number = {id(t): n for n, t in enumerate(chart.transitions)}
-        self._around: dict[str, list[Node]] = {}
+        self._around: dict[str, list[State]] = {}
         self._ways: dict[str, tuple[Way, ...]] = {}
         self._first_ways: dict[str, tuple[Way, ...]] = {}
 
     def _number(self) -> tuple[FlatRegion, ...]:
         labels: list[str] = []
         sizes: list[int] = []
-        for node in self.chart.nodes:  # parents come before children, so document order
+        for node in self.chart.states:  # parents come before children, so document order
             if self.chart.is_region(node.label):
                 self.region_number[node.label] = len(labels)
                 labels.append(node.label)
@@ -67,7 +67,7 @@ class FlatChart:
             else:
                 assert node.parent is not None
                 self.region_number[node.label] = self.region_number[node.parent]
-            if node.type in (NodeType.OR, NodeType.CONDITION):
+            if node.type in (StateType.OR, StateType.CONDITION):
                 continue
             region = self.region_number[node.label]
             width = self._width(node)
@@ -91,7 +91,7 @@ class FlatChart:
             assert parent is not None
             label = parent
 
-    def around(self, label: str) -> list[Node]:
+    def around(self, label: str) -> list[State]:
         """The OR states around a leaf inside its region, innermost first, the region itself excluded."""
         found = self._around.get(label)
         if found is None:
@@ -99,7 +99,7 @@ class FlatChart:
             self._around[label] = found
         return found
 
-    def sources_around(self, leaf: str) -> list[Node]:
+    def sources_around(self, leaf: str) -> list[State]:
         """The states around a leaf inside its region that may have transitions, innermost first.
 
         The region itself is one of them where some lead out of its AND.
@@ -121,7 +121,7 @@ class FlatChart:
         found: dict[int, int] = {}
         for number, transition in enumerate(self.chart.transitions):
             if (
-                transition.is_way
+                transition.changes_state
                 and (place := self.place((number,))) != self.region_number[transition.source]
             ):
                 found[number] = place
@@ -139,19 +139,19 @@ class FlatChart:
         """The regions in which the actions of a transition may count."""
         transition = self.transition(number)
         found = {self.leading_out.get(number, self.region_number[transition.source])}
-        if self.leading_out and self.chart.node(transition.target).type is NodeType.CONDITION:
+        if self.leading_out and self.chart.node(transition.target).type is StateType.CONDITION:
             for branch in self.segments(transition.target):
                 found.add(self.leading_out.get(self.transition_number[id(branch)], min(found)))
         return frozenset(found)
 
-    def leaves(self, region: int) -> list[Node]:
+    def leaves(self, region: int) -> list[State]:
         """The leaves of a region in document order."""
         return self._leaves[region]
 
     @cached_property
-    def _leaves(self) -> list[list[Node]]:
-        found: list[list[Node]] = [[] for _ in self.regions]
-        for node in self.chart.nodes:
+    def _leaves(self) -> list[list[State]]:
+        found: list[list[State]] = [[] for _ in self.regions]
+        for node in self.chart.states:
             if node.label in self.leaf:
                 found[self.region_number[node.label]].append(node)
         return found
@@ -166,24 +166,24 @@ class FlatChart:
         return None if parent is None else self.region_number[parent]
 
     @cached_property
-    def branches(self) -> tuple[Node, ...]:
+    def branches(self) -> tuple[State, ...]:
         """The states that are the branch of a participant."""
-        return tuple(node for node in self.chart.nodes if self.chart.is_branch(node))
+        return tuple(node for node in self.chart.states if self.chart.is_branch(node))
 
     @cached_property
-    def leaving(self) -> tuple[Node, ...]:
+    def leaving(self) -> tuple[State, ...]:
         """The composites with something to do when they are left: branches, and what has an `exit`."""
         return tuple(
             node
-            for node in self.chart.nodes
-            if node.type is NodeType.OR and (self.chart.is_branch(node) or self.chart.exits_of(node.label))
+            for node in self.chart.states
+            if node.type is StateType.OR and (self.chart.is_branch(node) or self.chart.exits_of(node.label))
         )
 
     @cached_property
-    def resumed(self) -> tuple[Node, ...]:
+    def resumed(self) -> tuple[State, ...]:
         """The composites that some transition resumes."""
         labels = {transition.target for transition in self.chart.transitions if transition.resume}
-        return tuple(node for node in self.chart.nodes if node.label in labels and node.type is NodeType.OR)
+        return tuple(node for node in self.chart.states if node.label in labels and node.type is StateType.OR)
 
     def regions_inside(self, label: str) -> list[FlatRegion]:
         """The regions inside a state, at any depth."""
@@ -237,7 +237,7 @@ class FlatChart:
 
     def _way(self, transition: Transition) -> Way:
         target = self.chart.node(transition.target)
-        branches = self.ways(target.label) if target.type is NodeType.CONDITION else ()
+        branches = self.ways(target.label) if target.type is StateType.CONDITION else ()
         return Way(self.transition_number[id(transition)], branches)
 
     def waits_for_event(self, way: Way) -> bool:
@@ -258,29 +258,29 @@ class FlatChart:
         """The states that may be active and have transitions, in document order."""
         return tuple(
             node.label
-            for node in self.chart.nodes
-            if node.type is not NodeType.CONDITION and self.chart.outgoing(node.label)
+            for node in self.chart.states
+            if node.type is not StateType.CONDITION and self.chart.outgoing(node.label)
         )
 
     @cached_property
     def circling(self) -> tuple[int, ...]:
         """The numbers of the transitions that may be taken again and again within one step."""
-        basic = {node.label for node in self.chart.nodes if node.type is NodeType.BASIC}
+        basic = {node.label for node in self.chart.states if node.type is StateType.BASIC}
         ways: dict[str, dict[str, None]] = {}
-        for node in self.chart.nodes:  # in at the START, out at the END, whatever is in between
+        for node in self.chart.states:  # in at the START, out at the END, whatever is in between
             if node.parent is None:
                 continue
-            is_region = self.chart.node(node.parent).type is NodeType.AND
-            if is_region or node.type is NodeType.START:
+            is_region = self.chart.node(node.parent).type is StateType.AND
+            if is_region or node.type is StateType.START:
                 ways.setdefault(node.parent, {})[node.label] = None
-            cut = any(way.expression.when for way in self.chart.ways_from(node.parent))
-            if is_region or cut or node.type is NodeType.END:
+            cut = any(way.expression.when for way in self.chart.outgoing_edges(node.parent))
+            if is_region or cut or node.type is StateType.END:
                 ways.setdefault(node.label, {})[node.parent] = None
         quick: list[int] = []
         for number, transition in enumerate(self.chart.transitions):
             said = transition.expression
             waits = said.events or said is NEVER or said.every or transition.reactive
-            if transition.is_way and not waits and (said.when or transition.source not in basic):
+            if transition.changes_state and not waits and (said.when or transition.source not in basic):
                 quick.append(number)
                 ways.setdefault(transition.source, {})[transition.target] = None
 
@@ -314,13 +314,13 @@ class FlatChart:
         """Where a leaf stands among those of its region."""
         return {leaf.label: order for leaves in self._leaves for order, leaf in enumerate(leaves)}
 
-    def completes(self, leaf: Node, source: Node) -> bool:
+    def completes(self, leaf: State, source: State) -> bool:
         """Whether a state is complete because this leaf in it is active: its END is."""
-        return leaf.type is NodeType.END and leaf.parent == source.label
+        return leaf.type is StateType.END and leaf.parent == source.label
 
 
-def _width(leaf: Node) -> int:
-    return 2 if leaf.type is NodeType.BASIC else 1
+def _width(leaf: State) -> int:
+    return 2 if leaf.type is StateType.BASIC else 1
 
 
 def paths(way: Way) -> Iterator[tuple[int, ...]]:

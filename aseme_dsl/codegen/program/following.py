@@ -10,7 +10,7 @@ from collections import Counter
 from functools import cached_property
 
 from aseme_dsl.amola.expression import NEVER, After, Failed, Raised
-from aseme_dsl.amola.statechart import Node, NodeType, TransitionKind
+from aseme_dsl.amola.statechart import State, StateType, TransitionKind
 from aseme_dsl.codegen.program.events import OTHER, STEP, Events
 from aseme_dsl.codegen.program.flat import FlatChart, Way
 from aseme_dsl.codegen.program.moves import move_of
@@ -46,10 +46,10 @@ class Following:
         )
 
     @property
-    def _leaves(self) -> list[list[Node]]:
+    def _leaves(self) -> list[list[State]]:
         return [self._flat.leaves(region.number) for region in self._flat.regions]
 
-    def loops_at(self, mode: str, leaf: Node) -> bool:
+    def loops_at(self, mode: str, leaf: State) -> bool:
         """Whether a transition that is taken while a leaf is active may need another round after it."""
         region = self._flat.region_number[leaf.label]
         for taken, spent in self._events.open_paths(mode, leaf):
@@ -71,7 +71,7 @@ class Following:
             return True
         return self._open_around(mode, self._chart.node(leaf), spent)
 
-    def again_at(self, mode: str, leaf: Node, spent: bool) -> bool:
+    def again_at(self, mode: str, leaf: State, spent: bool) -> bool:
         """Whether something may be enabled at an active leaf after an action that has left nothing."""
         if self._rests.asked:
             return True
@@ -82,10 +82,10 @@ class Following:
                     return True
         return self._open_around(mode, leaf, spent)
 
-    def _open_around(self, mode: str, ends: Node, spent: bool) -> bool:
+    def _open_around(self, mode: str, ends: State, spent: bool) -> bool:
         """Whether something may be enabled around the region of a leaf in which something was taken."""
         around_region = self._chart.region_of(ends.label)
-        complete = ends.type is NodeType.END and ends.parent == around_region
+        complete = ends.type is StateType.END and ends.parent == around_region
         for around in self._chart.ancestors(around_region):
             for way in self._flat.ways(around.label):
                 if self._is_open(mode, way, complete, spent=spent, entered=False):
@@ -100,7 +100,7 @@ class Following:
             label, spent, scope = stack.pop()
             if self._open_in(mode, label, spent, scope):
                 return True
-            if self._chart.node(label).type is NodeType.AND:
+            if self._chart.node(label).type is StateType.AND:
                 for region in self._flat.regions_of(label):
                     stack.append((self._events.rest(region.label), True, region.label))
         return False
@@ -108,10 +108,10 @@ class Following:
     def _open_in(self, mode: str, label: str, spent: bool, scope: str) -> bool:
         """The same, without what is inside an AND."""
         leaf = self._chart.node(label)
-        complete = leaf.type is NodeType.START
-        if leaf.type is NodeType.AND:
+        complete = leaf.type is StateType.START
+        if leaf.type is StateType.AND:
             rests = [self._events.rest(region.label) for region in self._flat.regions_of(label)]
-            complete = all(self._chart.node(rest).type is NodeType.END for rest in rests)
+            complete = all(self._chart.node(rest).type is StateType.END for rest in rests)
         for source in (leaf, *self._flat.around(label)):
             is_new = source.label != scope and source.label.startswith(f"{scope}.")
             ended = self._flat.completes(leaf, source)
@@ -164,7 +164,7 @@ class Following:
             alone.append(alone[self._flat.region_number[parent]] and is_calm and not others)
         return alone
 
-    def _moves_by_itself(self, leaf: Node, *, complete: bool) -> bool:
+    def _moves_by_itself(self, leaf: State, *, complete: bool) -> bool:
         """Whether something may be taken while a leaf is active that has no event and rests there until then.
 
         `complete`: it may be complete. What is left as soon as it is complete does not rest.

@@ -19,7 +19,7 @@ from aseme_dsl.amola.expression import (
     walk,
 )
 from aseme_dsl.amola.messages import DOUBLE, DURATION
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
+from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.codegen.program.flat import FlatChart
 
 
@@ -58,19 +58,19 @@ def path(chart: Statechart, scope: str, target: str) -> list[str]:
     return found
 
 
-def left_with(flat: FlatChart, leaf: Node, scope: str) -> Iterator[Node]:
+def left_with(flat: FlatChart, leaf: State, scope: str) -> Iterator[State]:
     """The states that are left with an active leaf, innermost first, if everything inside `scope` is left.
 
     Of these only states that may have an `exit` count.
     """
-    if leaf.type in (NodeType.BASIC, NodeType.AND) and len(leaf.label) > len(scope):
+    if leaf.type in (StateType.BASIC, StateType.AND) and len(leaf.label) > len(scope):
         yield leaf
     for around in flat.around(leaf.label):
         if len(around.label) > len(scope):
             yield around
 
 
-def completing_ends(flat: FlatChart, node: Node) -> tuple[tuple[int, str], ...] | None:
+def completing_ends(flat: FlatChart, node: State) -> tuple[tuple[int, str], ...] | None:
     """The regions of an AND, each with the END at which it must be for the AND to be complete.
 
     None if one of them never is: it has no END, or no number for it.

@@ -27,7 +27,7 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.meant import loop_of, performers, states_meant
 from aseme_dsl.amola.messages import DURATION, Type
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import Node
+from aseme_dsl.amola.statechart import State
 from aseme_dsl.codegen.program.flat import FlatChart
 
 
@@ -67,7 +67,7 @@ class Registers:
             found.setdefault(Wait(label, "within", within))
         return tuple(found)
 
-    def said_of(self, node: Node) -> Activity | None:
+    def said_of(self, node: State) -> Activity | None:
         """What is said of the activity of a BASIC state."""
         return self._activities.get(node.activity) if node.activity is not None else None
 
@@ -76,7 +76,7 @@ class Registers:
         """The BASIC states whose activity has a deadline, with how long it has from their entry, in ns."""
         return {
             node.label: said.within
-            for node in self._chart.nodes
+            for node in self._chart.states
             if (said := self.said_of(node)) is not None and said.within is not None
         }
 
@@ -84,7 +84,9 @@ class Registers:
     def ending(self) -> frozenset[str]:
         """The BASIC states whose activity ends with an outcome."""
         return frozenset(
-            node.label for node in self._chart.nodes if (said := self.said_of(node)) is not None and said.ends
+            node.label
+            for node in self._chart.states
+            if (said := self.said_of(node)) is not None and said.ends
         )
 
     def asked_of(self, source: str, activity: str) -> tuple[str, ...]:
@@ -101,7 +103,7 @@ class Registers:
             for node in states_meant(self._chart, place, value.state)
         }
         return {
-            node.label: loop_of(self._chart, node.label) for node in self._chart.nodes if node.label in found
+            node.label: loop_of(self._chart, node.label) for node in self._chart.states if node.label in found
         }
 
     @cached_property
@@ -131,7 +133,7 @@ class Registers:
             )
         )
 
-    def parameters(self, node: Node) -> dict[str, Type]:
+    def parameters(self, node: State) -> dict[str, Type]:
         """The declared types of what the activity of a state is given, by parameter."""
         said = self.said_of(node)
         return {item.name: item.type for item in said.parameters} if said is not None else {}

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import NEVER, Failed, Outcome, StateValue, TransitionExpression
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
+from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ class Resting:
     reached: frozenset[str]
     completing: frozenset[str]
 
-    def width(self, leaf: Node) -> int:
+    def width(self, leaf: State) -> int:
         """How many numbers a leaf needs."""
         if leaf.label in self.passed or leaf.label not in self.reached:
             return 0
@@ -43,8 +43,8 @@ def resting(chart: Statechart, *, watched: bool) -> Resting:
     reached = _reached(chart)
     completing = {
         node.label
-        for node in chart.nodes
-        if node.type is NodeType.BASIC
+        for node in chart.states
+        if node.type is StateType.BASIC
         and (
             watched or asked or failing or any(_needs_completion(item) for item in chart.outgoing(node.label))
         )
@@ -63,11 +63,11 @@ def _needs_completion(transition: Transition) -> bool:
 
 def _passed(chart: Statechart) -> dict[str, Transition]:
     found: dict[str, Transition] = {}
-    for node in chart.nodes:
-        if node.type is NodeType.START:
+    for node in chart.states:
+        if node.type is StateType.START:
             source = node.label
             around = list(chart.ancestors(node.label))
-        elif node.type is NodeType.END and node.parent is not None and not chart.is_region(node.parent):
+        elif node.type is StateType.END and node.parent is not None and not chart.is_region(node.parent):
             source = node.parent
             around = list(chart.ancestors(node.label))
             if len(chart.outgoing(source)) != 1:
@@ -79,9 +79,9 @@ def _passed(chart: Statechart) -> dict[str, Transition]:
         first = next(iter(chart.outgoing(source)), None)
         if (
             first is not None
-            and first.kind is TransitionKind.WAY
+            and first.kind is TransitionKind.EXTERNAL
             and is_open(first.expression)
-            and chart.node(first.target).type is not NodeType.CONDITION
+            and chart.node(first.target).type is not StateType.CONDITION
         ):
             found[node.label] = first
     return {label: way for label, way in found.items() if not _comes_back(chart, found, label)}
@@ -107,11 +107,11 @@ def _entered(chart: Statechart, target: str) -> Iterable[str]:
     while stack:
         label = stack.pop()
         node = chart.node(label)
-        if node.type is NodeType.OR:
+        if node.type is StateType.OR:
             start = chart.start_of(label)
             if start is not None:
                 yield start.label
-        elif node.type is NodeType.AND:
+        elif node.type is StateType.AND:
             stack += [inner.label for inner in chart.children(label)]
             yield label
         else:
@@ -130,7 +130,7 @@ def _reached(chart: Statechart) -> frozenset[str]:
             if label in reached:
                 continue
             reached.add(label)
-            waiting.update(s.label for s in chart.ancestors(label) if s.type is NodeType.AND)
+            waiting.update(s.label for s in chart.ancestors(label) if s.type is StateType.AND)
             for source in (label, *(state.label for state in chart.ancestors(label))):
                 for transition in _ways(chart, source, reached):
                     stack += _targets(chart, transition)
@@ -143,7 +143,7 @@ def _reached(chart: Statechart) -> frozenset[str]:
 
 def _ways(chart: Statechart, source: str, reached: set[str]) -> Iterable[Transition]:
     """The transitions of a source that may be taken."""
-    for transition in chart.ways_from(source):
+    for transition in chart.outgoing_edges(source):
         if transition.expression is NEVER:
             continue
         if not _needs_completion(transition) or _may_complete(chart, source, reached):
@@ -152,10 +152,10 @@ def _ways(chart: Statechart, source: str, reached: set[str]) -> Iterable[Transit
 
 def _may_complete(chart: Statechart, label: str, reached: set[str]) -> bool:
     node = chart.node(label)
-    if node.type is NodeType.OR:
+    if node.type is StateType.OR:
         end = chart.end_of(label)
         return end is not None and end.label in reached
-    if node.type is NodeType.AND:
+    if node.type is StateType.AND:
         ends = [chart.end_of(region.label) for region in chart.children(label)]
         return all(end is not None and end.label in reached for end in ends)
     return True
@@ -168,11 +168,11 @@ def _targets(chart: Statechart, transition: Transition) -> list[str]:
     seen: set[str] = set()
     while stack:
         label = stack.pop()
-        if chart.node(label).type is not NodeType.CONDITION:
+        if chart.node(label).type is not StateType.CONDITION:
             found += _entered(chart, label)
         elif label not in seen:
             seen.add(label)
-            stack += [branch.target for branch in chart.ways_from(label)]
+            stack += [branch.target for branch in chart.outgoing_edges(label)]
     return found
 
 

@@ -21,8 +21,8 @@ from aseme_dsl.amola.expression import (
     values_of,
     walk,
 )
-from aseme_dsl.amola.messages import Comm
-from aseme_dsl.amola.statechart import NodeType, Statechart, TransitionKind
+from aseme_dsl.amola.messages import ChannelKind
+from aseme_dsl.amola.statechart import Statechart, StateType, TransitionKind
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.program.flat import FlatChart
 from aseme_dsl.codegen.program.moves import assigned
@@ -93,7 +93,7 @@ class Uses:
     def asked_signals(self) -> dict[int, frozenset[str]]:
         """The channels of the signals that the expressions of each region look at."""
         return {
-            region: frozenset(str(use.channel) for use in uses if use.channel.comm is Comm.SIGNAL)
+            region: frozenset(str(use.channel) for use in uses if use.channel.comm is ChannelKind.SIGNAL)
             for region, uses in self.members.items()
         }
 
@@ -170,7 +170,7 @@ class Uses:
                         start = self._chart.start_of(state)
                         if start is not None:
                             entered.append(start.label)
-                        elif self._chart.node(state).type is NodeType.AND:
+                        elif self._chart.node(state).type is StateType.AND:
                             entered += [inner.label for inner in self._chart.children(state)]
                         elif state not in seen:
                             seen.add(state)
@@ -217,7 +217,7 @@ def signals(values: Iterable[Value]) -> tuple[tuple[str, str | None], ...]:
     found = {
         (str(v.channel), v.host): None
         for v in values
-        if isinstance(v, Member) and v.channel.comm is Comm.SIGNAL
+        if isinstance(v, Member) and v.channel.comm is ChannelKind.SIGNAL
     }
     return tuple(found)
 
@@ -234,11 +234,11 @@ def _extent(value: Value) -> int:
 def retention(system: System, chart: Statechart, uses: Uses | None = None) -> dict[str, int]:
     """How long each data channel must be kept, in ns: the longest history that anything asks for."""
     found = dict((uses or Uses(FlatChart(chart))).retention)
-    used = {node.activity for node in chart.nodes if node.activity}
+    used = {node.activity for node in chart.states if node.activity}
     activities = [item for item in system.activities if item.name in used]
     for activity in (*activities, *(module.statement for module in chart.modules)):
         for subscription in activity.reads:
-            if subscription.channel is not None and subscription.channel.comm is Comm.DATA:
+            if subscription.channel is not None and subscription.channel.comm is ChannelKind.DATA:
                 channel = str(subscription.channel)
                 found[channel] = max(found.get(channel, 0), subscription.history)
     return {channel: found[channel] for channel in sorted(found)}

@@ -23,7 +23,7 @@ from aseme_dsl.amola.expression import (
     values_of,
     walk,
 )
-from aseme_dsl.amola.messages import DURATION, Comm
+from aseme_dsl.amola.messages import DURATION, ChannelKind
 from aseme_dsl.codegen.code.face import docstring
 from aseme_dsl.codegen.code.tree import (
     NOW,
@@ -181,7 +181,7 @@ class Actions(Part):
         values: dict[Expr, None] = {}
         for value in walk(condition) if condition is not None else ():
             match value:
-                case Member(channel=channel, host=host) if channel.comm is not Comm.SIGNAL:
+                case Member(channel=channel, host=host) if channel.comm is not ChannelKind.SIGNAL:
                     messages.setdefault(self.names.seen[region][str(channel), host])
                 case VariableValue(name=name):
                     values.setdefault(own(self.names.variable(name, region)))

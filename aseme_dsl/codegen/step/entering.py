@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.codegen.code.face import docstring, key_of
 from aseme_dsl.codegen.code.tree import (
     NOW,
@@ -48,25 +48,25 @@ class Entering(Part):
         node = self.chart.node(target)
         number = self.flat.leaf.get(target)
         match node.type:
-            case NodeType.BASIC if complete:
+            case StateType.BASIC if complete:
                 method.add(depth, f"self.r{region} = {number} + 1")
-            case NodeType.BASIC:
+            case StateType.BASIC:
                 method.add(depth, f"self.r{region} = {number}")
                 if target in self.registers.ending:
                     method.add(depth, f"self.await_outcome({target!r})")
                 method.add(depth, f"self.k{region} = {self._begin(node)}")
-            case NodeType.AND:
+            case StateType.AND:
                 method.add(depth, f"self.r{region} = {number}")
                 for inner in self.flat.regions_of(target):
                     call = f"_again_{inner.number}(now, kept)" if again else f"_enter_{inner.number}(now)"
                     method.add(depth, f"self.{call}")
-            case NodeType.OR if resume:
+            case StateType.OR if resume:
                 method.add(depth, f"if self.{self.names.kept(node)} is None:")
                 self.activate_start(method, depth + 1, region, target)
                 method.add(depth, "else:", f"    self._resume_{key_of(target)}(now)")
-            case NodeType.OR:
+            case StateType.OR:
                 self.activate_start(method, depth, region, target)
-            case NodeType.START | NodeType.END | NodeType.CONDITION:
+            case StateType.START | StateType.END | StateType.CONDITION:
                 method.add(depth, f"self.r{region} = {number}")
             case _:
                 assert_never(node.type)
@@ -87,7 +87,7 @@ class Entering(Part):
             else:
                 method.add(depth, f"self._enter_{inner.number}(now)")
 
-    def _begin(self, node: Node) -> str:
+    def _begin(self, node: State) -> str:
         """The call that starts the activity of a state; with arguments in a method of its own."""
         if not node.arguments:
             return f"self.begin({node.label!r}, {node.activity!r})"
@@ -96,7 +96,7 @@ class Entering(Part):
             self._begin_given(name, node)
         return f"self.{name}(now)"
 
-    def _begin_given(self, name: str, node: Node) -> None:
+    def _begin_given(self, name: str, node: State) -> None:
         """Compute what an activity is given; where that cannot be, the state has failed."""
         region = self.flat.region_number[node.label]
         method = self.names.writing(region)
@@ -123,7 +123,7 @@ class Entering(Part):
         document = f"Start {docstring(node.name)}, the activity of {node.label}."
         self.names.method(f"{name}(self, now: int) -> int", document, method)
 
-    def _on_entry(self, method: Method, depth: int, region: int, node: Node) -> None:
+    def _on_entry(self, method: Method, depth: int, region: int, node: State) -> None:
         if self.chart.is_branch(node):
             method.add(depth, f"self.join({node.label!r})")
         for variable in self.chart.variables:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.codegen.program.registers import Wait
 from aseme_dsl.codegen.step.names import Method, Part
 
@@ -63,7 +63,7 @@ class Frame(Part):
         region = self.flat.region_number[wait.source]
         if wait.source in self.flat.leaf:
             number = self.flat.leaf[wait.source]
-            has_two = self.chart.node(wait.source).type is NodeType.BASIC and wait.kind != "within"
+            has_two = self.chart.node(wait.source).type is StateType.BASIC and wait.kind != "within"
             first, last = number, number + 1 if has_two else number
         else:
             first, last = self.flat.range[wait.source]

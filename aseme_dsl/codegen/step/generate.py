@@ -66,7 +66,7 @@ def generate_step(system: System, chart: Statechart, class_name: str) -> StepCod
         leaving.leave(region.number)
         if region.number:
             entering.enter_region(region.number)
-    for node in chart.nodes:
+    for node in chart.states:
         if chart.exits_of(node.label):
             leaving.exit(node)
     for numbers in flat.staying.values():

@@ -8,7 +8,7 @@ from aseme_dsl.amola.expression import (
     Publish,
     Send,
 )
-from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.codegen.code.face import natural
 from aseme_dsl.codegen.step.boards import Boards
 from aseme_dsl.codegen.step.names import Part, StepNames
@@ -52,7 +52,7 @@ class Head(Part):
             node.label: (f"r{region.number}", f"k{region.number}", self.flat.leaf[node.label])
             for region in regions
             for node in self.flat.leaves(region.number)
-            if node.type is NodeType.BASIC
+            if node.type is StateType.BASIC
         }
         variables = {v.name: tuple(self.names.copies(v.name)) for v in self.chart.variables}
         times = {label: self.names.time_name(label) for label in sorted(self.registers.timed)}
@@ -161,7 +161,7 @@ class Head(Part):
             tuple(
                 label
                 for node in self.flat.leaves(region.number)
-                for label in [node.label] * (2 if node.type is NodeType.BASIC else 1)
+                for label in [node.label] * (2 if node.type is StateType.BASIC else 1)
             )
             for region in self.flat.regions
         ]

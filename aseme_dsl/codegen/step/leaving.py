@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.codegen.code.face import docstring, key_of
 from aseme_dsl.codegen.code.tree import (
     NOW,
@@ -18,7 +18,7 @@ class Leaving(Part):
         super().__init__(names)
         self.actions = actions
 
-    def exit(self, node: Node) -> None:
+    def exit(self, node: State) -> None:
         """A method with what is done when a state is left."""
         region = self.flat.region_number[node.label]
         method = self.names.writing(region)
@@ -32,19 +32,19 @@ class Leaving(Part):
         name = f"_exit_{key_of(node.label)}(self) -> None"
         self.names.method(name, f"What is done when {node.label} {docstring(node.name)} is left.", method)
 
-    def _left(self, node: Node, leaf: Node | None = None) -> list[str]:
+    def _left(self, node: State, leaf: State | None = None) -> list[str]:
         """What is done when a state is left, after what is inside it: the active `leaf`, if that is known."""
         lines = [f"self._exit_{key_of(node.label)}()"] if self.chart.exits_of(node.label) else []
         if not self.chart.is_branch(node):
             return lines
-        end = next((n for n in self.chart.children(node.label) if n.type is NodeType.END), None)
+        end = next((n for n in self.chart.children(node.label) if n.type is StateType.END), None)
         if end is None or (leaf is not None and leaf is not end):
             return [*lines, f"self.part({node.label!r})"]
         place = f"self.r{self.flat.region_number[end.label]} == {self.flat.leaf[end.label]}"
         return [*lines, f"self.part({node.label!r}, completed={'True' if leaf is end else place})"]
 
     def leave_leaf(
-        self, method: Method, depth: int, region: int, scope: str, leaf: Node | None, complete: bool
+        self, method: Method, depth: int, region: int, scope: str, leaf: State | None, complete: bool
     ) -> None:
         for node in self.flat.resumed:
             if self.flat.region_number[node.label] != region or not node.label.startswith(scope + "."):
@@ -63,12 +63,12 @@ class Leaving(Part):
                     method.add(depth, f"if {first} <= self.r{region} <= {last}:")
                     method.add(depth + 1, *self._left(node))
             return
-        if leaf.type is NodeType.BASIC and not complete:
+        if leaf.type is StateType.BASIC and not complete:
             method.add(depth, f"self.cancel({leaf.label!r}, {leaf.activity!r}, self.k{region})")
-        elif leaf.type is NodeType.AND:
+        elif leaf.type is StateType.AND:
             for inner in self.flat.regions_of(leaf.label):
                 method.add(depth, f"self._leave_{inner.number}()")
-        if leaf.type in (NodeType.BASIC, NodeType.AND):
+        if leaf.type in (StateType.BASIC, StateType.AND):
             method.add(depth, *self._left(leaf))
         for around in self.flat.around(leaf.label):
             if len(around.label) > len(scope):
@@ -76,8 +76,8 @@ class Leaving(Part):
 
     def leave(self, region: int) -> None:
         """Methods that leave whatever is active in a region."""
-        running = [n for n in self.flat.leaves(region) if n.type is NodeType.BASIC]
-        ands = [n for n in self.flat.leaves(region) if n.type is NodeType.AND]
+        running = [n for n in self.flat.leaves(region) if n.type is StateType.BASIC]
+        ands = [n for n in self.flat.leaves(region) if n.type is StateType.AND]
         left = [n for n in running if self._left(n)]
         method = self.names.writing(region)
         if running or ands:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from aseme_dsl.amola.expression import (
     After,
 )
-from aseme_dsl.amola.statechart import Node
+from aseme_dsl.amola.statechart import State
 from aseme_dsl.codegen.code.face import Face
 from aseme_dsl.codegen.code.python import text_of
 from aseme_dsl.codegen.code.tree import (
@@ -96,7 +96,7 @@ class StepNames(Face):
         regions = self.uses.variable_regions[name]
         return list(dict.fromkeys(self.variable(name, region) for region in regions or (0,)))
 
-    def kept(self, node: Node) -> str:
+    def kept(self, node: State) -> str:
         """What is remembered of a composite that may be resumed."""
         return self.identifiers.name(("kept", node.label), f"m_{node.label}")
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.codegen.code.face import docstring, key_of
 from aseme_dsl.codegen.step.entering import Entering
 from aseme_dsl.codegen.step.names import Method, Part, StepNames
@@ -15,7 +15,7 @@ class Resuming(Part):
         super().__init__(names)
         self.entering = entering
 
-    def keep(self, node: Node) -> None:
+    def keep(self, node: State) -> None:
         """A method that remembers where a composite is left, before it is; nothing if it is complete."""
         region = self.flat.region_number[node.label]
         method = self.names.writing(region)
@@ -29,7 +29,7 @@ class Resuming(Part):
         name = f"_keep_{key_of(node.label)}(self) -> None"
         self.names.method(name, f"Remember where {node.label} {docstring(node.name)} is left.", method)
 
-    def resume(self, node: Node) -> None:
+    def resume(self, node: State) -> None:
         """A method by which a composite that has been entered goes on with what is remembered."""
         region = self.flat.region_number[node.label]
         method = self.names.writing(region)
@@ -80,7 +80,7 @@ class Resuming(Part):
                 continue
             method.add(2, f"{word} n == {number}:")
             self.entering.enter(method, 3, region, label, leaf.label, again=True)
-            if leaf.type is NodeType.BASIC:
+            if leaf.type is StateType.BASIC:
                 method.add(2, f"elif n == {number + 1}:")
                 self.entering.enter(method, 3, region, label, leaf.label, complete=True)
         method.add(2, "else:")

@@ -8,7 +8,7 @@ from aseme_dsl.amola.expression import (
     taken_message,
     walk,
 )
-from aseme_dsl.amola.statechart import Node, NodeType, TransitionKind
+from aseme_dsl.amola.statechart import State, StateType, TransitionKind
 from aseme_dsl.codegen.code.face import key_of
 from aseme_dsl.codegen.code.tree import (
     FALSE,
@@ -46,7 +46,7 @@ class Rounds(Part):
         bodies: list[_Body] = []
         for leaf in self.flat.leaves(region):
             number = self.flat.leaf[leaf.label]
-            numbers = [number, number + 1] if leaf.type is NodeType.BASIC else [number]
+            numbers = [number, number + 1] if leaf.type is StateType.BASIC else [number]
             for state in numbers:
                 # locals of different leaves are typed differently, so they do not share names
                 method = self.names.writing(region, f"{state}_")
@@ -100,7 +100,7 @@ class Rounds(Part):
         self.names.tables += [f"    {entry}," for entry in entries]
         self.names.tables += [")"]
 
-    def _from_leaf(self, method: Method, region: int, leaf: Node, complete: Expr) -> None:
+    def _from_leaf(self, method: Method, region: int, leaf: State, complete: Expr) -> None:
         """Everything that one round may do while `leaf` is active: what cuts short, the outermost first, then
         innermost source first."""
         depth = 2
@@ -111,7 +111,7 @@ class Rounds(Part):
         for way in self.flat.first_ways(leaf.label):
             if self._way(method, depth, region, leaf.label, leaf, complete, way, ()):
                 return
-        if leaf.type is NodeType.AND:
+        if leaf.type is StateType.AND:
             first, *others = self.flat.regions_of(leaf.label)
             method.add(depth, f"moved = self._region_{first.number}(now)")
             self._left_behind(method, depth, region, leaf)
@@ -129,13 +129,13 @@ class Rounds(Part):
                 method.add(depth, f"if self._around_{key_of(around.label)}(now):", "    return True")
                 self._around(region, around)
 
-    def _left_behind(self, method: Method, depth: int, region: int, leaf: Node) -> None:
+    def _left_behind(self, method: Method, depth: int, region: int, leaf: State) -> None:
         """The end of a round in an AND which one of its regions has left; up to the region of the scope."""
         if self.flat.is_left_from_inside(leaf.label):
             method.add(depth, "if self.out >= 0:")
             method.add(depth + 1, f"if self.out == {region}:", "    self.out = -1", "return True")
 
-    def _around(self, region: int, source: Node) -> None:
+    def _around(self, region: int, source: State) -> None:
         """A method with the transitions that may leave a composite before it is complete."""
         name = f"_around_{key_of(source.label)}"
         if not self.names.is_new(name):
@@ -146,7 +146,7 @@ class Rounds(Part):
         document = f"What may leave {source.label} {source.name} before it is complete."
         self.names.method(f"{name}(self, now: int) -> bool", document, method)
 
-    def _before(self, region: int, source: Node) -> None:
+    def _before(self, region: int, source: State) -> None:
         """A method with the transitions that cut a composite short."""
         name = f"_first_{key_of(source.label)}"
         if not self.names.is_new(name):
@@ -163,7 +163,7 @@ class Rounds(Part):
         )
 
     def _ways(
-        self, method: Method, depth: int, region: int, source: str, leaf: Node | None, complete: Expr
+        self, method: Method, depth: int, region: int, source: str, leaf: State | None, complete: Expr
     ) -> bool:
         """The ways out of a source; whether one of them is always taken, so that nothing follows."""
         return any(
@@ -177,7 +177,7 @@ class Rounds(Part):
         depth: int,
         region: int,
         source: str,
-        leaf: Node | None,
+        leaf: State | None,
         complete: Expr,
         way: Way,
         before: tuple[int, ...],
@@ -218,7 +218,7 @@ class Rounds(Part):
             method.add(depth, f"if {' and '.join(tests)}:")
             depth += 1
         taken = (*before, way.number)
-        if self.chart.node(self.flat.transition(way.number).target).type is NodeType.CONDITION:
+        if self.chart.node(self.flat.transition(way.number).target).type is StateType.CONDITION:
             if not way.branches:
                 method.add(depth, "pass  # no way out of the choice")
             always = any(

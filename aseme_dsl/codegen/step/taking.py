@@ -7,7 +7,7 @@ from aseme_dsl.amola.expression import (
     taken_message,
     walk,
 )
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.codegen.code.tree import (
     FALSE,
     TRUE,
@@ -40,7 +40,7 @@ class Taking(Part):
         depth: int,
         region: int,
         source: str,
-        leaf: Node | None,
+        leaf: State | None,
         complete: Expr,
         taken: tuple[int, ...],
     ) -> None:
@@ -59,7 +59,7 @@ class Taking(Part):
             around = next(
                 node
                 for node in self.chart.ancestors(source)
-                if node.type is NodeType.AND and self.flat.region_number[node.label] == place
+                if node.type is StateType.AND and self.flat.region_number[node.label] == place
             )
             self.leaving.leave_leaf(method, depth, place, scope, around, False)
             method.add(depth, f"self.out = {place}")

@@ -9,7 +9,7 @@ from itertools import chain
 from aseme_dsl.amola.aip import DeclaredVariable
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.srm import Activity, Module
-from aseme_dsl.amola.statechart import Argument, Node, Origin, OriginKind, Statechart, Variable
+from aseme_dsl.amola.statechart import Argument, Origin, OriginKind, State, Statechart, Variable
 from aseme_dsl.compiler.chart.regions import regions_of
 from aseme_dsl.compiler.control.control import (
     LabelledLine,
@@ -105,7 +105,7 @@ def chart_of(
     return Statechart(name, world.system, kind, nodes, found, tuple(own), regions, span, modules)
 
 
-def _nodes(outline: Outline, renamed: Mapping[str, Renames], symbols: Symbols) -> tuple[Node, ...]:
+def _nodes(outline: Outline, renamed: Mapping[str, Renames], symbols: Symbols) -> tuple[State, ...]:
     """The states, with what those of branches are given in terms of the chart."""
     nodes = list(outline.nodes)
     inside = ""

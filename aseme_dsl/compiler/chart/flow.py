@@ -21,8 +21,8 @@ from aseme_dsl.amola.expression import (
     VariableValue,
     walk,
 )
-from aseme_dsl.amola.messages import Comm
-from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition, TransitionKind
+from aseme_dsl.amola.messages import ChannelKind
+from aseme_dsl.amola.statechart import OriginKind, State, Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
 from aseme_dsl.diagnostics.problems.control import (
@@ -36,7 +36,7 @@ from aseme_dsl.diagnostics.problems.statecharts import StateNotLeft, StateNotRea
 from aseme_dsl.diagnostics.problems.use import TimerNotStarted
 from aseme_dsl.source import Span
 
-_POINTS = (NodeType.START, NodeType.CONDITION)
+_POINTS = (StateType.START, StateType.CONDITION)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,9 +68,9 @@ def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
     """States that nothing leads to (W600) and states that nothing leads out of (W601)."""
     edges = _edges(chart)
     entered = _entered(chart)
-    left = {transition.source for transition in chart.transitions if transition.is_way}
-    for node in chart.nodes:
-        if node.type is not NodeType.OR:
+    left = {transition.source for transition in chart.transitions if transition.changes_state}
+    for node in chart.states:
+        if node.type is not StateType.OR:
             continue
         start = chart.start_of(node.label)
         if start is None:
@@ -88,7 +88,7 @@ def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
         for child in chart.children(node.label):
             if child.label not in seen:
                 yield Diagnostic(StateNotReached(child.label, _own_name(child)), child.span)
-            elif child.type is not NodeType.END and not _is_left(chart, child, left):
+            elif child.type is not StateType.END and not _is_left(chart, child, left):
                 yield Diagnostic(StateNotLeft(child.label, _own_name(child)), child.span)
 
 
@@ -137,10 +137,10 @@ def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
     `error` or a `when` is plainly meant to be waited for; time alone may be meant besides completion.
     """
     completes = _completions(chart, _edges(chart))[0]
-    for node in chart.nodes:
-        if node.type not in (NodeType.BASIC, NodeType.OR) or not completes[node.label]:
+    for node in chart.states:
+        if node.type not in (StateType.BASIC, StateType.OR) or not completes[node.label]:
             continue
-        ways = chart.ways_from(node.label)
+        ways = chart.outgoing_edges(node.label)
         if node.origin.kind is OriginKind.STATECHART:
             continue  # there is no template whose way out was replaced
         if not ways or not all(_is_limit(item.expression) for item in ways):
@@ -154,7 +154,7 @@ def _is_limit(expression: TransitionExpression) -> bool:
     return bool(expression.events) and all(isinstance(event, After) for event in expression.events)
 
 
-def _is_left(chart: Statechart, node: Node, left: set[str]) -> bool:
+def _is_left(chart: Statechart, node: State, left: set[str]) -> bool:
     """Whether the state, one around it or (of a composite) one in it is the source of a transition."""
     if node.type in _POINTS:
         return node.label in left
@@ -162,11 +162,11 @@ def _is_left(chart: Statechart, node: Node, left: set[str]) -> bool:
     return (
         node.label in left
         or any(outer.label in left for outer in chart.ancestors(node.label))
-        or (node.type in (NodeType.OR, NodeType.AND) and any(label.startswith(inside) for label in left))
+        or (node.type in (StateType.OR, StateType.AND) and any(label.startswith(inside) for label in left))
     )
 
 
-def _own_name(node: Node) -> str | None:
+def _own_name(node: State) -> str | None:
     """The name of a state as a message quotes it; None where it is only its label."""
     return None if node.name == node.label else cut(node.name)
 
@@ -176,7 +176,7 @@ def _edges(chart: Statechart) -> dict[str, list[_Edge]]:
     found: dict[str, list[_Edge]] = {}
     nodes = chart.by_label
     for transition in chart.transitions:
-        if not transition.is_way:
+        if not transition.changes_state:
             continue
         source, target = nodes[transition.source], nodes[transition.target]
         if source.parent is not None and source.parent == target.parent:
@@ -192,7 +192,7 @@ def _entered(chart: Statechart) -> dict[str, list[str]]:
     """The children of each OR state that a transition from outside enters directly, past its START."""
     found: dict[str, list[str]] = {}
     for transition in chart.transitions:
-        if not transition.is_way:
+        if not transition.changes_state:
             continue
         inside = chart.scope_of(transition) + "."
         child = chart.node(transition.target)
@@ -233,15 +233,15 @@ def _endless_waits(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator
 
 def _completions(
     chart: Statechart, edges: dict[str, list[_Edge]]
-) -> tuple[dict[str, bool], list[tuple[Transition, Node]]]:
+) -> tuple[dict[str, bool], list[tuple[Transition, State]]]:
     """Which states may complete; and the transitions, with their targets, that wait in vain for that."""
-    in_vain: list[tuple[Transition, Node]] = []
+    in_vain: list[tuple[Transition, State]] = []
     completes: dict[str, bool] = {}
     entered = _entered(chart)
-    for node in reversed(chart.nodes):
-        if node.type is NodeType.AND:
+    for node in reversed(chart.states):
+        if node.type is StateType.AND:
             completes[node.label] = all(completes[child.label] for child in chart.children(node.label))
-        elif node.type is not NodeType.OR:
+        elif node.type is not StateType.OR:
             completes[node.label] = True
         else:
             start = chart.start_of(node.label)
@@ -253,7 +253,7 @@ def _completions(
                 following.setdefault(edge.source, []).append(edge)
             seen = {start.label, *entered.get(node.label, ())}
             waiting = list(seen)
-            ended = any(chart.by_label[label].type is NodeType.END for label in seen)
+            ended = any(chart.by_label[label].type is StateType.END for label in seen)
             while waiting:
                 for edge in following.get(waiting.pop(), ()):
                     target = chart.by_label[edge.target]
@@ -261,26 +261,26 @@ def _completions(
                     cuts_short = transition.first  # E420 says what is wrong with it
                     waits = _needs_completion(transition.expression) and not cuts_short
                     if waits and not completes[transition.source]:
-                        if target.type is NodeType.END and transition.expression.span is None:
+                        if target.type is StateType.END and transition.expression.span is None:
                             continue
                         in_vain.append((transition, target))
                     if target.label not in seen:
                         seen.add(target.label)
                         waiting.append(target.label)
-                        ended = ended or target.type is NodeType.END
+                        ended = ended or target.type is StateType.END
             completes[node.label] = ended
     return completes, in_vain
 
 
-def _endless_wait(chart: Statechart, transition: Transition, target: Node) -> Diagnostic:
+def _endless_wait(chart: Statechart, transition: Transition, target: State) -> Diagnostic:
     source = chart.by_label[transition.source]
     name = cut(source.name)
     what: NeverHappens = "entry"
-    if not transition.is_way:
+    if not transition.changes_state:
         what = "action"
     elif transition.source == transition.target:
         what = "repetition"
-    elif target.type is NodeType.END:
+    elif target.type is StateType.END:
         what = "end"
     related = (Related(source.span, f"`{name}`"),) if source.span != transition.span else ()
     return Diagnostic(NeverCompletes(name, what, cut(target.name)), transition.span, related)
@@ -292,12 +292,12 @@ def _endless_wait(chart: Statechart, transition: Transition, target: Node) -> Di
 def _cycles(chart: Statechart, edges: dict[str, list[_Edge]], contradict: Contradict) -> Iterator[Diagnostic]:
     """W403 for a cycle that goes on within one step; E412 if it has no state at all."""
     at_once: AtOnce = {}
-    for node in reversed(chart.nodes):
-        if node.type is NodeType.AND:
+    for node in reversed(chart.states):
+        if node.type is StateType.AND:
             inside = [at_once.get(child.label) for child in chart.children(node.label)]
             if None not in inside:
                 at_once[node.label] = tuple(item for way in inside if way is not None for item in way)
-        if node.type is not NodeType.OR:
+        if node.type is not StateType.OR:
             continue
         quick: dict[str, list[_Edge]] = {}
         for edge in edges.get(node.label, ()):
@@ -345,7 +345,7 @@ def _rests(expression: TransitionExpression) -> bool:
     started = {action.timer for action in expression.actions if isinstance(action, StartTimer)}
     for value in walk(expression.condition):
         match value:
-            case Member(channel=channel) if channel.comm is Comm.SIGNAL:
+            case Member(channel=channel) if channel.comm is ChannelKind.SIGNAL:
                 return True
             case Age():
                 return True
@@ -472,27 +472,27 @@ def _before_else(chart: Statechart, transition: Transition) -> Iterator[Value]:
     """What does not hold where an `else` is taken; a way to another choice may be shut further on."""
     if not transition.expression.otherwise:
         return
-    for other in chart.ways_from(transition.source):
+    for other in chart.outgoing_edges(transition.source):
         expression = other.expression
         if (
             expression.condition is not None
             and not expression.events
             and not expression.when
-            and chart.node(other.target).type is not NodeType.CONDITION
+            and chart.node(other.target).type is not StateType.CONDITION
         ):
             yield expression.condition
 
 
 def _is_bare(chart: Statechart, circle: Sequence[_Edge]) -> bool:
     """Whether a circle is of choices alone (E412), whatever their conditions say."""
-    return all(chart.by_label[edge.source].type is NodeType.CONDITION for edge in circle)
+    return all(chart.by_label[edge.source].type is StateType.CONDITION for edge in circle)
 
 
 def _restless(chart: Statechart, circle: Sequence[_Edge], at_once: AtOnce) -> Diagnostic:
     nodes = [chart.by_label[edge.source] for edge in circle]
     last = circle[-1].transition
     related = tuple(Related(edge.transition.span, "by this") for edge in circle[:-1])
-    if all(node.type is NodeType.CONDITION for node in nodes):
+    if all(node.type is StateType.CONDITION for node in nodes):
         labels = (*(node.label for node in nodes), nodes[0].label)
         return Diagnostic(ChoicesInCircle(labels), last.span, related)
     round_trip = {edge.transition for edge in circle}
@@ -502,8 +502,10 @@ def _restless(chart: Statechart, circle: Sequence[_Edge], at_once: AtOnce) -> Di
     return Diagnostic(CycleNeverRests(names), last.span, related)
 
 
-def _names(nodes: Iterable[Node]) -> Iterator[str]:
-    return (node.name if node.type in (NodeType.OR, NodeType.AND, NodeType.BASIC) else "·" for node in nodes)
+def _names(nodes: Iterable[State]) -> Iterator[str]:
+    return (
+        node.name if node.type in (StateType.OR, StateType.AND, StateType.BASIC) else "·" for node in nodes
+    )
 
 
 __all__ = ["check_completion", "check_flow", "check_reach", "check_timers"]

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from aseme_dsl.amola.expression import Assign, Member, Publish, TransitionExpression, values_of, walk
-from aseme_dsl.amola.messages import Channel, Comm
+from aseme_dsl.amola.messages import Channel, ChannelKind
 from aseme_dsl.amola.srm import Activity, Module
-from aseme_dsl.amola.statechart import Node, NodeType, Region, Transition
+from aseme_dsl.amola.statechart import Region, State, StateType, Transition
 from aseme_dsl.compiler.names.resolve import Symbols
 
 
 def regions_of(
-    nodes: Sequence[Node],
+    nodes: Sequence[State],
     transitions: Sequence[Transition],
     activities: Mapping[str, Activity],
     modules: Sequence[Module],
@@ -26,13 +26,13 @@ def regions_of(
     """
     region: dict[str, str] = {}  # of each state: the innermost region that it is, or is in
     around: dict[str, str] = {}  # of each state: the innermost region that holds it
-    types: dict[str, NodeType] = {}
+    types: dict[str, StateType] = {}
     reads: dict[str, set[Channel]] = {}
     writes: dict[str, set[Channel]] = {}
     for node in nodes:
         types[node.label] = node.type
         outer = node.parent
-        if outer is None or types[outer] is NodeType.AND:
+        if outer is None or types[outer] is StateType.AND:
             region[node.label] = node.label
             around[node.label] = region[outer] if outer is not None else node.label
             reads[node.label], writes[node.label] = set(), set()
@@ -52,13 +52,13 @@ def regions_of(
         writes[inside].update(channels_written(transition.expression))
     for label in reversed(reads):
         if around[label] != label:
-            reads[around[label]].update(c for c in reads[label] if c.comm is not Comm.SIGNAL)
+            reads[around[label]].update(c for c in reads[label] if c.comm is not ChannelKind.SIGNAL)
     return tuple(Region(label, tuple(sorted(reads[label])), tuple(sorted(writes[label]))) for label in reads)
 
 
-def _given(node: Node) -> Iterator[Channel]:
+def _given(node: State) -> Iterator[Channel]:
     """The channels that are read for what an activity is given."""
-    if node.type is NodeType.BASIC:
+    if node.type is StateType.BASIC:
         for argument in node.arguments:
             yield from (value.channel for value in walk(argument.value) if isinstance(value, Member))
 

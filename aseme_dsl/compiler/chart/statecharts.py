@@ -9,11 +9,11 @@ from typing import assert_never
 
 from aseme_dsl.amola.liveness import called
 from aseme_dsl.amola.statechart import (
-    Node,
-    NodeType,
     Origin,
     OriginKind,
+    State,
     Statechart,
+    StateType,
     Transition,
     TransitionKind,
     Variable,
@@ -57,7 +57,7 @@ from aseme_dsl.diagnostics.problems.statecharts import (
 )
 from aseme_dsl.grammar.text import tree
 
-_COMPOSITE = (NodeType.OR, NodeType.AND)
+_COMPOSITE = (StateType.OR, StateType.AND)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,7 @@ class GivenChart:
 
     written: tree.Statechart
     typed: TypedRole
-    nodes: tuple[Node, ...]
+    nodes: tuple[State, ...]
     lines: tuple[LabelledLine, ...]
     is_sound: bool
 
@@ -80,7 +80,7 @@ def read_statechart(
 ) -> tuple[GivenChart, tuple[Diagnostic, ...]]:
     """The states and transitions of a block, with all that breaks a rule."""
     origin = Origin(OriginKind.STATECHART, written.name.text, "")
-    nodes: dict[str, Node] = {}
+    nodes: dict[str, State] = {}
     found: list[Diagnostic] = []
     for item in written.nodes:
         node, problem = _node(item, origin)
@@ -168,27 +168,27 @@ def build_statechart(given: GivenChart, world: World) -> Statechart | None:
 
 
 def _transition_name(item: LabelledLine, names: Mapping[str, str]) -> str:
-    if item.kind is not TransitionKind.WAY:
+    if item.kind is not TransitionKind.EXTERNAL:
         return f"{names[item.source.text]}{item.kind.name}"
     return f"{names[item.source.text]}TO{names[item.target.text]}"
 
 
-def _no_place_to_stay(node: Node, line: tree.StandingWay) -> Diagnostic | None:
+def _no_place_to_stay(node: State, line: tree.StandingWay) -> Diagnostic | None:
     """E612 for a state in which an agent does not stay, E409 for the root."""
     if node.parent is None:
         return Diagnostic(TransitionOfRoot(), line.state.span)
-    if node.type in (*_COMPOSITE, NodeType.BASIC):
+    if node.type in (*_COMPOSITE, StateType.BASIC):
         return None
     problem = NoPlaceToStay(node.label, node.type, line.verb.text)
     return Diagnostic(problem, line.state.span, (Related(node.span, node.label),))
 
 
-def _node(written: tree.ChartNode, origin: Origin) -> tuple[Node, Diagnostic | None]:
-    label, kind = written.label.text, NodeType(written.type.text)
+def _node(written: tree.ChartNode, origin: Origin) -> tuple[State, Diagnostic | None]:
+    label, kind = written.label.text, StateType(written.type.text)
     name = written.name.text if written.name is not None else label
     parent = label.rpartition(".")[0] or None
     activity, problem = None, None
-    if kind is NodeType.BASIC:
+    if kind is StateType.BASIC:
         if written.activity is not None:
             activity = written.activity.text
         elif isinstance(written.name, tree.Name):
@@ -197,13 +197,13 @@ def _node(written: tree.ChartNode, origin: Origin) -> tuple[Node, Diagnostic | N
             problem = Diagnostic(BasicWithoutActivity(label), written.span)
     elif written.activity is not None:
         problem = Diagnostic(ActivityOutsideBasic(label, kind), written.activity.span)
-    return Node(label, name, kind, parent, activity, origin, written.span), problem
+    return State(label, name, kind, parent, activity, origin, written.span), problem
 
 
 # ---- rules ---------------------------------------------------------------------------------------
 
 
-def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[Diagnostic]:
+def _structure(written: tree.Statechart, nodes: Mapping[str, State]) -> Iterator[Diagnostic]:
     """The rules of the papers' tools: one root, one START in an OR, at most one END, AND holds ORs."""
     roots = [node for node in nodes.values() if node.parent is None]
     if len(roots) != 1:
@@ -212,9 +212,9 @@ def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[
             roots[1].span if roots else written.name.span,
             (Related(roots[0].span, "the first one"),) if roots else (),
         )
-    elif roots[0].type is not NodeType.OR:
+    elif roots[0].type is not StateType.OR:
         yield Diagnostic(RootNotOr(roots[0].label, roots[0].type), roots[0].span)
-    children: dict[str, list[Node]] = {}
+    children: dict[str, list[State]] = {}
     for node in sorted(nodes.values(), key=lambda node: label_key(node.label)):
         if node.parent is None:
             continue
@@ -223,15 +223,15 @@ def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[
         else:
             yield Diagnostic(NoStateAround(node.label, node.parent), node.span)
     for node in nodes.values():
-        if node.parent is None and node.type is not NodeType.OR:
+        if node.parent is None and node.type is not StateType.OR:
             continue  # that is said (E600)
         inside = children.get(node.label, [])
         match node.type:
-            case NodeType.OR:
+            case StateType.OR:
                 yield from _or_rules(node, inside)
-            case NodeType.AND:
+            case StateType.AND:
                 yield from _and_rules(node, inside)
-            case NodeType.START | NodeType.END | NodeType.BASIC | NodeType.CONDITION:
+            case StateType.START | StateType.END | StateType.BASIC | StateType.CONDITION:
                 if inside:
                     problem = CannotHaveStates(node.label, node.type)
                     yield Diagnostic(problem, inside[0].span, (Related(node.span, node.label),))
@@ -239,15 +239,15 @@ def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[
                 assert_never(node.type)
 
 
-def _with_root(nodes: dict[str, Node]) -> dict[str, Node]:
+def _with_root(nodes: dict[str, State]) -> dict[str, State]:
     """The states with an OR as their only root: what is wrong with its type is said once (E600)."""
     roots = [node for node in nodes.values() if node.parent is None]
     if len(roots) != 1:
         return nodes
-    return {**nodes, roots[0].label: replace(roots[0], type=NodeType.OR, activity=None)}
+    return {**nodes, roots[0].label: replace(roots[0], type=StateType.OR, activity=None)}
 
 
-def _labelled_twice(node: Node, first: Node, written: tree.Statechart) -> Diagnostic:
+def _labelled_twice(node: State, first: State, written: tree.Statechart) -> Diagnostic:
     around = node.label.rpartition(".")[0]
     labels = {item.label.text for item in written.nodes}
     free = next(label for number in count(1) if (label := f"{around}.{number}") not in labels)
@@ -255,9 +255,9 @@ def _labelled_twice(node: Node, first: Node, written: tree.Statechart) -> Diagno
     return Diagnostic(problem, node.span, (Related(first.span, "the first one"),))
 
 
-def _or_rules(node: Node, inside: Sequence[Node]) -> Iterator[Diagnostic]:
-    starts = [child for child in inside if child.type is NodeType.START]
-    ends = [child for child in inside if child.type is NodeType.END]
+def _or_rules(node: State, inside: Sequence[State]) -> Iterator[Diagnostic]:
+    starts = [child for child in inside if child.type is StateType.START]
+    ends = [child for child in inside if child.type is StateType.END]
     if len(starts) != 1:
         yield Diagnostic(
             NotOneStart(node.label, len(starts)),
@@ -269,21 +269,21 @@ def _or_rules(node: Node, inside: Sequence[Node]) -> Iterator[Diagnostic]:
         yield Diagnostic(problem, ends[1].span, (Related(ends[0].span, "the first one"),))
 
 
-def _and_rules(node: Node, inside: Sequence[Node]) -> Iterator[Diagnostic]:
+def _and_rules(node: State, inside: Sequence[State]) -> Iterator[Diagnostic]:
     for child in inside:
-        if child.type is not NodeType.OR:
+        if child.type is not StateType.OR:
             problem = RegionNotOr(child.label, child.type)
             yield Diagnostic(problem, child.span, (Related(node.span, f"{node.label} is AND"),))
     if len(inside) < 2:
         yield Diagnostic(OneRegion(node.label) if inside else NoRegion(node.label), node.span)
 
 
-def _unknown(name: tree.Name, nodes: Mapping[str, Node]) -> Diagnostic:
+def _unknown(name: tree.Name, nodes: Mapping[str, State]) -> Diagnostic:
     return Diagnostic(NoState(name.text, name.text.rpartition(".")[0] in nodes), name.span)
 
 
 def _decisions(
-    written: tree.Statechart, nodes: Mapping[str, Node], lines: Sequence[LabelledLine]
+    written: tree.Statechart, nodes: Mapping[str, State], lines: Sequence[LabelledLine]
 ) -> Iterator[Diagnostic]:
     """Whether the transitions of each source decide, and decide once.
 
@@ -291,7 +291,7 @@ def _decisions(
     """
     by_source: dict[str, list[Alternative]] = {}
     for item in lines:
-        if item.kind is not TransitionKind.WAY:
+        if item.kind is not TransitionKind.EXTERNAL:
             yield from always_false((item.line,))
             continue
         name = f"{item.source} -> {item.target}"
@@ -307,12 +307,12 @@ def _decisions(
         )
         return
     for label, alternatives in by_source.items():
-        if nodes[label].type is not NodeType.CONDITION:
+        if nodes[label].type is not StateType.CONDITION:
             yield from always_false(item.lines[0] for item in alternatives)
         if len(alternatives) < 2:
             continue
         yield from check_group(alternatives)
-        if nodes[label].type is NodeType.CONDITION:
+        if nodes[label].type is StateType.CONDITION:
             yield from check_choice(alternatives)
         else:
             yield from check_source(alternatives)

@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import Literal
 
 from aseme_dsl.amola.srm import Activity, Plays
-from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart
+from aseme_dsl.amola.statechart import OriginKind, State, Statechart, StateType
 from aseme_dsl.compiler.names.usecases import folded
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.library import is_of_library
@@ -23,22 +23,22 @@ _LONG = 5
 
 
 _Named = Literal["activity", "formula", "participant"]
-Used = Mapping[str, Node]
+Used = Mapping[str, State]
 """Activities, each with the state where it stands first, in document order."""
 
 
 def used_in(chart: Statechart) -> Used:
     """The activities of a chart."""
-    found: dict[str, Node] = {}
-    for node in chart.nodes:
-        if node.type is NodeType.BASIC and node.activity is not None:
+    found: dict[str, State] = {}
+    for node in chart.states:
+        if node.type is StateType.BASIC and node.activity is not None:
             found.setdefault(node.activity, node)
     return found
 
 
-def used_activities(in_charts: Iterable[Used]) -> dict[str, Node]:
+def used_activities(in_charts: Iterable[Used]) -> dict[str, State]:
     """The activities of all charts."""
-    found: dict[str, Node] = {}
+    found: dict[str, State] = {}
     for used in in_charts:
         for name, node in used.items():
             found.setdefault(name, node)
@@ -74,7 +74,7 @@ def check_described(
 
 
 def close_names(
-    used: Mapping[str, Node],
+    used: Mapping[str, State],
     described: Mapping[str, Activity],
     formulas: Iterable[tree.NamedFormula],
     unused: Mapping[str, Plays],
@@ -130,7 +130,7 @@ def _nearest(declared: tuple[str, ...], new: tuple[str, ...]) -> Mapping[str, st
     return found
 
 
-def _close(name: str, node: Node, other: str, place: Span, kind: _Named) -> Diagnostic:
+def _close(name: str, node: State, other: str, place: Span, kind: _Named) -> Diagnostic:
     related = (Related(place, f"`{other}`"),)
     return Diagnostic(AlmostNamedLike(name, other, kind), node.span, related, other)
 

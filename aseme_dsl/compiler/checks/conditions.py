@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import chain
 
 from aseme_dsl.amola.expression import LOSS, LOSS_REASONS, Value
-from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
+from aseme_dsl.amola.statechart import Statechart, StateType, Transition
 from aseme_dsl.compiler.chart.flow import Contradict
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.compiler.names.symbols import Symbols
@@ -151,11 +151,11 @@ def _condition(transition: Transition) -> Span:
 def _target(chart: Statechart, transition: Transition) -> str:
     """What a branch leads to, in the words of the file."""
     source, target = chart.node(transition.source), chart.node(transition.target)
-    if target.type is NodeType.END:
+    if target.type is StateType.END:
         return "leaving"
     if source.label == target.label:
         return "repeating"
-    if target.type is NodeType.CONDITION:
+    if target.type is StateType.CONDITION:
         return "the choice"
     return f"`{cut(target.name)}`"
 

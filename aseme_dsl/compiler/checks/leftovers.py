@@ -85,12 +85,12 @@ def _variables(
         return
     read = {
         value.name.partition("@")[0]
-        for node in chart.nodes
+        for node in chart.states
         for argument in node.arguments
         for value in walk(argument.value)
         if isinstance(value, VariableValue)
     }
-    performed = {*(node.activity for node in chart.nodes), *(module.name for module in chart.modules)}
+    performed = {*(node.activity for node in chart.states), *(module.name for module in chart.modules)}
     read.update(
         name for item in activities.values() if item.name in performed for name in item.reads_variables
     )

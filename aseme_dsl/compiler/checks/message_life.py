@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from aseme_dsl.amola.expression import At, Literal, Mean, duration_text, values_of
-from aseme_dsl.amola.messages import Channel, ChannelRules, Comm, Topic
+from aseme_dsl.amola.messages import Channel, ChannelKind, ChannelRules, Topic
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
+from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition
 from aseme_dsl.amola.system import Team
 from aseme_dsl.compiler.checks.message_use import MessageUse, Use, members_in
 from aseme_dsl.compiler.checks.presence import there_if_holds
@@ -93,7 +93,7 @@ def _unread(
         if channel in readers or str(channel) == SELECT_PLAN:
             continue
         topic = topics[channel.topic]
-        if channel.comm is Comm.SIGNAL:
+        if channel.comm is ChannelKind.SIGNAL:
             if topic.radio is None:
                 declared = Related(_declared(topic, channel), "declared here")
                 others = _others(uses, "also published here")
@@ -136,8 +136,8 @@ def _unwritten(
     silent: dict[str, Span] = {}
     told = False
     for chart in roles:
-        for node in chart.nodes:
-            if node.type is NodeType.BASIC and node.activity is not None:
+        for node in chart.states:
+            if node.type is StateType.BASIC and node.activity is not None:
                 said = activities.get(node.activity)
                 if said is None or not (
                     said.reads or said.writes or said.reads_variables or said.writes_variables
@@ -181,7 +181,7 @@ def _awaited_in_vain(
 
     While nothing comes there, the agent stays for good.
     """
-    found: dict[Channel, tuple[Span, Node]] = {}
+    found: dict[Channel, tuple[Span, State]] = {}
     for chart in roles:
         for transition in chart.transitions:
             condition = transition.expression.condition
@@ -210,14 +210,14 @@ def _awaited_in_vain(
 
 def _is_only_way(chart: Statechart, transition: Transition) -> bool:
     """Whether nothing else leads out of the source of a transition, or of a state around it."""
-    if not transition.is_way or transition.expression.events or transition.source == transition.target:
+    if not transition.changes_state or transition.expression.events or transition.source == transition.target:
         return False
-    if len(chart.ways_from(transition.source)) > 1:
+    if len(chart.outgoing_edges(transition.source)) > 1:
         return False
     return not any(
         way.expression.events or way.expression.when
         for around in chart.ancestors(transition.source)
-        for way in chart.ways_from(around.label)
+        for way in chart.outgoing_edges(around.label)
     )
 
 

@@ -19,7 +19,7 @@ from aseme_dsl.amola.expression import (
 )
 from aseme_dsl.amola.messages import Channel
 from aseme_dsl.amola.srm import Activity, Subscription
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
@@ -81,11 +81,11 @@ def _use_in(
     writes: list[Use] = []
     done: set[tuple[str, str]] = set()
     regions: dict[str, str] = {}  # of each state: the innermost region around it
-    for node in chart.nodes:
-        inner = node.parent is None or chart.by_label[node.parent].type is NodeType.AND
+    for node in chart.states:
+        inner = node.parent is None or chart.by_label[node.parent].type is StateType.AND
         regions[node.label] = node.label if inner or node.parent is None else regions[node.parent]
         region, name = regions[node.label], node.activity
-        if node.type is NodeType.BASIC:
+        if node.type is StateType.BASIC:
             for member, span in members_in([argument.value for argument in node.arguments]):
                 reads.append(Use(member.channel, chart.name, region, member.host, None, span))
         said = activities.get(name) if name is not None and (region, name) not in done else None

@@ -8,7 +8,7 @@ from aseme_dsl.amola.expression import Compare, Failed, Literal, Outcome, Value,
 from aseme_dsl.amola.meant import performers
 from aseme_dsl.amola.messages import Kind
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -81,7 +81,7 @@ def check_deadlines(charts: Iterable[Statechart], activities: Mapping[str, Activ
         if chart.kind != "IAC":
             continue
         caught: dict[str, Span | None] | None = None
-        for node in chart.nodes:
+        for node in chart.states:
             said = activities.get(node.activity) if node.activity is not None else None
             if said is None or said.within is None or said.name in told:
                 continue
@@ -125,7 +125,7 @@ def _where_errors_are_taken(chart: Statechart) -> dict[str, Span | None]:
         label, condition = waiting.pop()
         if label not in found or (condition is None and found[label] is not None):
             found[label] = condition
-            if chart.node(label).type is NodeType.CONDITION:
+            if chart.node(label).type is StateType.CONDITION:
                 waiting += [(source, condition) for source in leading.get(label, ())]
     return found
 

@@ -20,9 +20,9 @@ from aseme_dsl.amola.expression import (
     Value,
     operands,
 )
-from aseme_dsl.amola.messages import Channel, Comm
+from aseme_dsl.amola.messages import Channel, ChannelKind
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
+from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.compiler.checks.message_use import members_in
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.use import ActionNeedsMessage, ElseWithoutMessage
@@ -143,7 +143,7 @@ def _in_actions(
         yield Diagnostic(ActionNeedsMessage(str(member.channel)), span)
 
 
-def _after(source: Node, transition: Transition, activities: Mapping[str, Activity]) -> Channels:
+def _after(source: State, transition: Transition, activities: Mapping[str, Activity]) -> Channels:
     """What the activity of the source has published if the transition waits for its completion."""
     said = activities.get(source.activity) if source.activity is not None else None
     is_exit = transition.kind is TransitionKind.EXIT  # it may be left while its activity runs
@@ -160,15 +160,15 @@ def _known(
     A state or history that is there once stays, and a region starts with what is around it; a signal does not
     stay. So this is what all ways to a state have in common, found by going round until nothing changes.
     """
-    wanted = {channel for channel in wanted if channel.comm is not Comm.SIGNAL}
+    wanted = {channel for channel in wanted if channel.comm is not ChannelKind.SIGNAL}
     everything = frozenset(wanted)
-    known = {node.label: everything for node in chart.nodes}
+    known = {node.label: everything for node in chart.states}
     known[chart.root.label] = NONE
     incoming: dict[str, list[Transition]] = {}
     for transition in chart.transitions:
-        if transition.is_way:
+        if transition.changes_state:
             incoming.setdefault(transition.target, []).append(transition)
-    ends = {node.parent: node.label for node in chart.nodes if node.type is NodeType.END}
+    ends = {node.parent: node.label for node in chart.states if node.type is StateType.END}
 
     def left(transition: Transition) -> Channels:
         source = chart.by_label[transition.source]
@@ -176,7 +176,7 @@ def _known(
         completed = not (transition.expression.events or transition.expression.when)
         if completed and source.label in ends:
             there |= known[ends[source.label]]
-        elif completed and source.type is NodeType.AND:
+        elif completed and source.type is StateType.AND:
             for child in chart.children(source.label):
                 there |= known[ends[child.label]] if child.label in ends else NONE
         if transition.expression.condition is not None:
@@ -189,11 +189,11 @@ def _known(
     changed = bool(wanted)
     while changed:
         changed = False
-        for node in chart.nodes:
+        for node in chart.states:
             if node.parent is None:
                 continue
             ways = [left(item) for item in incoming.get(node.label, ())]
-            if node.type is NodeType.START or chart.by_label[node.parent].type is NodeType.AND:
+            if node.type is StateType.START or chart.by_label[node.parent].type is StateType.AND:
                 ways.append(known[node.parent])
             found = frozenset.intersection(*ways) if ways else everything
             if found != known[node.label]:
@@ -217,10 +217,10 @@ def _beside_else(chart: Statechart, activities: Mapping[str, Activity]) -> Itera
     if not groups:
         return
     for transition in chart.transitions:
-        if transition.source in groups and transition.is_way and not transition.reactive:
+        if transition.source in groups and transition.changes_state and not transition.reactive:
             groups[transition.source].append(transition)
     own: set[Channel] = set()
-    for node in chart.nodes:
+    for node in chart.states:
         if node.activity is not None and node.activity in activities:
             own.update(activities[node.activity].writes)
     for transition in chart.transitions:
@@ -241,7 +241,7 @@ def _negated(group: Sequence[Transition], own: set[Channel]) -> Iterator[Diagnos
                 if isinstance(part, Not) or (isinstance(part, Compare) and part.operator == "!="):
                     _signs(part, opposed, asserted, condition.span if isinstance(condition, Named) else None)
     for channel, span in opposed.items():
-        if channel in asserted or channel in own or channel.comm is Comm.SIGNAL:
+        if channel in asserted or channel in own or channel.comm is ChannelKind.SIGNAL:
             continue
         related = (Related(otherwise.span, "the `else`"),)
         yield Diagnostic(ElseWithoutMessage(str(channel)), span, related)

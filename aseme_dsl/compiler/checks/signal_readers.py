@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from aseme_dsl.amola.messages import Channel, Comm
+from aseme_dsl.amola.messages import Channel, ChannelKind
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
+from aseme_dsl.amola.statechart import Statechart, StateType, Transition
 from aseme_dsl.compiler.checks.message_use import members_of, read_channels
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.compiler.names.symbols import Symbols
@@ -32,7 +32,7 @@ def check_signals(
         return
     incoming: dict[str, list[tuple[Transition, Asked]]] = {}
     for item in chart.transitions:
-        if not item.is_way or item.reactive:
+        if not item.changes_state or item.reactive:
             continue
         incoming.setdefault(item.target, []).append((item, _signals(item, symbols)))
     for transition, signals in asking:
@@ -44,7 +44,7 @@ def check_signals(
 def _signals(transition: Transition, symbols: Symbols) -> Asked:
     found: Asked = {}
     for member, span in members_of(transition.expression):
-        if member.channel.comm is Comm.SIGNAL:
+        if member.channel.comm is ChannelKind.SIGNAL:
             rules = symbols.channel(member.channel)
             if rules is None or not rules.queued:
                 found.setdefault(member.channel, span)
@@ -59,12 +59,12 @@ def _taken_on_the_way(
 ) -> Iterator[Diagnostic]:
     """What every way into the state around has taken, in the same step."""
     source = chart.by_label[transition.source]
-    while source.type is NodeType.CONDITION:
+    while source.type is StateType.CONDITION:
         ways = incoming.get(source.label, [])
         if len(ways) != 1:
             return
         source = chart.by_label[ways[0][0].source]
-    if source.type is not NodeType.START or source.parent is None or chart.is_region(source.parent):
+    if source.type is not StateType.START or source.parent is None or chart.is_region(source.parent):
         return
     ways = incoming.get(source.parent, [])
     for channel, span in signals.items():
@@ -83,7 +83,7 @@ def _taken_by(
 ) -> Asked:
     """What a transition consumes, the one into its choice included."""
     before = incoming.get(way.source, ())
-    if chart.by_label[way.source].type is NodeType.CONDITION and len(before) == 1:
+    if chart.by_label[way.source].type is StateType.CONDITION and len(before) == 1:
         return {**before[0][1], **taken}
     return taken
 
@@ -98,7 +98,7 @@ def _looked_at_first(
     """The activities of the same region that want a signal which a `when` looks at while they run."""
     region = chart.region_of(transition.source)
     inside = transition.source + "."
-    for node in chart.nodes:
+    for node in chart.states:
         said = activities.get(node.activity) if node.activity is not None else None
         if said is None or not (node.label == transition.source or node.label.startswith(inside)):
             continue

@@ -75,7 +75,7 @@ def check_unwritten(
 
 def _is_simulated(chart: Statechart, scope: str, activities: Mapping[str, Activity]) -> bool:
     """Whether all activities of a participant's branch are simulated: no code sets its variables then."""
-    names = {node.activity for node in chart.nodes if node.label.startswith(f"{scope}.") and node.activity}
+    names = {node.activity for node in chart.states if node.label.startswith(f"{scope}.") and node.activity}
     return all((said := activities.get(name)) is not None and said.simulated for name in names)
 
 
@@ -88,7 +88,7 @@ def _written(
         for action in transition.expression.actions:
             if isinstance(action, Assign) and isinstance(action.target, VariableValue):
                 found.add(action.target.name.partition("@")[0])
-    performed = [activities[name] for node in chart.nodes if (name := node.activity or "") in activities]
+    performed = [activities[name] for node in chart.states if (name := node.activity or "") in activities]
     for said in (*performed, *(module.statement for module in chart.modules)):
         found.update(said.writes_variables)
     return found

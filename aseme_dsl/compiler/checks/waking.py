@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from aseme_dsl.amola.expression import After, Assign, Failed, Value, VariableValue, walk
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
+from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.control import RegionsWakeEachOther
@@ -34,8 +34,8 @@ def check_waking(chart: Statechart, written: frozenset[str], vocabulary: Vocabul
 
     `written` are the variables that something else than the transitions of the chart may write.
     """
-    for node in chart.nodes:
-        if node.type is NodeType.AND:
+    for node in chart.states:
+        if node.type is StateType.AND:
             found = _Regions(chart, node, written, vocabulary).cycle()
             if found:
                 yield _wake_each_other(chart, found)
@@ -44,7 +44,7 @@ def check_waking(chart: Statechart, written: frozenset[str], vocabulary: Vocabul
 def _wake_each_other(chart: Statechart, found: Sequence[Transition]) -> Diagnostic:
     first, *others = found
     sources = [chart.node(transition.source) for transition in found]
-    named = dict.fromkeys(node.name for node in sources if node.type in (NodeType.BASIC, NodeType.OR))
+    named = dict.fromkeys(node.name for node in sources if node.type in (StateType.BASIC, StateType.OR))
     problem = RegionsWakeEachOther(tuple(cut(name) for name in named))
     return Diagnostic(problem, first.span, tuple(Related(other.span, "by this") for other in others))
 
@@ -54,7 +54,7 @@ class _Regions:
     """The regions of an AND that is entered, until they rest or something unknown takes part."""
 
     chart: Statechart
-    node: Node
+    node: State
     foreign: frozenset[str]
     vocabulary: Vocabulary
     active: dict[str, str] = field(default_factory=dict)
@@ -99,7 +99,7 @@ class _Regions:
         return any(
             transition.expression.when or any(map(_is_there_at_once, transition.expression.events))
             for state in around
-            for transition in self.chart.ways_from(state.label)
+            for transition in self.chart.outgoing_edges(state.label)
         )
 
     def _run(self) -> tuple[Transition, ...]:
@@ -130,7 +130,7 @@ class _Regions:
     def _round(self, region: str) -> bool:
         """One round of a region; whether it has moved."""
         leaf = self.chart.node(self.active[region])
-        complete = leaf.type is NodeType.START
+        complete = leaf.type is StateType.START
         sources = [leaf]
         for state in self.chart.ancestors(leaf.label):
             if state.label == region:
@@ -145,8 +145,8 @@ class _Regions:
                     return True
         return False
 
-    def _is_ended(self, source: Node, leaf: Node) -> bool:
-        return leaf.type is NodeType.END and leaf.parent == source.label
+    def _is_ended(self, source: State, leaf: State) -> bool:
+        return leaf.type is StateType.END and leaf.parent == source.label
 
     def _open(self, source: str, complete: bool, *, first: bool = False) -> tuple[Transition, ...]:
         """The first way out of a state that is open, with the branches of a choice that it leads to."""
@@ -165,14 +165,14 @@ class _Regions:
                 continue
             if transition.kind is TransitionKind.ON:
                 raise _Unknown
-            if self.chart.node(transition.target).type is not NodeType.CONDITION:
+            if self.chart.node(transition.target).type is not StateType.CONDITION:
                 return (transition,)
             rest = self._open(transition.target, True)
             if rest:
                 return (transition, *rest)
         return ()
 
-    def _take(self, region: str, leaf: Node, way: tuple[Transition, ...]) -> None:
+    def _take(self, region: str, leaf: State, way: tuple[Transition, ...]) -> None:
         for transition in way:
             self.taken.append((region, transition))
             for action in transition.expression.actions:
@@ -184,12 +184,12 @@ class _Regions:
         target = self.chart.node(way[-1].target)
         if self.chart.region_of(target.label) != region:
             raise _Unknown  # it leads out of the AND, or into a region
-        while target.type is NodeType.OR:
+        while target.type is StateType.OR:
             start = self.chart.start_of(target.label)
             if start is None or way[-1].resume:
                 raise _Unknown
             target = start
-        if target.type is NodeType.AND or self.chart.is_branch(target):
+        if target.type is StateType.AND or self.chart.is_branch(target):
             raise _Unknown
         self.active[region] = target.label
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from aseme_dsl.amola import expression
 from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression, substituted_expression
 from aseme_dsl.amola.liveness import Formula
-from aseme_dsl.amola.statechart import Node, NodeType, Origin, Transition, TransitionKind
+from aseme_dsl.amola.statechart import Origin, State, StateType, Transition, TransitionKind
 from aseme_dsl.compiler.formula.formula_to_statechart import Arrow, Outline, Standing, Way
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.reactive import choices_in, no_choice, reconsidered
@@ -67,7 +67,7 @@ class LabelledLine:
     source: tree.Name
     target: tree.Name
     line: Line
-    kind: TransitionKind = TransitionKind.WAY
+    kind: TransitionKind = TransitionKind.EXTERNAL
 
 
 @dataclass(frozen=True, slots=True)
@@ -370,19 +370,21 @@ def including_labels(lines: Lines, outline: Outline, labelled: Iterable[Labelled
 
 
 def structure_problem(
-    nodes: Mapping[str, Node], source: Node, target: Node, place: Span
+    nodes: Mapping[str, State], source: State, target: State, place: Span
 ) -> Diagnostic | None:
     """What forbids a transition between two states: E603, E604 (rules of the papers' tools), E409."""
     if source.parent is None or target.parent is None:
         return Diagnostic(TransitionOfRoot(), place)
-    if target.type is NodeType.START:
+    if target.type is StateType.START:
         return Diagnostic(TransitionIntoStart(target.label, target.parent), place)
-    if source.type is NodeType.END:
+    if source.type is StateType.END:
         return Diagnostic(TransitionOutOfEnd(source.label, source.parent), place)
     return _region_problem(nodes, source, target, place)
 
 
-def _region_problem(nodes: Mapping[str, Node], source: Node, target: Node, place: Span) -> Diagnostic | None:
+def _region_problem(
+    nodes: Mapping[str, State], source: State, target: State, place: Span
+) -> Diagnostic | None:
     """E409 for what leads from one region into another, to a region itself, or out of it into a choice.
 
     A transition may lead out of an AND, whose regions are all left, and into a region of one, whose other
@@ -390,30 +392,30 @@ def _region_problem(nodes: Mapping[str, Node], source: Node, target: Node, place
     """
     into, out = regions_around(nodes, target), regions_around(nodes, source)
     parent = nodes.get(target.parent or "")  # there may be no such state
-    if parent is not None and parent.type is NodeType.AND:
+    if parent is not None and parent.type is StateType.AND:
         return Diagnostic(TransitionToRegion(target.label, parent.label), place)
     for entered in into:
         around = nodes[entered].parent or ""
         if source.label.startswith(f"{around}.") and (entered not in out or entered == source.label):
             return Diagnostic(TransitionIntoRegion(source.label, target.label, entered, around), place)
-    if into != out and target.type is NodeType.CONDITION:
+    if into != out and target.type is StateType.CONDITION:
         return Diagnostic(TransitionToOtherChoice(source.label, target.label, target.parent or ""), place)
     return None
 
 
-def regions_around(nodes: Mapping[str, Node], node: Node) -> tuple[str, ...]:
+def regions_around(nodes: Mapping[str, State], node: State) -> tuple[str, ...]:
     """The regions of ANDs in which `node` is, innermost first; a region is in itself."""
     found: list[str] = []
-    inside: Node | None = node
+    inside: State | None = node
     while inside is not None and inside.parent is not None:
         around = nodes.get(inside.parent)
-        if around is not None and around.type is NodeType.AND:
+        if around is not None and around.type is StateType.AND:
             found.append(inside.label)
         inside = around
     return tuple(found)
 
 
-def _unknown_label(name: tree.Name, nodes: Mapping[str, Node]) -> Diagnostic:
+def _unknown_label(name: tree.Name, nodes: Mapping[str, State]) -> Diagnostic:
     parent = name.text
     while parent and parent not in nodes:
         parent = parent.rpartition(".")[0]
@@ -421,7 +423,7 @@ def _unknown_label(name: tree.Name, nodes: Mapping[str, Node]) -> Diagnostic:
     return Diagnostic(NoStateOfFormula(name.text, parent or None, inside), name.span)
 
 
-def _inside_branch(outline: Outline, source: Node, target: Node, place: Span) -> Diagnostic | None:
+def _inside_branch(outline: Outline, source: State, target: State, place: Span) -> Diagnostic | None:
     for label, branch in outline.branches.items():
         if source.label.startswith(label + ".") or target.label.startswith(label + "."):
             related = (Related(branch.formulas.named[branch.formulas.root].name.span, "the process"),)
@@ -429,7 +431,7 @@ def _inside_branch(outline: Outline, source: Node, target: Node, place: Span) ->
     return None
 
 
-def _outside_branch(inside: str, source: Node, target: Node, place: Span) -> Diagnostic | None:
+def _outside_branch(inside: str, source: State, target: State, place: Span) -> Diagnostic | None:
     for node in (source, target):
         if not node.label.startswith(inside + "."):
             return Diagnostic(OutsideOfBranch(node.label, inside), place)

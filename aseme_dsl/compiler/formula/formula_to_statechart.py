@@ -15,7 +15,7 @@ from aseme_dsl.amola.expression import INSTANCE, Literal, Value, substituted, va
 from aseme_dsl.amola.liveness import Formula, called, canonical, names, ungrouped, walk
 from aseme_dsl.amola.messages import INT
 from aseme_dsl.amola.operators import Operator, Template
-from aseme_dsl.amola.statechart import Argument, Node, NodeType, Origin, OriginKind
+from aseme_dsl.amola.statechart import Argument, Origin, OriginKind, State, StateType
 from aseme_dsl.compiler.formula.formulas import Formulas, dependencies_first, fold
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.formulas import TooManyStates
@@ -86,7 +86,7 @@ class Outline:
     `standing` are the states of terms: all but the points, the regions and what is around them.
     """
 
-    nodes: tuple[Node, ...]
+    nodes: tuple[State, ...]
     arrows: tuple[Arrow, ...]
     branches: Mapping[str, Branch]
     standing: tuple[Standing, ...]
@@ -145,7 +145,7 @@ def expand_role(formulas: Formulas, played: Mapping[str, Branch], span: Span) ->
     context = _Context(formulas, origin, played, None, {})
     outline = _Builder()
     root = formulas.named[formulas.root].formula
-    outline.nodes.append(Node("0", formulas.root, NodeType.OR, None, None, origin, span))
+    outline.nodes.append(State("0", formulas.root, StateType.OR, None, None, origin, span))
     outline.expand(outline.template("0", root, context))
     return outline.finish()
 
@@ -158,13 +158,13 @@ def expand_protocol(protocol: str, branches: Iterable[tuple[str, Branch, Span]],
     outline = _Builder()
     origin = Origin(OriginKind.PROTOCOL, protocol, "")
 
-    def node(label: str, name: str, kind: NodeType, parent: str | None, place: Span) -> Node:
-        return Node(label, name, kind, parent, None, origin, place)
+    def node(label: str, name: str, kind: StateType, parent: str | None, place: Span) -> State:
+        return State(label, name, kind, parent, None, origin, place)
 
-    items: list[Node | _Place] = [
-        node("0", protocol, NodeType.OR, None, span),
-        node("0.1", "0.1", NodeType.START, "0", span),
-        node("0.2", protocol, NodeType.AND, "0", span),
+    items: list[State | _Place] = [
+        node("0", protocol, StateType.OR, None, span),
+        node("0.1", "0.1", StateType.START, "0", span),
+        node("0.2", protocol, StateType.AND, "0", span),
     ]
     frame = Formula(Operator.PARALLEL, (), span)
     outline.arrow("0.1", "0.1", "0.2", protocol, ("start", frame), None, origin, span)
@@ -175,14 +175,14 @@ def expand_protocol(protocol: str, branches: Iterable[tuple[str, Branch, Span]],
         term = Formula(Operator.NAME, (), place, name)
         context = _Context(Formulas(protocol, ""), origin, {name: branch}, None, {})
         items += [
-            node(region, name, NodeType.OR, "0.2", place),
-            node(start, start, NodeType.START, region, place),
+            node(region, name, StateType.OR, "0.2", place),
+            node(start, start, StateType.START, region, place),
             _Place(inside, region, term, context),
-            node(end, end, NodeType.END, region, place),
+            node(end, end, StateType.END, region, place),
         ]
         outline.arrow(start, start, inside, name, ("enter", term), None, origin, place)
         outline.arrow(inside, name, end, end, ("leave", term), None, origin, place)
-    items.append(node("0.3", "0.3", NodeType.END, "0", span))
+    items.append(node("0.3", "0.3", StateType.END, "0", span))
     outline.expand(items)
     return outline.finish()
 
@@ -194,7 +194,7 @@ class _Builder:
     """The outline while it grows."""
 
     def __init__(self) -> None:
-        self.nodes: list[Node] = []
+        self.nodes: list[State] = []
         self.arrows: list[Arrow] = []
         self.branches: dict[str, Branch] = {}
         self.standing: list[Standing] = []
@@ -219,23 +219,23 @@ class _Builder:
         name = f"{source_name}TO{target_name}"
         self.arrows.append(Arrow(source, target, name, way, branch, origin, span, first, values))
 
-    def expand(self, items: list[Node | _Place]) -> None:
+    def expand(self, items: list[State | _Place]) -> None:
         """Add the nodes of `items` with everything in them, in document order."""
         stack = items[::-1]
         while stack:
             item = stack.pop()
-            if isinstance(item, Node):
+            if isinstance(item, State):
                 self.nodes.append(item)
             else:
                 stack += self.place(item)[::-1]
 
-    def place(self, place: _Place) -> list[Node | _Place]:
+    def place(self, place: _Place) -> list[State | _Place]:
         """Add the node of a term; what is to stand inside it."""
         label, parent, term, context = place.label, place.parent, ungrouped(place.term), place.context
         name = self.name_of(place.term, context)
         self.standing.append(Standing(label, name, term, context.branch, context.origin, context.values))
         inside: Formula | None = term
-        kind, activity = NodeType.OR, None
+        kind, activity = StateType.OR, None
         given: tuple[Argument, ...] = ()
         if term.operator is Operator.NAME:
             given = context.given(term)
@@ -250,8 +250,8 @@ class _Builder:
                 )
                 inside = branch.formulas.named[branch.formulas.root].formula
             else:
-                kind, activity = NodeType.BASIC, context.bindings.get(term.name, term.name)
-        self.nodes.append(Node(label, name, kind, parent, activity, context.origin, place.term.span, given))
+                kind, activity = StateType.BASIC, context.bindings.get(term.name, term.name)
+        self.nodes.append(State(label, name, kind, parent, activity, context.origin, place.term.span, given))
         return self.template(label, inside, context) if inside is not None else []
 
     def name_of(self, term: Formula, context: _Context) -> str:
@@ -269,7 +269,7 @@ class _Builder:
             spelling = self._spellings[key] = canonical(bound)
         return spelling
 
-    def template(self, label: str, formula: Formula, context: _Context) -> list[Node | _Place]:
+    def template(self, label: str, formula: Formula, context: _Context) -> list[State | _Place]:
         """The children of the node `label` that holds `formula`, in order; their arrows are added."""
         formula = ungrouped(formula)
         while formula.operator is Operator.NAME:
@@ -279,12 +279,12 @@ class _Builder:
             context, formula = context.inside(formula), ungrouped(inside)
         row, operands = formula.operator.row, formula.operands
         origin, span, branch = context.origin, formula.span, context.branch
-        children: list[Node | _Place] = []
+        children: list[State | _Place] = []
 
-        def node(child: str, name: str, kind: NodeType, parent: str = label) -> None:
-            children.append(Node(child, name, kind, parent, None, origin, span))
+        def node(child: str, name: str, kind: StateType, parent: str = label) -> None:
+            children.append(State(child, name, kind, parent, None, origin, span))
 
-        def point(number: int, kind: NodeType) -> tuple[str, str]:
+        def point(number: int, kind: StateType) -> tuple[str, str]:
             child = f"{label}.{number}"
             node(child, child, kind)
             return child, child
@@ -306,7 +306,7 @@ class _Builder:
             way = (verb, ungrouped(of))
             self.arrow(*source, *target, way, branch, origin, of.span, first, inside.values)
 
-        start = point(1, NodeType.START)
+        start = point(1, StateType.START)
         match row.template:
             case Template.CHAIN:
                 before = start
@@ -314,11 +314,11 @@ class _Builder:
                     after = term(number, operand)
                     arrow(before, after, "enter", operand)
                     before = after
-                arrow(before, point(len(operands) + 2, NodeType.END), "leave", operands[-1])
+                arrow(before, point(len(operands) + 2, StateType.END), "leave", operands[-1])
             case Template.BRANCHES:
-                choice = point(2, NodeType.CONDITION)
+                choice = point(2, StateType.CONDITION)
                 terms = [term(number, operand) for number, operand in enumerate(operands, 3)]
-                end = point(len(operands) + 3, NodeType.END)
+                end = point(len(operands) + 3, StateType.END)
                 arrow(start, choice, "start", formula)
                 for operand, target in zip(operands, terms, strict=True):
                     arrow(choice, target, "enter", operand)
@@ -326,7 +326,7 @@ class _Builder:
                     arrow(source, end, "leave", operand)
             case Template.CUT:
                 body, other = term(2, operands[0]), term(3, operands[1])
-                end = point(4, NodeType.END)
+                end = point(4, StateType.END)
                 arrow(start, body, "enter", operands[0])
                 arrow(body, other, "enter", operands[1], first=True)
                 arrow(body, end, "leave", operands[0])
@@ -336,7 +336,7 @@ class _Builder:
                 end = f"{label}.3", f"{label}.3"
                 arrow(start, parallel, "start", formula)
                 arrow(parallel, end, "finish", formula)
-                node(*parallel, NodeType.AND)
+                node(*parallel, StateType.AND)
                 parts = operands * formula.count if row.counted else operands
                 for number, operand in enumerate(parts, 1):
                     region = f"{parallel[0]}.{number}"
@@ -345,17 +345,17 @@ class _Builder:
                     if row.counted:
                         inner = context.numbered(number, formula.span)
                     body = f"{region}.2", self.name_of(operand, inner)
-                    node(region, region, NodeType.OR, parallel[0])
-                    node(*first, NodeType.START, region)
+                    node(region, region, StateType.OR, parallel[0])
+                    node(*first, StateType.START, region)
                     children.append(_Place(body[0], region, operand, inner))
-                    node(*last, NodeType.END, region)
+                    node(*last, StateType.END, region)
                     arrow(first, body, "enter", operand, inside=inner)
                     arrow(body, last, "leave", operand, inside=inner)
-                node(*end, NodeType.END)
+                node(*end, StateType.END)
             case Template.BODY:
-                choice = point(2, NodeType.CONDITION) if row.skips else start
+                choice = point(2, StateType.CONDITION) if row.skips else start
                 body = term(len(children) + 1, operands[0])
-                end = point(len(children) + 1, NodeType.END) if row.skips or row.leaves else start
+                end = point(len(children) + 1, StateType.END) if row.skips or row.leaves else start
                 if row.skips:
                     arrow(start, choice, "start", formula)
                     arrow(choice, body, "enter", operands[0])
@@ -370,7 +370,7 @@ class _Builder:
             case Template.ACTIVITY:  # the whole is one activity, or one participant that is played
                 body = term(2, formula)
                 arrow(start, body, "enter", formula)
-                arrow(body, point(3, NodeType.END), "leave", formula)
+                arrow(body, point(3, StateType.END), "leave", formula)
             case Template.INSIDE | Template.UNDECIDED:
                 raise AssertionError("neither parentheses nor holes are expanded")
             case _:

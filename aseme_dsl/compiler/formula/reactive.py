@@ -12,7 +12,7 @@ from dataclasses import replace
 from aseme_dsl.amola.expression import Holds, Logic, Not, TransitionExpression, Value
 from aseme_dsl.amola.liveness import Formula, ungrouped
 from aseme_dsl.amola.operators import is_choice
-from aseme_dsl.amola.statechart import Node, NodeType, Transition
+from aseme_dsl.amola.statechart import State, StateType, Transition
 from aseme_dsl.compiler.formula.terms import Terms
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.control import ReactiveWithoutChoice
@@ -34,21 +34,21 @@ def no_choice(control: tree.Control, reactive: Span, formula: tree.NamedFormula)
 
 
 def reconsidered(
-    found: Sequence[Transition], nodes: Iterable[Node], choices: Container[str]
+    found: Sequence[Transition], nodes: Iterable[State], choices: Container[str]
 ) -> tuple[Transition, ...]:
     """What the branches of the `choices` (labels of CONDITION states) get, after all their transitions."""
     kinds = {node.label: node for node in nodes}
     outgoing: dict[str, list[Transition]] = {}
     for transition in found:
-        if transition.is_way:
+        if transition.changes_state:
             outgoing.setdefault(transition.source, []).append(transition)
     made: list[Transition] = []
     for choice, node in kinds.items():
-        if node.type is not NodeType.CONDITION or choice not in choices:
+        if node.type is not StateType.CONDITION or choice not in choices:
             continue
         ways = sorted(outgoing.get(choice, []), key=lambda way: way.priority)
         for branch in dict.fromkeys(way.target for way in ways):
-            if kinds[branch].type is NodeType.END:
+            if kinds[branch].type is StateType.END:
                 continue
             last = max((item.priority for item in found if item.source == branch), default=-1)
             for place, item in enumerate(_back(ways, kinds[branch], node), last + 1):
@@ -56,7 +56,7 @@ def reconsidered(
     return tuple(made)
 
 
-def _back(ways: Sequence[Transition], branch: Node, choice: Node) -> Iterator[Transition]:
+def _back(ways: Sequence[Transition], branch: State, choice: State) -> Iterator[Transition]:
     """The transitions of one branch, without their places."""
     first = next(way for way in ways if way.target == branch.label)
     for way in ways:

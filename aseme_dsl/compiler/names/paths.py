@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Index, Member, Named, ParameterValue, Value, VariableValue
-from aseme_dsl.amola.messages import Channel, Comm, EnumType, Kind, Message, Topic, Type, list_of
+from aseme_dsl.amola.messages import Channel, ChannelKind, EnumType, Kind, Message, Topic, Type, list_of
 from aseme_dsl.compiler.names.checker import Checker
 from aseme_dsl.compiler.names.scope import Scope, Taken, TypedLet
 from aseme_dsl.compiler.read.builtins import COMM_TYPES, PERFORMATIVES
@@ -267,7 +267,7 @@ def channel_of(checker: Checker, path: tree.Path) -> tuple[str | None, Channel, 
         _no_message(checker, path, topic, carried)
         return None
     message = segments[used + 2]
-    channel = Channel(topic.name, Comm(comm.text), message.text)
+    channel = Channel(topic.name, ChannelKind(comm.text), message.text)
     if checker.scope.symbols.channel(channel) is None:
         _no_channel(checker, topic, comm, message)
         return None

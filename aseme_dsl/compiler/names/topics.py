@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from aseme_dsl.amola.liveness import names
-from aseme_dsl.amola.messages import Channel, ChannelRules, Comm, Message, Topic
+from aseme_dsl.amola.messages import Channel, ChannelKind, ChannelRules, Message, Topic
 from aseme_dsl.codegen.radio import KIND_BYTES, MOST_KINDS, Unfit, parts
 from aseme_dsl.compiler.names.inclusion import includers
 from aseme_dsl.compiler.names.symbols import Symbols
@@ -125,13 +125,13 @@ def _channels(
         if entry.comm.text not in COMM_TYPES:
             collector.diagnostics.append(unknown(NoCommunicationClass, entry.comm, COMM_TYPES))
             continue
-        comm = Comm(entry.comm.text)
-        if entry.queued and comm is not Comm.SIGNAL:
+        comm = ChannelKind(entry.comm.text)
+        if entry.queued and comm is not ChannelKind.SIGNAL:
             collector.report(NotQueued(str(comm)), entry.span)
         for source in entry.sources:
             if source.text not in publishers and not symbols.is_excused(source.text):
                 collector.diagnostics.append(unknown(NoPublisher, source, publishers))
-        if entry.persist and comm is not Comm.STATE:
+        if entry.persist and comm is not ChannelKind.STATE:
             collector.report(NotKept(str(comm)), entry.span)
         for name in entry.messages:
             if symbols.message(name.text) is None:

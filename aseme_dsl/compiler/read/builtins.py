@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, Comm, Function, Type
+from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, ChannelKind, Function, Type
 from aseme_dsl.diagnostics.problems.names import Reserved
 from aseme_dsl.grammar.formulas.words import RESERVED
 from aseme_dsl.source import Source, Span
@@ -63,7 +63,7 @@ PERFORMATIVES = tuple(
 NOT_UNDERSTOOD = "not_understood"
 """The one with which the runtime answers a message that nobody expects."""
 
-COMM_TYPES = tuple(comm.value for comm in Comm)
+COMM_TYPES = tuple(comm.value for comm in ChannelKind)
 ACTIONS = ("read_messages", "write_messages")
 OTHER_SPELLINGS = {
     "float": "double",

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.amola.suc import RoleType
 from aseme_dsl.compiler.chart.srm_to_iac import Role
 from aseme_dsl.compiler.names.usecases import UseCases, folded
@@ -74,7 +74,7 @@ def _reached(role: Role) -> set[str] | None:
     for node in role.outline.nodes:
         if node.activity is not None:
             found.add(folded(node.activity))
-        elif node.type is NodeType.OR:
+        elif node.type is StateType.OR:
             found.add(folded(node.name))
     for item in role.plays:
         found.update((folded(item.protocol), folded(item.participant)))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from aseme_dsl.amola.liveness import Formula, names
 from aseme_dsl.amola.operators import Fixity, Operator
 from aseme_dsl.amola.srm import Capability, Functionality, Module, Srm
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.amola.suc import RoleType, UseCase
 from aseme_dsl.compiler.chart.srm_to_iac import Role
 from aseme_dsl.compiler.formula.formulas import named_formulas
@@ -86,7 +86,9 @@ def activities_of(chart: Statechart) -> tuple[str, ...]:
     """The activities of a chart, each once, in document order."""
     return tuple(
         dict.fromkeys(
-            node.activity for node in chart.nodes if node.type is NodeType.BASIC and node.activity is not None
+            node.activity
+            for node in chart.states
+            if node.type is StateType.BASIC and node.activity is not None
         )
     )
 

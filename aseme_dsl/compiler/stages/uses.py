@@ -8,7 +8,7 @@ from itertools import chain
 
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.srm import Module, Plays, Srm
-from aseme_dsl.amola.statechart import Node, Statechart
+from aseme_dsl.amola.statechart import State, Statechart
 from aseme_dsl.compiler.chart.srm_to_iac import Role
 from aseme_dsl.compiler.checks.activity_use import (
     Used,
@@ -42,7 +42,7 @@ class Uses:
     """
 
     by_roles: Sequence[Used]
-    activities: Mapping[str, Node]
+    activities: Mapping[str, State]
     formulas: Sequence[tree.NamedFormula]
     named: frozenset[str]
 

@@ -87,7 +87,7 @@ def _wakes(
     prover: Prover,
 ) -> tuple[Diagnostic, ...]:
     written = {name for role, name in settings if role == chart.name}
-    performed = [activities[name] for node in chart.nodes if (name := node.activity or "") in activities]
+    performed = [activities[name] for node in chart.states if (name := node.activity or "") in activities]
     for activity in (*performed, *(module.statement for module in chart.modules)):
         written.update(activity.writes_variables)
     return tuple(check_waking(chart, frozenset(written), prover.vocabulary))

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from typing import Literal
 
-from aseme_dsl.amola.messages import Channel, Comm, Parameter
+from aseme_dsl.amola.messages import Channel, ChannelKind, Parameter
 from aseme_dsl.amola.srm import Activity, Subscription
 from aseme_dsl.compiler.names.checker import Checker
 from aseme_dsl.compiler.names.paths import channel_of
@@ -111,7 +111,7 @@ def _read(
         checker.report(problems.ReachOfMessage(written.reach, channel.topic), path.span)
         return None
     kept = 0
-    if history is not None and channel.comm is not Comm.DATA:
+    if history is not None and channel.comm is not ChannelKind.DATA:
         problem = problems.HistoryOfOther(str(channel), str(channel.comm))
         checker.report(problem, path.segments[used - 2].span)
     elif history is not None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Member, Value
-from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, STRING, Comm, Function, Kind, Type
+from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, STRING, ChannelKind, Function, Kind, Type
 from aseme_dsl.compiler.names.checker import Checker, is_number
 from aseme_dsl.compiler.names.paths import is_optional, unnamed
 from aseme_dsl.compiler.read.builtins import FORMS, YIELDING
@@ -228,7 +228,7 @@ def _sender(checker: Checker, written: tree.Call, arguments: Sequence[Value]) ->
 
 
 def _is_timed(checker: Checker, message: Member) -> bool:
-    if message.channel.comm is not Comm.SIGNAL:
+    if message.channel.comm is not ChannelKind.SIGNAL:
         return True
     checker.report(SignalAge(), message.span)
     return False
@@ -243,7 +243,7 @@ def _note_radio(checker: Checker, message: Member) -> None:
 
 
 def _is_data(checker: Checker, name: str, message: Member) -> bool:
-    if message.channel.comm is Comm.DATA:
+    if message.channel.comm is ChannelKind.DATA:
         return True
     problem = NoHistory(name, str(message.channel), str(message.channel.comm))
     checker.report(problem, message.span)

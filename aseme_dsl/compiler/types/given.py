@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola.expression import Member, Value, walk
 from aseme_dsl.amola.liveness import Formula, names
-from aseme_dsl.amola.messages import Comm, Parameter, Type
+from aseme_dsl.amola.messages import ChannelKind, Parameter, Type
 from aseme_dsl.amola.statechart import Argument
 from aseme_dsl.compiler.formula.formulas import Formulas, cut
 from aseme_dsl.compiler.names.scope import Scope
@@ -241,7 +241,7 @@ class _Work:
     def _is_lasting(self, value: Value) -> bool:
         """Whether what it reads is still there when the state is entered: a signal may be used up (E524)."""
         for part in walk(value):
-            if isinstance(part, Member) and part.channel.comm is Comm.SIGNAL:
+            if isinstance(part, Member) and part.channel.comm is ChannelKind.SIGNAL:
                 self.diagnostics.append(Diagnostic(problems.SignalGiven(str(part.channel)), value.span))
                 return False
         return True

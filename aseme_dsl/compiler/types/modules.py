@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from aseme_dsl.amola.srm import Module
-from aseme_dsl.amola.statechart import Node
+from aseme_dsl.amola.statechart import State
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.read.names import declared_twice
 from aseme_dsl.compiler.types.activities import type_activity
@@ -53,7 +53,7 @@ def read_modules(
 
 
 def also_activities(
-    modules: Mapping[str, Iterable[tree.Module]], used: Mapping[str, Node]
+    modules: Mapping[str, Iterable[tree.Module]], used: Mapping[str, State]
 ) -> Iterator[Diagnostic]:
     """E219 for a module that is an activity of some formula, too: one class cannot be both."""
     for written in modules.values():

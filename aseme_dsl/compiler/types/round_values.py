@@ -64,7 +64,7 @@ def _asked_elsewhere(chart: Statechart) -> tuple[RoundValue, ...]:
 
 
 def _each_elsewhere(chart: Statechart) -> Iterator[RoundValue]:
-    for node in chart.nodes:
+    for node in chart.states:
         for argument in node.arguments:
             yield from (value for value in walk(argument.value) if isinstance(value, RoundValue))
     for transition in chart.transitions:

@@ -8,7 +8,7 @@ from typing import assert_never
 from aseme_dsl.amola.expression import StateValue, values_of, walk
 from aseme_dsl.amola.meant import states_meant
 from aseme_dsl.amola.messages import BOOL, INT
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.amola.statechart import State, Statechart, StateType
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.compiler.names.checker import Checker
 from aseme_dsl.compiler.read.memory import Memory
@@ -53,7 +53,7 @@ def _questions(chart: Statechart) -> tuple[tuple[str, StateValue, bool], ...]:
 
 
 def _each_question(chart: Statechart) -> Iterator[tuple[str, StateValue, bool]]:
-    for node in chart.nodes:
+    for node in chart.states:
         for argument in node.arguments:
             for value in walk(argument.value):
                 if isinstance(value, StateValue):
@@ -72,7 +72,7 @@ def _problem(chart: Statechart, source: str, value: StateValue, in_condition: bo
     if value.question != "count" and not in_condition:
         return Diagnostic(StateAskedInAction(value.question), value.span)
     if not found:
-        names = {node.name for node in chart.nodes if _has_name(node)}
+        names = {node.name for node in chart.states if _has_name(node)}
         return unknown(NoStateAsked, tree.Name(value.state, value.named), names, chart.name)
     if value.question == "count" and len(found) > 1:
         related = tuple(Related(node.span, f"{node.label}") for node in found[:5])
@@ -83,17 +83,17 @@ def _problem(chart: Statechart, source: str, value: StateValue, in_condition: bo
     return None
 
 
-def _has_name(node: Node) -> bool:
+def _has_name(node: State) -> bool:
     return node.name != node.label and node.name.isidentifier()
 
 
-def _completes(chart: Statechart, node: Node) -> bool:
+def _completes(chart: Statechart, node: State) -> bool:
     match node.type:
-        case NodeType.OR:
+        case StateType.OR:
             return chart.end_of(node.label) is not None
-        case NodeType.AND:
+        case StateType.AND:
             return all(chart.end_of(region.label) is not None for region in chart.children(node.label))
-        case NodeType.START | NodeType.END | NodeType.BASIC | NodeType.CONDITION:
+        case StateType.START | StateType.END | StateType.BASIC | StateType.CONDITION:
             return True
         case _:
             assert_never(node.type)

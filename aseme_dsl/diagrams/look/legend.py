@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from aseme_dsl.amola.expression import Named, value_text, values_of
-from aseme_dsl.amola.statechart import Node, NodeType, transition_text
+from aseme_dsl.amola.statechart import State, StateType, transition_text
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.diagrams.look.dot import Sheet
 from aseme_dsl.diagrams.look.drawing import Expressions
@@ -21,7 +21,7 @@ Rows = Sequence[Sequence[Cell]]
 
 def numbers(view: View) -> Mapping[int, int]:
     """A number for each drawn transition with an expression, by its place; in the order they are tried."""
-    order = {node.label: index for index, node in enumerate(view.chart.nodes)}
+    order = {node.label: index for index, node in enumerate(view.chart.states)}
     ways = [way for way in view.ways if transition_text(way.transition)]
     ways.sort(key=lambda way: (order[way.transition.source], way.transition.priority, way.place))
     return {way.place: number for number, way in enumerate(ways, start=1)}
@@ -90,13 +90,13 @@ def _ends(view: View, way: Way) -> str:
     source, target = chart.node(way.transition.source), chart.node(way.transition.target)
     around = next((node for node in chart.ancestors(source.label) if node.name != node.label), None)
     scope = "" if around is None else f"{short(around.name, 24)}: "
-    if not way.transition.is_way:
+    if not way.transition.changes_state:
         return f"{scope}{_end(source)}"
     if source is target:
         return f"{scope}{_end(source)} again"
     return f"{scope}{_end(source)} to {_end(target)}"
 
 
-def _end(node: Node) -> str:
-    kind = {NodeType.START: "start", NodeType.END: "end", NodeType.CONDITION: "choice"}.get(node.type)
+def _end(node: State) -> str:
+    kind = {StateType.START: "start", StateType.END: "end", StateType.CONDITION: "choice"}.get(node.type)
     return kind or short(node.name, 32)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from aseme_dsl.amola.statechart import Node, NodeType, transition_text
+from aseme_dsl.amola.statechart import State, StateType, transition_text
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.diagrams.look.dot import Attributes
 from aseme_dsl.diagrams.look.labels import Cell, Html, escaped, font, table, wrapped
@@ -18,9 +18,9 @@ NAME_LINES = 4
 """A name of more lines is cut; the tip has all of it."""
 
 FILLS = {
-    NodeType.OR: style.OR_COLOUR,
-    NodeType.AND: style.AND_COLOUR,
-    NodeType.BASIC: style.BASIC_COLOUR,
+    StateType.OR: style.OR_COLOUR,
+    StateType.AND: style.AND_COLOUR,
+    StateType.BASIC: style.BASIC_COLOUR,
 }
 
 Label = tuple[dict[str, str], tuple[str, ...]]
@@ -32,12 +32,12 @@ def state_id(label: str) -> str:
     return f"n{label}"
 
 
-def class_of(node: Node) -> dict[str, str]:
+def class_of(node: State) -> dict[str, str]:
     """The SVG class of a state: `state` and its type."""
     return {"class": f"state {node.type.value}"}
 
 
-def protocol_border(view: View, node: Node) -> dict[str, str]:
+def protocol_border(view: View, node: State) -> dict[str, str]:
     """The border of what came from a protocol."""
     return {"color": style.PROTOCOL_COLOUR, "penwidth": "1.8"} if view.is_from_protocol(node.label) else {}
 
@@ -47,18 +47,18 @@ def small(text: str, ink: str = style.PALE_INK) -> Cell:
     return Cell((text,), size=style.SMALL_SIZE, ink=ink, align="CENTER")
 
 
-def name_lines(node: Node, width: int = NAME_WIDTH) -> tuple[str, ...]:
+def name_lines(node: State, width: int = NAME_WIDTH) -> tuple[str, ...]:
     """The lines of a state's name; a label is never broken."""
     return (node.name,) if node.name == node.label else wrapped(node.name, width, NAME_LINES)
 
 
-def branch_mark(view: View, node: Node) -> list[Cell]:
+def branch_mark(view: View, node: State) -> list[Cell]:
     """`«attack.center»` on the first state of a protocol's branch."""
     branch = view.branch(node.label)
     return [] if branch is None else [small(f"«{branch}»", style.PROTOCOL_COLOUR)]
 
 
-def closed_marks(view: View, node: Node, links: Mapping[str, str]) -> tuple[list[Cell], dict[str, str]]:
+def closed_marks(view: View, node: State, links: Mapping[str, str]) -> tuple[list[Cell], dict[str, str]]:
     """What a closed state says of its inside, and how it looks; nothing for any other state."""
     if node.label not in view.closed:
         return [], {}
@@ -104,7 +104,7 @@ def staying(view: View, numbers: Mapping[int, int], inline_width: int | None) ->
     """What states say of the transitions that lead nowhere: the word and the number, or all of it."""
     found: dict[str, list[tuple[str, ...]]] = {}
     for way in view.ways:
-        if not way.transition.is_way:
+        if not way.transition.changes_state:
             if way.place in numbers:
                 lines: tuple[str, ...] = (f"{way.transition.kind.value} {numbers[way.place]}",)
             elif inline_width is not None:
@@ -115,7 +115,7 @@ def staying(view: View, numbers: Mapping[int, int], inline_width: int | None) ->
     return found
 
 
-def staying_marks(node: Node, staying: Staying) -> list[Cell]:
+def staying_marks(node: State, staying: Staying) -> list[Cell]:
     """The cells of a state for what is done in it, and when it is left."""
     return [
         Cell(lines, size=style.SMALL_SIZE, ink=style.NUMBER_COLOUR) for lines in staying.get(node.label, ())

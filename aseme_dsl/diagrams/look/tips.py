@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.statechart import Node, NodeType, transition_text
+from aseme_dsl.amola.statechart import State, StateType, transition_text
 from aseme_dsl.diagrams.look.labels import short
 from aseme_dsl.diagrams.look.view import View, Way
 
 
-def state_tip(view: View, node: Node) -> str:
+def state_tip(view: View, node: State) -> str:
     """Label, type and name; where it came from; its ways out in the order in which they are tried."""
     lines = [_title(node, len(node.name))]
     if node.activity and node.activity != node.name:
         lines.append(f"activity {node.activity}")
-    if node.type not in (NodeType.START, NodeType.END):
+    if node.type not in (StateType.START, StateType.END):
         lines.append(f"from {node.origin}")
     if node.label in view.closed:
         lines.append(inside_text(view.closed[node.label]))
-    stays = [*(item for item in view.chart.outgoing(node.label) if not item.is_way)]
+    stays = [*(item for item in view.chart.outgoing(node.label) if not item.changes_state)]
     lines += [transition_text(item) for item in (*stays, *view.chart.exits_of(node.label))]
-    for transition in view.chart.ways_from(node.label):
+    for transition in view.chart.outgoing_edges(node.label):
         target = view.chart.node(transition.target)
         lines.append(f"to {_title(target)}: {transition_text(transition) or 'when complete'}")
     return "\n".join(lines)
@@ -27,7 +27,7 @@ def state_tip(view: View, node: Node) -> str:
 def way_tip(view: View, way: Way) -> str:
     """Both ends, the whole expression, and when it is tried among those of its source."""
     transition = way.transition
-    labels = (transition.source, transition.target) if transition.is_way else (transition.source,)
+    labels = (transition.source, transition.target) if transition.changes_state else (transition.source,)
     ends = " to ".join(_title(view.chart.node(label)) for label in labels)
     lines = [ends, transition_text(transition) or "when complete"]
     rivals = view.chart.outgoing(transition.source)
@@ -41,7 +41,7 @@ def inside_text(count: int) -> str:
     return f"{count} state inside" if count == 1 else f"{count} states inside"
 
 
-def _title(node: Node, most: int = 60) -> str:
+def _title(node: State, most: int = 60) -> str:
     """Label, type and name, which is cut where it is another state's that is told of."""
     if node.name == node.label:
         return f"{node.label} {node.type.value}"

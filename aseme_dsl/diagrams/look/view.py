@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition, label_key
+from aseme_dsl.amola.statechart import OriginKind, State, Statechart, StateType, Transition, label_key
 from aseme_dsl.diagrams.look.drawing import NoSuchState
 
 
@@ -45,11 +45,11 @@ class View:
 
     chart: Statechart
     top: str
-    states: tuple[Node, ...]
+    states: tuple[State, ...]
     closed: Mapping[str, int]
     ways: tuple[Way, ...]
 
-    def inside(self, label: str) -> tuple[Node, ...]:
+    def inside(self, label: str) -> tuple[State, ...]:
         """The drawn states directly inside a drawn state."""
         return () if label in self.closed else self.chart.children(label)
 
@@ -64,13 +64,13 @@ class View:
     def first(self, label: str) -> str:
         """The innermost state where a drawn state begins: a state without others inside."""
         while inside := self.inside(label):
-            label = next((node.label for node in inside if node.type is NodeType.START), inside[0].label)
+            label = next((node.label for node in inside if node.type is StateType.START), inside[0].label)
         return label
 
     def last(self, label: str) -> str:
         """The innermost state where a drawn state ends."""
         while inside := self.inside(label):
-            label = next((node.label for node in inside if node.type is NodeType.END), inside[-1].label)
+            label = next((node.label for node in inside if node.type is StateType.END), inside[-1].label)
         return label
 
     def branch(self, label: str) -> str | None:
@@ -90,8 +90,8 @@ class View:
 
 def _sizes(chart: Statechart) -> dict[str, int]:
     """How many states are inside each state, at any depth."""
-    found = dict.fromkeys((node.label for node in chart.nodes), 0)
-    for node in reversed(chart.nodes):
+    found = dict.fromkeys((node.label for node in chart.states), 0)
+    for node in reversed(chart.states):
         if node.parent is not None:
             found[node.parent] += found[node.label] + 1
     return found
@@ -112,7 +112,7 @@ def view(
     if top not in chart.by_label:
         raise NoSuchState(f"the statechart {chart.name} has no state {top}")
     counts = _sizes(chart)
-    states: list[Node] = []
+    states: list[State] = []
     shut: dict[str, int] = {}
     stack = [(chart.node(top), 0)]
     while stack:
@@ -130,7 +130,7 @@ def view(
 def _ways(chart: Statechart, drawn: set[str]) -> tuple[Way, ...]:
     """The transitions with an end among the drawn states, but for those hidden inside a closed one."""
     shown_at: dict[str | None, str | None] = {None: None}
-    for node in chart.nodes:  # each after its parent
+    for node in chart.states:  # each after its parent
         shown_at[node.label] = node.label if node.label in drawn else shown_at[node.parent]
     found: list[Way] = []
     for place, transition in enumerate(chart.transitions):

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.srm import Srm
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagrams.look.drawing import Drawing
 
@@ -61,8 +61,8 @@ def _chart(chart: Statechart | None, label: str) -> str:
     if chart is None:
         return ""
     whose = "role" if chart.kind == "IAC" else "protocol"
-    nodes = [node for node in chart.nodes if not label or _is_in(node.label, label)]
-    activities = dict.fromkeys(node.name for node in nodes if node.type is NodeType.BASIC)
+    nodes = [node for node in chart.states if not label or _is_in(node.label, label)]
+    activities = dict.fromkeys(node.name for node in nodes if node.type is StateType.BASIC)
     part = f", state {label}" if label else ""
     told = f"; {_names('activity', list(activities))}" if activities else ""
     return f"Statechart of the {whose} {chart.name}{part}: {_number(len(nodes), 'state')}{told}"

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.diagrams.look.labels import text_width
 from aseme_dsl.diagrams.look.marks import name_lines
@@ -54,7 +54,7 @@ def arranged(view: View, step: int) -> Arrangement:
             size[label] = _leaf_size(node)
             first[label] = last[label] = label
             rows[label] = 0
-        elif node.type is NodeType.AND:
+        elif node.type is StateType.AND:
             columns[label] = _columns(inside, size)
             wide = [max(size[region][0] for region in column) + 16 for column in columns[label]]
             high = [sum(size[region][1] + _GAP for region in column) for column in columns[label]]
@@ -94,8 +94,8 @@ def _successors(view: View) -> Mapping[str, Sequence[str]]:
     return after
 
 
-def _leaf_size(node: Node) -> tuple[float, float]:
-    if node.type in (NodeType.START, NodeType.END, NodeType.CONDITION):
+def _leaf_size(node: State) -> tuple[float, float]:
+    if node.type in (StateType.START, StateType.END, StateType.CONDITION):
         return 16.0, 16.0
     lines = name_lines(node)
     return max(text_width(line, style.TEXT_SIZE) for line in lines) + 20, 14.0 + 15.0 * len(lines)

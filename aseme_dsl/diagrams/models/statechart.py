@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import assert_never
 
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.diagrams.look import legend, style
 from aseme_dsl.diagrams.look.dot import Box, Group, Line, Sheet, cluster
 from aseme_dsl.diagrams.look.drawing import Expressions
@@ -47,7 +47,7 @@ def sheet(
     """The drawing of a view. `links` are the files that closed states lead to."""
     numbers = legend.numbers(view) if expressions is Expressions.NUMBERED else {}
     inline_width = _INLINE_WIDTH if expressions is Expressions.INLINE else None
-    ways = [way for way in view.ways if way.transition.is_way]
+    ways = [way for way in view.ways if way.transition.changes_state]
     stays = staying(view, numbers, inline_width)
     labels = {way.place: way_label(numbers, way, inline_width) for way in ways}
     # An arrow needs room above a composite, whose header would take it. As soon as one line has a label,
@@ -101,23 +101,23 @@ def _items(
     return (made[view.top], *beside.get(None, ()))
 
 
-def _leaf(view: View, node: Node, stays: Staying, links: Mapping[str, str]) -> Box:
+def _leaf(view: View, node: State, stays: Staying, links: Mapping[str, str]) -> Box:
     common = class_of(node) | {"tooltip": state_tip(view, node)}
     match node.type:
-        case NodeType.START:
+        case StateType.START:
             return Box(state_id(node.label), common | style.START_DOT)
-        case NodeType.END:
+        case StateType.END:
             return Box(state_id(node.label), common | style.END_DOT)
-        case NodeType.CONDITION:
+        case StateType.CONDITION:
             look = style.CONDITION_CIRCLE | protocol_border(view, node)
             return Box(state_id(node.label), common | look, ("c",))
-        case NodeType.OR | NodeType.AND | NodeType.BASIC:
+        case StateType.OR | StateType.AND | StateType.BASIC:
             return _titled(view, node, stays, links, common)
         case _:
             assert_never(node.type)
 
 
-def _titled(view: View, node: Node, stays: Staying, links: Mapping[str, str], common: dict[str, str]) -> Box:
+def _titled(view: View, node: State, stays: Staying, links: Mapping[str, str], common: dict[str, str]) -> Box:
     """The box of a state that has a name."""
     cells = [Cell(name_lines(node), align="CENTER")]
     closed, look = closed_marks(view, node, links)
@@ -128,7 +128,7 @@ def _titled(view: View, node: Node, stays: Staying, links: Mapping[str, str], co
     return Box(state_id(node.label), common | fill | label | protocol_border(view, node) | look, lines)
 
 
-def _group(view: View, node: Node, children: tuple[Box | Group, ...], stays: Staying) -> Group:
+def _group(view: View, node: State, children: tuple[Box | Group, ...], stays: Staying) -> Group:
     is_region = node.label != view.top and view.chart.is_region(node.label)
     name, place = Cell(name_lines(node), align="CENTER"), small(node.label)
     marks = [*branch_mark(view, node), *staying_marks(node, stays)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from aseme_dsl.amola.statechart import Node, transition_text
+from aseme_dsl.amola.statechart import State, transition_text
 from aseme_dsl.diagrams.look import legend, style
 from aseme_dsl.diagrams.look.dot import Box, Line, Sheet
 from aseme_dsl.diagrams.look.drawing import Expressions
@@ -50,7 +50,7 @@ def sheet(
         if way.source_outside or way.target_outside
     ]
     parents = [_parent_line(node) for node in view.states if node.label != view.top]
-    ways = [_way_line(view, way, numbers.get(way.place)) for way in view.ways if way.transition.is_way]
+    ways = [_way_line(view, way, numbers.get(way.place)) for way in view.ways if way.transition.changes_state]
     leaves = sum(not view.is_group(node.label) for node in view.states)
     downwards = leaves <= _FEW_LEAVES
     graph = style.GRAPH | {
@@ -64,7 +64,7 @@ def sheet(
     return legend.below(drawn, rows, width=90.0 * (leaves if downwards else view.chart.levels))
 
 
-def _box(view: View, node: Node, stays: Staying, links: Mapping[str, str], *, inline: bool) -> Box:
+def _box(view: View, node: State, stays: Staying, links: Mapping[str, str], *, inline: bool) -> Box:
     closed, look = closed_marks(view, node, links)
     if node.name == node.label:
         cells = [Cell((node.label,), size=10, align="CENTER"), small(node.type.value)]
@@ -84,19 +84,19 @@ def _box(view: View, node: Node, stays: Staying, links: Mapping[str, str], *, in
     )
 
 
-def _expressions(view: View, node: Node) -> list[Cell]:
+def _expressions(view: View, node: State) -> list[Cell]:
     """The expressions of a state's transitions: between the boxes there is no room for them."""
     cells = []
     for transition in (*view.chart.outgoing(node.label), *view.chart.exits_of(node.label)):
         if text := transition_text(transition):
             target = view.chart.node(transition.target)
-            where = f"to {short(target.name, _NAME_WIDTH)}: " if transition.is_way else ""
+            where = f"to {short(target.name, _NAME_WIDTH)}: " if transition.changes_state else ""
             lines = wrapped(f"{where}{text}", _INLINE_WIDTH)
             cells.append(Cell(lines, size=style.SMALL_SIZE))
     return cells
 
 
-def _parent_line(node: Node) -> Line:
+def _parent_line(node: State) -> Line:
     assert node.parent is not None
     look = {"color": style.PARENT_COLOUR, "dir": "none", "weight": "2", "class": "parent"}
     return Line(state_id(node.parent), state_id(node.label), f"p{node.label}", look)

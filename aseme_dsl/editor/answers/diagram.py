@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.amola.statechart import State, Statechart, StateType
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagnostics import Severity
 from aseme_dsl.diagrams import Drawing, DrawingFailed, GraphvizMissing, Layout, Options, draw_one, names
@@ -201,7 +201,7 @@ def _having(view: View, offset: int) -> Iterator[str]:
     """The roles whose statecharts have something of this place: those that include what is written here."""
     part, inside = view.at(offset)
     for name, chart in view.program.inspection.iacs.items():
-        if chart is not None and any(_holds(node.span, part, inside) for node in chart.nodes):
+        if chart is not None and any(_holds(node.span, part, inside) for node in chart.states):
             yield name
 
 
@@ -275,14 +275,14 @@ def aim(view: View, offset: int, system: System, model: str) -> Shot | None:
     return Shot(model, Options(at=at, depth=depth, layout=Layout.NESTED), (*elements, f"n{label}", *shown))
 
 
-_RANKS = {NodeType.BASIC: 0, NodeType.OR: 1, NodeType.AND: 1, NodeType.CONDITION: 2}
+_RANKS = {StateType.BASIC: 0, StateType.OR: 1, StateType.AND: 1, StateType.CONDITION: 2}
 
 
 def _meant(view: View, offset: int, chart: Statechart) -> tuple[str, tuple[str, ...]]:
     """The label of the state that a place is about, and the ids of what stands for it, the best first."""
     part, inside = view.at(offset)
     found: list[tuple[int, int, int, str, str]] = []
-    for place, node in enumerate(chart.nodes):
+    for place, node in enumerate(chart.states):
         if _holds(node.span, part, inside):
             size = node.span.end - node.span.start
             found.append((size, _RANKS.get(node.type, 4), place, node.label, f"n{node.label}"))
@@ -299,20 +299,20 @@ def _meant(view: View, offset: int, chart: Statechart) -> tuple[str, tuple[str, 
     return chart.root.label, ()
 
 
-def _named(chart: Statechart, symbol: Symbol) -> list[Node]:
+def _named(chart: Statechart, symbol: Symbol) -> list[State]:
     """The states that a name is about."""
     match symbol.kind:
         case Kind.ACTIVITY:
-            return [node for node in chart.nodes if node.activity == symbol.name]
+            return [node for node in chart.states if node.activity == symbol.name]
         case Kind.FORMULA:
             owner = symbol.owner.rpartition(".")[2]
             return [
                 node
-                for node in chart.nodes
+                for node in chart.states
                 if node.origin.name == symbol.name and node.origin.owner.rpartition(".")[2] == owner
             ]
         case Kind.STATE:
-            return [node for node in chart.nodes if node.label == symbol.name]
+            return [node for node in chart.states if node.label == symbol.name]
     return []
 
 
@@ -322,7 +322,7 @@ def framed(chart: Statechart, label: str) -> tuple[str | None, int | None]:
     None is the whole statechart, and all levels. Where there are too many states side by side, they are shown
     all the same.
     """
-    if len(chart.nodes) <= READABLE:
+    if len(chart.states) <= READABLE:
         return None, None
     around = [node.label for node in reversed(list(chart.ancestors(label)))]
     if chart.children(label) or not around:
@@ -338,7 +338,7 @@ def framed(chart: Statechart, label: str) -> tuple[str | None, int | None]:
 def _levels(chart: Statechart, at: str) -> list[int]:
     """How many states there are at each level from `at` downwards."""
     levels: list[int] = []
-    states: Sequence[Node] = (chart.node(at),)
+    states: Sequence[State] = (chart.node(at),)
     while states:
         levels.append(len(states))
         states = [child for node in states for child in chart.children(node.label)]

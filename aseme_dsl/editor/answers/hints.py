@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from aseme_dsl.amola.liveness import names
-from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.editor.answers.hover import type_of
 from aseme_dsl.editor.files.index import Kind, Symbol, name_of
 from aseme_dsl.editor.files.view import View
@@ -57,8 +57,8 @@ def _labels(view: View) -> Mapping[Span, list[str]]:
     for charts in (known.iacs, known.eacs):
         seen = set(found)
         for chart in charts.values():
-            for node in chart.nodes if chart is not None else ():
-                if node.type in (NodeType.OR, NodeType.AND, NodeType.BASIC) and node.span not in seen:
+            for node in chart.states if chart is not None else ():
+                if node.type in (StateType.OR, StateType.AND, StateType.BASIC) and node.span not in seen:
                     found.setdefault(node.span, []).append(node.label)
     return found
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import names
-from aseme_dsl.amola.messages import Comm
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.messages import ChannelKind
+from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.compiler.read.builtins import FORMS
 from aseme_dsl.diagnostics import CODES
 from aseme_dsl.editor.answers.constructs import meanings
@@ -28,9 +28,9 @@ _MOST = 8
 _CODE = re.compile(r"\b[EWN]\d{3}\b")
 
 _COMMS = {
-    Comm.SIGNAL: "a signal: it is consumed by whoever reads it",
-    Comm.STATE: "a state: the latest value counts",
-    Comm.DATA: "data: values with the time of their measurement, and a history",
+    ChannelKind.SIGNAL: "a signal: it is consumed by whoever reads it",
+    ChannelKind.STATE: "a state: the latest value counts",
+    ChannelKind.DATA: "data: values with the time of their measurement, and a history",
 }
 
 _TYPES = {
@@ -189,7 +189,7 @@ def _text(program: Program, span: Span) -> str:
 
 def _comm(program: Program, symbol: Symbol) -> Iterator[str]:
     if symbol.name in _COMMS:  # while it is being typed, it may be anything
-        yield f"`{symbol.name}`: {_COMMS[Comm(symbol.name)]}"
+        yield f"`{symbol.name}`: {_COMMS[ChannelKind(symbol.name)]}"
 
 
 def _message(program: Program, symbol: Symbol) -> Iterator[str]:
@@ -277,7 +277,7 @@ def _where(program: Program, span: Span) -> str:
 
 def _first(node: tree.Publish | tree.Assign) -> int:
     path = node.path if isinstance(node, tree.Publish) else node.target
-    classes = [index for index, name in enumerate(path.segments) if name.text in tuple(Comm)]
+    classes = [index for index, name in enumerate(path.segments) if name.text in tuple(ChannelKind)]
     return path.segments[classes[0] - 1].span.start if classes else -1
 
 
@@ -517,14 +517,14 @@ def _labels(program: Program, found: Occurrence) -> list[tuple[str, str]]:
     return [(chart, state.label) for chart, state in states_at(program, spans)]
 
 
-def states_at(program: Program, spans: Collection[Span]) -> Iterator[tuple[str, Node]]:
+def states_at(program: Program, spans: Collection[Span]) -> Iterator[tuple[str, State]]:
     """The states that stand for what a formula has at any of these places, with the names of their charts."""
     known = program.inspection
     for charts in (known.iacs, known.eacs):
         for chart in charts.values():
-            for state in chart.nodes if chart is not None else ():
+            for state in chart.states if chart is not None else ():
                 if state.type in _NAMED and state.span in spans:
                     yield chart.name if chart is not None else "", state
 
 
-_NAMED = (NodeType.OR, NodeType.AND, NodeType.BASIC)
+_NAMED = (StateType.OR, StateType.AND, StateType.BASIC)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from aseme_dsl.amola.messages import BOOL, Comm, Type
+from aseme_dsl.amola.messages import BOOL, ChannelKind, Type
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.types.scopes import protocol_scopes, role_scope
 from aseme_dsl.compiler.types.typecheck import type_value
@@ -31,7 +31,7 @@ from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
 _PATH = re.compile(r"[A-Za-z_]\w*(?:\s*\.\s*[A-Za-z_]\w*)*")
-_COMMS = tuple(comm.value for comm in Comm)
+_COMMS = tuple(comm.value for comm in ChannelKind)
 
 Declaration = tuple[str, tuple[Edit, ...]]
 """A title, and the edits that declare what is missing."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields
 from difflib import SequenceMatcher
 
 from aseme_dsl.amola.expression import action_text, events_text, value_text
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
+from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.compiler import Analysis, analyse
 from aseme_dsl.compiler.chart.aip_to_eac import PROCESS
 from aseme_dsl.compiler.formula import formulas as formula_tables
@@ -240,21 +240,21 @@ def _said(item: Diagnostic) -> str:
 
 def _exact(chart: Statechart) -> object:
     """All but what things are called, where they come from and where they are written."""
-    states = [_plain(node) for node in chart.nodes]
+    states = [_plain(node) for node in chart.states]
     ways = [(_plain(item), _meaning(item)) for item in chart.transitions]
     variables = [(item.name, item.type, item.scope) for item in chart.variables]
     return sorted(states, key=str), sorted(ways, key=str), variables, chart.regions
 
 
-def _plain(part: Node | Transition) -> tuple[object, ...]:
+def _plain(part: State | Transition) -> tuple[object, ...]:
     aside = ("name", "origin", "span", "expression")
     return tuple(getattr(part, item.name) for item in fields(part) if item.name not in aside)
 
 
 def _up_to_nesting(chart: Statechart) -> object:
-    activities = Counter(node.activity for node in chart.nodes if node.type is NodeType.BASIC)
+    activities = Counter(node.activity for node in chart.states if node.type is StateType.BASIC)
     texts = Counter(_meaning(item) for item in chart.transitions)
-    texts.pop(TransitionKind.WAY.value, None)
+    texts.pop(TransitionKind.EXTERNAL.value, None)
     return activities, texts
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from aseme_dsl.amola.expression import Member, duration_text
-from aseme_dsl.amola.messages import BOOL, ChannelRules, Comm, EnumType, Function, Kind, Message, Type
+from aseme_dsl.amola.messages import BOOL, ChannelKind, ChannelRules, EnumType, Function, Kind, Message, Type
 from aseme_dsl.compiler.names.paths import unnamed
 from aseme_dsl.compiler.names.scope import Scope, TypedLet
 from aseme_dsl.compiler.read.builtins import ACTIONS, FORMS
@@ -30,7 +30,9 @@ def values(scope: Scope, known: Known, slot: Slot, text: str, wanted: Type | Non
     call = slot.calls[-1] if slot.calls else None
     if call is not None and call.argument == 0 and call.function in _ABOUT_MESSAGES:
         only_data = call.function in ("at", "mean")
-        yield from _channels(scope, known, lambda rules: rules.channel.comm is Comm.DATA or not only_data)
+        yield from _channels(
+            scope, known, lambda rules: rules.channel.comm is ChannelKind.DATA or not only_data
+        )
     elif wanted is not None and wanted.kind is Kind.MESSAGE:
         yield from _channels(scope, known, lambda rules: rules.channel.message == wanted.name)
     for name, (_, kind) in scope.variables.items():
@@ -178,7 +180,7 @@ def members(scope: Scope, known: Known, path: Sequence[str], comms: Sequence[str
             yield from constants(enum, known)
         return
     topic = symbols.topic(first)
-    if topic is None or (rest and symbols.topic(rest[0]) is not None and rest[0] not in tuple(Comm)):
+    if topic is None or (rest and symbols.topic(rest[0]) is not None and rest[0] not in tuple(ChannelKind)):
         if first in symbols.agents and not rest:
             yield from topics(scope, known, rank=2)
             return

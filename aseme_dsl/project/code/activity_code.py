@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl import outside
 from aseme_dsl.amola.expression import Raised
-from aseme_dsl.amola.messages import Channel, Comm, Topic
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.messages import Channel, ChannelKind, Topic
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.amola.system import System, agent_names
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.diagnostics import CODES, Diagnostic, Related, Severity, Suppressed, closest
@@ -423,8 +423,8 @@ def _names_in(chart: Statechart) -> tuple[_Names, _Names, dict[str, Span], Span]
     events: dict[str, Span] = {}
     own = frozenset(item.name.partition("@")[0] for item in chart.variables)
     scoped = [(item.name.partition("@")[0], f"{item.scope}.") for item in chart.variables if item.scope]
-    for node in chart.nodes:
-        if node.type is NodeType.BASIC and node.activity is not None:
+    for node in chart.states:
+        if node.type is StateType.BASIC and node.activity is not None:
             variables[node.activity] = own
             inside = frozenset(name for name, scope in scoped if node.label.startswith(scope))
             of_participants[node.activity] = of_participants.get(node.activity, frozenset()) | inside
@@ -718,7 +718,7 @@ def _unknown(call: _Call, activity: Activity | None, world: _World) -> Iterator[
         if near is not None or world.alone:
             yield Diagnostic(NoAgentInCode(call.host[0], near), call.host[1])
         return
-    if call.method in HISTORIES and world.channels[call.name].comm is not Comm.DATA:
+    if call.method in HISTORIES and world.channels[call.name].comm is not ChannelKind.DATA:
         yield Diagnostic(NoHistoryInCode(call.name, str(world.channels[call.name].comm)), call.span)
 
 

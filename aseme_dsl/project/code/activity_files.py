@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, TypeGuard
 from aseme_dsl import outside
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import names as names_in
-from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.diagnostics import Diagnostic, Problem, Related, closest
 from aseme_dsl.diagnostics.problems.python.code import (
     CodeNamedOtherwise,
@@ -81,7 +81,7 @@ def wanted_files(system: System, folder: Path) -> tuple[Wanted, ...]:
     participants = {part.name: (aip, part) for aip in system.aips for part in aip.participants}
     modules: dict[str, Activity] = {}
     for chart in system.iacs:
-        names = {node.activity for node in chart.nodes if node.type is NodeType.BASIC and node.activity}
+        names = {node.activity for node in chart.states if node.type is StateType.BASIC and node.activity}
         for module in chart.modules:
             if not module.target:
                 modules.setdefault(module.name, module.statement)

@@ -12,7 +12,7 @@ from typing import Literal
 
 from aseme_dsl.amola.aip import AgentMessage, Participant
 from aseme_dsl.amola.expression import Received, Send
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD, PERFORMATIVES
 from aseme_dsl.compiler.read.library import is_of_library
@@ -139,8 +139,8 @@ def parts_of(system: System, memory: Memory) -> Parts:
 def _placed_in(chart: Statechart) -> tuple[tuple[str, tuple[str, str]], ...]:
     """Which activities of a role stand in the branch of which protocol's participant."""
     found: list[tuple[str, tuple[str, str]]] = []
-    for node in chart.nodes:
-        if node.type is not NodeType.BASIC or node.activity is None:
+    for node in chart.states:
+        if node.type is not StateType.BASIC or node.activity is None:
             continue
         branch = chart.branch_of(node.label)
         origin = None if branch is None else chart.node(branch).origin
@@ -205,7 +205,7 @@ def _never(part: Participant, chart: Statechart, said: list[Talk], wrong: list[T
 
 def _by_lines(chart: Statechart, part: Participant) -> tuple[set[tuple[str, str]], set[tuple[str, str]]]:
     """What the lines of a participant send and take."""
-    around = next((node for node in chart.children(chart.root.label) if node.type is NodeType.AND), None)
+    around = next((node for node in chart.children(chart.root.label) if node.type is StateType.AND), None)
     children = () if around is None else chart.children(around.label)
     region = next((node.label for node in children if node.name == part.name), chart.root.label)
     sent: set[tuple[str, str]] = set()

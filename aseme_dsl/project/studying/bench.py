@@ -247,7 +247,7 @@ def _measured(
             instances |= {"plain": plain, "Machine.send": queued, "Machine.post": queued}
     return Measured(
         chart.name,
-        len(chart.nodes),
+        len(chart.states),
         len(kind.REGIONS),
         len(chart.transitions),
         len(courses),

@@ -107,7 +107,7 @@ class _Drawing:
         written = {name for item in kind.PLAN.activities for name in item.variables}
         self.variables = [item for item in chart.variables if item.name in written]
         self.ends = {item.name: item.ends for item in kind.PLAN.activities}
-        self.activity = {node.label: node.activity for node in chart.nodes}
+        self.activity = {node.label: node.activity for node in chart.states}
         self.constants: dict[Kind, list[Any]] = {}
         for _, value in chart.values():
             if isinstance(value, Literal):

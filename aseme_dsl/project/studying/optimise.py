@@ -117,5 +117,5 @@ def activities_of(system: System) -> tuple[str, ...]:
     """What the agents of the team do, in the order of the charts."""
     roles = {agent.role for team in system.teams for agent in team.agents}
     charts = [chart for chart in system.iacs if chart.name in roles]
-    names = (node.activity for chart in charts for node in chart.nodes if node.activity is not None)
+    names = (node.activity for chart in charts for node in chart.states if node.activity is not None)
     return tuple(dict.fromkeys(names))

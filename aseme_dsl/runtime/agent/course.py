@@ -17,7 +17,7 @@ def changed_states(plan: Plan, is_first: bool, inputs: Iterable[Input], outcome:
             yield item.label
     for numbers in outcome.taken:
         last = plan.transitions[numbers[-1]]
-        if last.kind == "way":
+        if last.kind == "external":
             yield last.target
 
 

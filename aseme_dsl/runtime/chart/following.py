@@ -43,7 +43,7 @@ class Shape:
         return found
 
     def _way(self, parts: Sequence[Transition]) -> tuple[str, str, tuple[str, ...]]:
-        if parts[0].kind != "way":
+        if parts[0].kind != "external":
             return "", "", ()
         target = parts[-1].target
         scope = min((self._scope(part.source, part.target) for part in parts), key=len)

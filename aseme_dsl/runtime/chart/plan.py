@@ -68,8 +68,8 @@ class Transition:
     actions: tuple[Term, ...] = ()
     first: bool = False
     """Whether it cuts its source short: it is tried before anything inside."""
-    kind: str = "way"
-    """`on` and `exit` lead nowhere: they are done while the source is active, or when it is left."""
+    kind: str = "external"
+    """`on` and `exit` do not change the state: they are done while it is active, or when it is exited."""
     resume: bool = False
     """Whether the target goes on where it was last left before it was complete."""
     text: str = ""

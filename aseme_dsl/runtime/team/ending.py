@@ -238,7 +238,7 @@ def _is_timed(plan: Plan, state: State, *, complete: bool) -> bool:
 
 
 def _ways(plan: Plan, label: str) -> Iterable[Transition]:
-    return (way for _, way in plan.outgoing(label) if way.kind == "way")
+    return (way for _, way in plan.outgoing(label) if way.kind == "external")
 
 
 def _compound(plan: Plan, first: Transition) -> Iterator[Transition]:

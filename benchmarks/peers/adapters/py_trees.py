@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from py_trees.behaviour import Behaviour as Node
+from py_trees.behaviour import Behaviour as State
 from py_trees.common import ParallelPolicy, Status
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Repeat
@@ -19,7 +19,7 @@ from benchmarks.peers.adapters.python_code import Blackboard, Send, guard_functi
 DISTRIBUTION = "py_trees"
 
 
-class Activity(Node):
+class Activity(State):
     """Runs until a condition holds; its entries and exits are counted."""
 
     def __init__(self, name: str, bb: Blackboard, is_done: Callable[[], bool]) -> None:
@@ -44,7 +44,7 @@ class Activity(Node):
             self.bb[self.left] += 1
 
 
-class Condition(Node):
+class Condition(State):
     """Succeeds or fails at once."""
 
     def __init__(self, name: str, holds: Callable[[], bool]) -> None:
@@ -73,7 +73,7 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
     return start
 
 
-def idle(behaviour: Behaviour, bb: Blackboard) -> Node:
+def idle(behaviour: Behaviour, bb: Blackboard) -> State:
     """Twenty conditions, else waiting."""
     waiting, woken = behaviour.root.children
     conditions = [
@@ -90,28 +90,28 @@ def idle(behaviour: Behaviour, bb: Blackboard) -> Node:
     return Selector("idle", memory=False, children=[leave, Activity(waiting.name, bb, lambda: False)])
 
 
-def player(bb: Blackboard) -> Node:
+def player(bb: Blackboard) -> State:
     """The player as somebody writes it who thinks in trees."""
 
     def guard(**flags: bool) -> Guard:
         return tuple(flags.items())
 
-    def activity(name: str, **flags: bool) -> Node:
+    def activity(name: str, **flags: bool) -> State:
         return Activity(name, bb, guard_function("", guard(**flags), bb))
 
-    def condition(**flags: bool) -> Node:
+    def condition(**flags: bool) -> State:
         return Condition(" ".join(flags), guard_function("", guard(**flags), bb))
 
-    def all_of(name: str, *children: Node) -> Node:
+    def all_of(name: str, *children: State) -> State:
         return Parallel(name, ParallelPolicy.SuccessOnAll(), list(children))
 
-    def sequence(name: str, *children: Node) -> Node:
+    def sequence(name: str, *children: State) -> State:
         return Sequence(name, memory=True, children=list(children))
 
-    def choice(name: str, *children: Node) -> Node:
+    def choice(name: str, *children: State) -> State:
         return Selector(name, memory=True, children=list(children))
 
-    def forever(child: Node) -> Node:
+    def forever(child: State) -> State:
         return Repeat(f"{child.name} forever", child, -1)
 
     center = sequence(

@@ -32,14 +32,14 @@ def test_every_chart(name: str, snapshot: Snapshot) -> None:
 
 def test_test_behavior_is_the_chart_of_the_second_paper() -> None:
     (chart,) = charts("testbehavior")
-    assert (len(chart.nodes), len(chart.transitions), chart.levels) == (14, 13, 4)
-    assert Counter(node.type for node in chart.nodes) == dict(OR=3, BASIC=3, CONDITION=2, START=3, END=3)
+    assert (len(chart.states), len(chart.transitions), chart.levels) == (14, 13, 4)
+    assert Counter(node.type for node in chart.states) == dict(OR=3, BASIC=3, CONDITION=2, START=3, END=3)
 
 
 def test_the_player_is_the_chart_of_figure_4() -> None:
     chart = next(chart for chart in charts("kouretes") if chart.name == "player")
-    assert (len(chart.nodes), len(chart.transitions), chart.levels) == (124, 92, 19)
-    assert Counter(node.type for node in chart.nodes) == dict(
+    assert (len(chart.states), len(chart.transitions), chart.levels) == (124, 92, 19)
+    assert Counter(node.type for node in chart.states) == dict(
         OR=35, AND=3, BASIC=20, CONDITION=5, START=35, END=26
     )
 
@@ -55,7 +55,7 @@ def test_names_on_request_as_the_original_tools_spell_them() -> None:
     assert original.transitions[1].name == (
         "_open_group_Play_or_NoPlay_close_group_TO_open_group_Play_or_NoPlay_close_group_"
     )
-    assert [node.label for node in original.nodes] == [node.label for node in chart.nodes]
+    assert [node.label for node in original.states] == [node.label for node in chart.states]
     player = labels_as_original(next(chart for chart in charts("kouretes") if chart.name == "player"))
     assert player.node("0.2.1.2").name == "Sensors_forever_"
     assert player.node("0.2.5.2").name == "_open_group_initialize_sequence_activate_close_group_"
@@ -80,4 +80,4 @@ ORIGINALS = {
 @pytest.mark.parametrize("formulas", ORIGINALS)
 def test_charts_that_the_original_tools_built_have_their_sizes(formulas: str) -> None:
     chart = role_chart(formulas)
-    assert (len(chart.nodes), len(chart.transitions)) == ORIGINALS[formulas]
+    assert (len(chart.states), len(chart.transitions)) == ORIGINALS[formulas]

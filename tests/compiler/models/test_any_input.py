@@ -50,7 +50,7 @@ def test_ten_thousand_lines() -> None:
     text = large_file(10_000)
     found = system(text)
     assert len(text.splitlines()) >= 10_000
-    assert sum(len(chart.nodes) for chart in found.statecharts) > 10_000
+    assert sum(len(chart.states) for chart in found.statecharts) > 10_000
 
 
 def test_a_thousand_branches_with_a_thousand_lines() -> None:

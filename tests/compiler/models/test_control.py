@@ -12,7 +12,7 @@ from tests.support.compiling import analysis, codes, role_chart
 def said(chart: Statechart) -> list[str]:
     """The transitions with an expression, in the order in which those of a source are tried."""
     found = []
-    for node in chart.nodes:
+    for node in chart.states:
         for item in chart.outgoing(node.label):
             if item.expression.span is not None:
                 found.append(f"{item.source}->{item.target} {expression_text(item.expression)}".rstrip())

@@ -70,9 +70,9 @@ def test_a_role_has_what_it_includes_as_if_written_there(text: str) -> None:
 def test_places_stay_where_they_are_written() -> None:
     text = WORLD + f"abstract srm moving {{ {SHARED} }}\nsrm robot {{ includes moving {OWN} }}"
     chart = system(text).iacs[0]
-    turn = next(node for node in chart.nodes if node.activity == "Turn")
+    turn = next(node for node in chart.states if node.activity == "Turn")
     assert turn.span is not None and turn.span.start < text.index("srm robot")
-    assert {node.origin.owner for node in chart.nodes} == {"robot"}
+    assert {node.origin.owner for node in chart.states} == {"robot"}
 
 
 def test_the_model_says_what_a_role_includes() -> None:
@@ -85,7 +85,7 @@ def test_the_model_says_what_a_role_includes() -> None:
 def test_a_role_without_a_formula_does_what_it_includes() -> None:
     text = "system S srm a { liveness { a = Walk }  activities { Walk takes 1s } } srm b { includes a }"
     charts = {chart.name: chart for chart in system(text).iacs}
-    assert [node.name for node in charts["b"].nodes] == [node.name for node in charts["a"].nodes]
+    assert [node.name for node in charts["b"].states] == [node.name for node in charts["a"].states]
 
 
 def test_a_role_changes_while_it_runs() -> None:
@@ -105,7 +105,7 @@ srm robot {
 team T { one : robot }
 """
     found = system(text)
-    assert {node.activity for node in found.iacs[-1].nodes} == {None, "Play", "Guard"}
+    assert {node.activity for node in found.iacs[-1].states} == {None, "Play", "Guard"}
     assert "N728" not in codes(text, notes=True), "player and goalie are part of robot"
 
 

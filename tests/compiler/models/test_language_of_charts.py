@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.operators import Operator
-from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.compiler.chart.flow import check_flow, check_reach
 from tests.compiler.models.test_protocols import branch, branch_labels
 from tests.support import derivatives, walking
@@ -82,26 +82,26 @@ def test_a_chart_has_as_many_states_as_the_templates_say(
     role = system(f"system T srm R {{ liveness {{ {text} }} }}", largest=100_000)
     chart = role.iacs[0]
     named = {item.name: item.formula for item in role.srms[0].formulas}
-    assert len(chart.nodes) == states(named["R"], named, whole=True)
+    assert len(chart.states) == states(named["R"], named, whole=True)
 
 
 @given(formulas(4))
 @settings(max_examples=50)
 def test_a_chart_keeps_the_rules_of_the_papers_tools(formula: tuple[str, bool]) -> None:
     chart = role_chart(f"R = {formula[0]}", largest=100_000)
-    assert [node.label for node in chart.nodes if node.parent is None] == ["0"]
-    assert len(chart.by_label) == len(chart.nodes)
-    for node in chart.nodes:
+    assert [node.label for node in chart.states if node.parent is None] == ["0"]
+    assert len(chart.by_label) == len(chart.states)
+    for node in chart.states:
         kinds = [child.type for child in chart.children(node.label)]
-        if node.type is NodeType.OR:
-            assert kinds.count(NodeType.START) == 1 and kinds.count(NodeType.END) <= 1
-        elif node.type is NodeType.AND:
-            assert len(kinds) >= 2 and set(kinds) == {NodeType.OR}
+        if node.type is StateType.OR:
+            assert kinds.count(StateType.START) == 1 and kinds.count(StateType.END) <= 1
+        elif node.type is StateType.AND:
+            assert len(kinds) >= 2 and set(kinds) == {StateType.OR}
         else:
             assert not kinds
     for item in chart.transitions:
-        assert chart.node(item.source).type is not NodeType.END
-        assert chart.node(item.target).type is not NodeType.START
+        assert chart.node(item.source).type is not StateType.END
+        assert chart.node(item.target).type is not StateType.START
         assert chart.node(item.source).parent == chart.node(item.target).parent
     assert list(check_reach(chart)) == []
     assert [item.code for item in check_flow(chart) if item.code != "W402"] == []

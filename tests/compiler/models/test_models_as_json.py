@@ -123,8 +123,8 @@ def test_every_kind_of_thing() -> None:
     activity = models["srm.one.json"]["activities"][0]
     assert (activity["every"], activity["takes"], activity["kind"]) == ("33ms", "5ms", "process")
     assert activity["writes"] == ["vision.state.Ball", "count"]
-    assert models["iac.two.json"]["nodes"][2]["name"] == "Blink"
-    assert models["iac.two.json"]["nodes"][2]["activity"] == "LedOn"
+    assert models["iac.two.json"]["states"][2]["name"] == "Blink"
+    assert models["iac.two.json"]["states"][2]["activity"] == "LedOn"
     assert models["aip.meeting.json"]["clauses"][0]["text"] == (
         "every Talk@host leads to (Listen@host or Listen@guest) within 10s"
     )
@@ -141,9 +141,9 @@ def test_places_are_as_given_and_never_absolute(tmp_path: Path) -> None:
     assert found is not None
     models = models_json(found)
     check(models)
-    assert models["iac.one.json"]["nodes"][0]["span"] == {
+    assert models["iac.one.json"]["states"][0]["span"] == {
         "file": "main.aseme",
         **{"line": 3, "column": 5, "end_line": 3, "end_column": 8},
     }
-    assert models["iac.other.json"]["nodes"][0]["span"]["file"] == "../shared/roles.aseme"
+    assert models["iac.other.json"]["states"][0]["span"]["file"] == "../shared/roles.aseme"
     assert str(tmp_path) not in "".join(map(json_text, models.values()))

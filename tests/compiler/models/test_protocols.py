@@ -65,7 +65,7 @@ def branch(chart: Statechart, label: str) -> list[object]:
             node.activity,
             node.origin,
         )
-        for node in chart.nodes
+        for node in chart.states
         if node.label == label or node.label.startswith(label + ".")
     ]
     transitions = [
@@ -92,7 +92,7 @@ def branch(chart: Statechart, label: str) -> list[object]:
 def branch_labels(chart: Statechart) -> list[str]:
     """Where branches of protocols begin: states of a participant in a state that is not."""
     found = []
-    for node in chart.nodes:
+    for node in chart.states:
         outer = chart.by_label[node.parent].origin if node.parent is not None else None
         if node.origin.kind == "protocol" and node.origin.name and node.origin != outer:
             found.append(node.label)
@@ -101,7 +101,7 @@ def branch_labels(chart: Statechart) -> list[str]:
 
 def test_the_chart_of_a_protocol_has_a_region_for_each_participant() -> None:
     chart = system((ACCEPTANCE / "kouretes.aseme").read_text("utf-8")).eacs[0]
-    assert (chart.name, chart.kind, len(chart.nodes), len(chart.transitions)) == ("attack", "EAC", 36, 27)
+    assert (chart.name, chart.kind, len(chart.states), len(chart.transitions)) == ("attack", "EAC", 36, 27)
     assert chart.root.name == "attack"
     assert inside(chart, "0") == ["0.1 START", "0.2 AND attack", "0.3 END"]
     assert inside(chart, "0.2") == ["0.2.1 OR center", "0.2.2 OR center_for"]
@@ -196,7 +196,7 @@ srm player {
     found = system(text)
     chart = found.iacs[0]
     assert [
-        node.name for node in chart.nodes if node.label.startswith("0.3.") and node.name != node.label
+        node.name for node in chart.states if node.label.startswith("0.3.") and node.name != node.label
     ] == [
         "Crawl",
         "[Pass . Crawl]",
@@ -204,7 +204,7 @@ srm player {
         "Pass",
         "Crawl",
     ]
-    assert [node.activity for node in chart.nodes if node.activity] == [
+    assert [node.activity for node in chart.states if node.activity] == [
         *("Walk", "Crawl", "Pass", "Crawl"),
         *("Walk", "Pass", "Walk"),
     ]

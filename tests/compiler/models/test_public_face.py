@@ -19,7 +19,7 @@ def test_a_path_or_a_text_gives_the_system(tmp_path: Path) -> None:
         system = aseme_dsl.compile(root)
         assert isinstance(system, aseme_dsl.System)
         chart = system.iac("walker")
-        assert chart is not None and len(chart.nodes) == 4
+        assert chart is not None and len(chart.states) == 4
 
 
 def test_texts_of_an_editor_go_before_the_files(tmp_path: Path) -> None:

@@ -127,7 +127,7 @@ suc {
     complete = analysis(decided(text + "\n".join(skeletons)))
     assert complete.system is not None
     assert {item.code for item in complete.diagnostics} <= {"N704", "N706"}  # nobody plays `center`
-    used = {node.name for chart in complete.system.statecharts for node in chart.nodes}
+    used = {node.name for chart in complete.system.statecharts for node in chart.states}
     assert {"Kick", "Block", "Run", "Pull", "Push", "Rest", "Guard", "train", "lift"} <= used
 
 

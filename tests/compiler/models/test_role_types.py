@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.amola.statechart import StateType
 from tests.support.compiling import analysis, codes, system
 
 _CASES = """
@@ -58,7 +58,7 @@ srm two {{ plays attack.center_for liveness {{ two = center_for }} }}
 
 def _regions(many: str) -> list[str]:
     chart = system(_ATTACK.format(many=many)).eacs[0]
-    (parallel,) = [node for node in chart.nodes if node.type is NodeType.AND]
+    (parallel,) = [node for node in chart.states if node.type is StateType.AND]
     return [node.name for node in chart.children(parallel.label)]
 
 

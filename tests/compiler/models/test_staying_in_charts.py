@@ -41,7 +41,7 @@ def staying(chart: Statechart) -> list[tuple[str, str, str, str]]:
     return [
         (item.name, item.kind.value, item.source, item.target)
         for item in chart.transitions
-        if not item.is_way
+        if not item.changes_state
     ]
 
 
@@ -57,7 +57,7 @@ def test_a_line_may_stand_anywhere_in_the_block() -> None:
 
 def test_on_takes_its_turn_in_the_order_of_the_lines() -> None:
     chart = lamp("on 0.2 : when [n > 3] / n = 1  0.2 -> 0.4 : when [n > 4]")
-    assert [item.kind.value for item in chart.outgoing("0.2")] == ["way", "on", "way"]
+    assert [item.kind.value for item in chart.outgoing("0.2")] == ["external", "on", "external"]
 
 
 @pytest.mark.parametrize(
@@ -94,5 +94,5 @@ def test_a_state_may_be_called_on_or_exit() -> None:
       0.1 -> 0.2 :  0.2 -> 0.3 : [on == 0]
     }"""
     chart = system(text).iacs[0]
-    assert [node.name for node in chart.nodes] == ["on", "0.1", "exit", "0.3"]
+    assert [node.name for node in chart.states] == ["on", "0.1", "exit", "0.3"]
     assert staying(chart) == [("exitEXIT", "exit", "0.2", "0.2")]

@@ -130,7 +130,7 @@ def test_an_activity_in_parentheses_is_the_activity() -> None:
 
 def test_a_formula_is_expanded_each_time_it_stands() -> None:
     chart = role_chart("R = sub . sub || sub\nsub = X . Y")
-    assert [node.label for node in chart.nodes if node.name == "X"] == [
+    assert [node.label for node in chart.states if node.name == "X"] == [
         "0.2.1.2.2.2",
         "0.2.1.2.3.2",
         "0.2.2.2.2",
@@ -139,7 +139,7 @@ def test_a_formula_is_expanded_each_time_it_stands() -> None:
 
 def test_an_activity_may_stand_any_number_of_times() -> None:
     chart = role_chart("R = A . (A | kick | Kick) . A~")
-    assert [node.label for node in chart.nodes if node.activity == "A"] == ["0.2", "0.3.3", "0.4.2"]
+    assert [node.label for node in chart.states if node.activity == "A"] == ["0.2", "0.3.3", "0.4.2"]
     assert [node.activity for node in chart.children("0.3")][2:5] == ["A", "kick", "Kick"]
 
 
@@ -151,7 +151,7 @@ def test_transitions_are_named_after_their_ends() -> None:
 
 def test_more_than_nine_children_stay_in_order() -> None:
     chart = role_chart("R = " + " . ".join(f"A{n}" for n in range(12)))
-    assert [node.label for node in chart.nodes][-3:] == ["0.12", "0.13", "0.14"]
+    assert [node.label for node in chart.states][-3:] == ["0.12", "0.13", "0.14"]
 
 
 def test_states_and_transitions_say_where_they_come_from() -> None:
@@ -175,10 +175,10 @@ def test_states_and_transitions_say_where_they_come_from() -> None:
 )
 def test_depth_and_width_are_no_problem(formula: str, states: int, levels: int) -> None:
     chart = role_chart(f"R = {formula}")
-    assert (len(chart.nodes), chart.levels) == (states, levels)
+    assert (len(chart.states), chart.levels) == (states, levels)
 
 
 def test_a_chain_of_a_thousand_formulas() -> None:
     lines = [f"f{n} = A{n} . f{n + 1}" for n in range(999)]
     chart = role_chart("\n".join([*lines, "f999 = B . C"]))
-    assert len(chart.nodes) == 999 * 4 + 5
+    assert len(chart.states) == 999 * 4 + 5

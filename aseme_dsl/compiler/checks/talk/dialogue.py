@@ -9,7 +9,7 @@ from itertools import chain
 from aseme_dsl.amola.aip import Aip, Participant
 from aseme_dsl.amola.expression import Event, Received, Send
 from aseme_dsl.amola.srm import Activity, Srm
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
+from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition
 from aseme_dsl.amola.system import Team
 from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD
 from aseme_dsl.compiler.read.library import is_of_library
@@ -71,7 +71,7 @@ def _silent(
 ) -> frozenset[str]:
     """The activities of a protocol that are simulated in whatever role plays it: they send nothing."""
     plays = [dict(item.bindings) for srm in srms for item in srm.plays if item.protocol == aip.name] or [{}]
-    names = {node.activity for node in chart.nodes if node.activity is not None}
+    names = {node.activity for node in chart.states if node.activity is not None}
     return frozenset(
         name
         for name in names
@@ -91,7 +91,7 @@ def _waits(aip: Aip, chart: Statechart, silent: frozenset[str]) -> tuple[Diagnos
 
 def _regions(chart: Statechart, aip: Aip) -> dict[str, str]:
     """The region of each participant, by its name."""
-    around = next((node for node in chart.children(chart.root.label) if node.type is NodeType.AND), None)
+    around = next((node for node in chart.children(chart.root.label) if node.type is StateType.AND), None)
     names = {item.name for item in aip.participants}
     children = () if around is None else chart.children(around.label)
     return {node.name: node.label for node in children if node.name in names}
@@ -120,18 +120,18 @@ def _go_on(chart: Statechart, region: str, part: Participant, known: _Known, sil
                 by_lines.add((action.performative, action.message))
         if transition.source not in known.reached or not _may_be_taken(chart, transition, part.name, known):
             continue
-        if transition.is_way:
+        if transition.changes_state:
             _enter(chart, transition.target, known)
         for action in transition.expression.actions:
             if isinstance(action, Send):
                 to = action.participant or None
                 known.said.add(_Said(action.performative, action.message, part.name, to))
     acts = any(
-        node.type is NodeType.BASIC
+        node.type is StateType.BASIC
         and node.activity not in silent
         and node.label.startswith(f"{region}.")
         and node.label in known.reached
-        for node in chart.nodes
+        for node in chart.states
     )
     for item in part.sends if acts else ():
         if (item.performative, item.message) not in by_lines:
@@ -150,9 +150,9 @@ def _enter(chart: Statechart, label: str, known: _Known) -> None:
     while todo:
         node = chart.node(todo.pop())
         known.reached.add(node.label)
-        if node.type is NodeType.AND:
+        if node.type is StateType.AND:
             todo += [child.label for child in chart.children(node.label)]
-        elif node.type is NodeType.OR:
+        elif node.type is StateType.OR:
             start = chart.start_of(node.label)
             todo += [] if start is None else [start.label]
 
@@ -161,7 +161,9 @@ def _may_be_taken(chart: Statechart, transition: Transition, name: str, known: _
     expression = transition.expression
     if expression.events:
         return any(_may_happen(event, name, known) for event in expression.events)
-    return expression.when or not transition.is_way or _may_be_complete(chart, transition.source, known)
+    return (
+        expression.when or not transition.changes_state or _may_be_complete(chart, transition.source, known)
+    )
 
 
 def _may_happen(event: Event, name: str, known: _Known) -> bool:
@@ -177,10 +179,10 @@ def _may_happen(event: Event, name: str, known: _Known) -> bool:
 
 def _may_be_complete(chart: Statechart, label: str, known: _Known) -> bool:
     node = chart.node(label)
-    if node.type is NodeType.OR:
+    if node.type is StateType.OR:
         end = chart.end_of(label)
         return end is not None and end.label in known.reached
-    if node.type is NodeType.AND:
+    if node.type is StateType.AND:
         ends = [chart.end_of(child.label) for child in chart.children(label)]
         return all(end is not None and end.label in known.reached for end in ends)
     return True
@@ -188,16 +190,19 @@ def _may_be_complete(chart: Statechart, label: str, known: _Known) -> bool:
 
 def _stuck(
     chart: Statechart, regions: Mapping[str, str], known: _Known
-) -> Iterator[tuple[str, Node, Received]]:
+) -> Iterator[tuple[str, State, Received]]:
     """The states in which a participant stays for ever, each with a message for which it waits."""
     for name, region in regions.items():
-        for node in chart.nodes:
-            is_leaf = node.type in (NodeType.START, NodeType.CONDITION, NodeType.BASIC)
+        for node in chart.states:
+            is_leaf = node.type in (StateType.START, StateType.CONDITION, StateType.BASIC)
             if not is_leaf or node.label not in known.reached or not node.label.startswith(f"{region}."):
                 continue
-            own = chart.ways_from(node.label)
+            own = chart.outgoing_edges(node.label)
             around = [item.label for item in chart.ancestors(node.label) if item.label.startswith(region)]
-            ways = [*own, *(way for label in around for way in chart.ways_from(label) if _cuts_short(way))]
+            ways = [
+                *own,
+                *(way for label in around for way in chart.outgoing_edges(label) if _cuts_short(way)),
+            ]
             waits = [event for way in own for event in way.expression.events if isinstance(event, Received)]
             if waits and not any(_may_be_taken(chart, way, name, known) for way in ways):
                 yield name, node, waits[0]
@@ -208,7 +213,7 @@ def _cuts_short(way: Transition) -> bool:
     return bool(way.expression.events) or way.expression.when
 
 
-def _told(stuck: Sequence[tuple[str, Node, Received]]) -> Diagnostic:
+def _told(stuck: Sequence[tuple[str, State, Received]]) -> Diagnostic:
     """One message for the protocol: where each waits is one and the same problem."""
     name, _, event = stuck[0]
     others = [

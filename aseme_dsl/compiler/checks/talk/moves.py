@@ -34,7 +34,7 @@ def _messages(
     activities = tuple(
         dict.fromkeys(
             node.activity
-            for node in chart.nodes
+            for node in chart.states
             if node.activity is not None and chart.branch_of(node.label) == subchart.label
         )
     )
