@@ -550,6 +550,11 @@ class Conversations:
     ) -> None:
         """Tell of a message of an outsider that nobody can be given, and answer it."""
         self._told.meaningless(to, message, identity, reason)
+        conversation = self._conversations.get(
+            message.conversation or self._asked.get(message.in_reply_to, "")
+        )
+        if answered and conversation is not None and to in self._agents:
+            self._counting.meaningless(self._agents[to], conversation, identity[0], message.in_reply_to)
         if (
             answered
             and message.sender is not None
@@ -569,6 +574,7 @@ class Conversations:
         """An agent elsewhere is gone: tell it in each conversation here that counts on it."""
         with self._driver.holding(), self._lock:
             self.directory.disappeared(name)
+            self._management.disappeared(name)
             self._tell_gone(name, reason, elsewhere=True)
 
     def _tell_outside(self, sender: str, message: FipaMessage, to: Iterable[AgentIdentifier]) -> None:

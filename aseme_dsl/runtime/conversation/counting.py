@@ -36,6 +36,14 @@ class Counting:
         if place is not None and acl.participant in place.info.counts:
             self.settled(agent, place, acl.participant, acl.sender, acl.in_reply_to)
 
+    def meaningless(self, agent: Receiver, conversation: Conversation, sender: str, in_reply_to: str) -> None:
+        """What an external agent has said in a conversation means nothing: nothing will be taken of it."""
+        for participant, names in conversation.members.items():
+            if sender in names:
+                for (name, _), place in conversation.places.items():
+                    if name == agent.name and participant in place.info.counts:
+                        self.settled(agent, place, participant, sender, in_reply_to)
+
     def settled(
         self, agent: Receiver, place: Participation, participant: str, name: str, in_reply_to: str = ""
     ) -> None:

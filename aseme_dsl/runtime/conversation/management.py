@@ -191,12 +191,18 @@ class Management:
             raise _Refused("failure", "not-registered", "there is no such subscription")
         return "inform", {"result": []}
 
+    def disappeared(self, name: str) -> None:
+        """An agent cannot be reached any more: its subscriptions end.
+
+        They do not end with what it has registered itself, which is another matter.
+        """
+        for key in [key for key in self._subscriptions if key[0] == name]:
+            self._subscriptions.pop(key, None)
+
     def _changed(self, change: Change) -> None:
         """Tell those who have subscribed."""
-        for key, (pattern, to, message) in list(self._subscriptions.items()):
-            if change.what == "gone" and change.entry.name == key[0]:
-                self._subscriptions.pop(key, None)
-            elif change.concerns(pattern):
+        for pattern, to, message in list(self._subscriptions.values()):
+            if change.concerns(pattern):
                 told = {"what": change.what, "description": _described(change.entry)}
                 self._answer(to, message, "inform", {"changes": [told]})
 

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable
+from typing import Any
 
 import pytest
 
 from aseme_dsl.runtime import Context
-from tests.runtime.playing import Played, play
+from aseme_dsl.runtime.message.acl import FipaMessage
+from tests.runtime.outside import Outside
+from tests.runtime.playing import MS, Played, make, play
 from tests.support.generated import generate
 
 AUCTION = """
@@ -109,3 +113,48 @@ def test_an_agent_that_stays_silent_is_waited_for(late: int) -> None:
 
     run = play(generate(AUCTION.replace("ACTIVITIES", "")), {"Consider": Consider})
     assert collected(run) == [f"{late * 1000 + 100} start Choose"]
+
+
+STRANGE = {
+    "it does not understand": ("not-understood", "{}", {}),
+    "it shouts": ("shout", "no", {}),
+    "its bid is no bid": ("propose", '{"price": 3}', {}),
+    "it refuses what nobody asks": ("refuse", "{}", {}),
+    "it names the message alone": ("not-understood", "what?", {"conversation": "", "in_reply_to": "asked"}),
+}
+
+
+@pytest.mark.parametrize("case", STRANGE)
+def test_an_external_agent_whose_answer_means_nothing_is_not_waited_for(case: str) -> None:
+    act, content, more = STRANGE[case]
+    generated = generate(AUCTION.replace("ACTIVITIES", "activities { Consider takes 1s }"))
+    team, records = make(generated)
+    alice = Outside(team)
+    services = {"description": {"services": [{"type": "auction.bidder"}]}, "action": "register"}
+    team.conversations.receive_external("df", FipaMessage("request", alice.me, (), json.dumps(services)))
+
+    def answer() -> None:
+        asked = alice.heard[-1]
+        known: dict[str, Any] = {"conversation": asked.conversation, **more}
+        if known.get("in_reply_to"):
+            known["in_reply_to"] = asked.reply_with
+        team.conversations.receive_external("shop", FipaMessage(act, alice.me, (), content, **known))
+
+    team.driver.at(2000 * MS, answer)
+    result = team.run()
+    run = Played(team, result, records)
+    assert collected(run) == ["2000 start Choose"]
+    (told,) = run.of("unexpected", sender="alice@elsewhere")
+    assert told["agent"] == "shop"
+
+
+def test_an_external_agent_that_was_not_asked_answers_for_nobody() -> None:
+    generated = generate(AUCTION.replace("ACTIVITIES", "activities { Consider takes 1s }"))
+    team, records = make(generated, agents=[("shop", "desk"), ("r1", "robot"), ("r4", "rude")])
+    carol = Outside(team, "carol@elsewhere")
+    services = {"description": {"services": [{"type": "auction.bidder"}]}, "action": "register"}
+    team.conversations.receive_external("df", FipaMessage("request", carol.me, (), json.dumps(services)))
+    mallory = Outside(team, "mallory@elsewhere")
+    mallory.say(2000, "not-understood", {}, to="shop", conversation="auction-shop-1")
+    run = Played(team, team.run(), records)
+    assert collected(run) == ["61100 start Choose"]  # carol is waited for until the deadline

@@ -461,6 +461,39 @@ def test_an_outsider_subscribes_and_cancels(ask: Generated) -> None:
     assert (over.performative, answers[5]) == ("inform", {"result": []})
 
 
+@pytest.mark.parametrize("ends", ["lease", "deregister"])
+def test_a_subscription_outlives_what_its_owner_has_registered(ask: Generated, ends: str) -> None:
+    team, _ = make(ask, until=7 * SECOND)
+    alice, carol = Outside(team), Outside(team, "carol@elsewhere")
+    mine: dict[str, Any] = {"services": [{"type": "weather"}]}
+    tides = {"description": {"services": [{"type": "tides"}]}}
+    if ends == "lease":
+        mine["lease-time"] = 1
+    alice.say(0, "request", {"action": "register", "description": mine}, to="df")
+    alice.say(100, "subscribe", tides, to="df", conversation="c1")
+    if ends == "deregister":
+        alice.say(1000, "request", {"action": "deregister"}, to="df")
+    carol.say(3000, "request", {"action": "register", **tides}, to="df")
+    team.run()
+    told = [content["changes"] for _, content in alice.answers() if "changes" in content]
+    assert [(c["what"], c["description"]["name"]) for (c,) in told] == [("registered", "carol@elsewhere")]
+
+
+@pytest.mark.parametrize("registered", [True, False])
+def test_a_subscription_ends_when_its_owner_cannot_be_reached(ask: Generated, registered: bool) -> None:
+    """Whether it has registered something itself or not."""
+    team, _ = make(ask, until=7 * SECOND)
+    alice, carol = Outside(team), Outside(team, "carol@elsewhere")
+    tides = {"description": {"services": [{"type": "tides"}]}}
+    if registered:
+        alice.say(0, "request", {"action": "register", "description": {}}, to="df")
+    alice.say(100, "subscribe", tides, to="df", conversation="c1")
+    team.driver.at(1000 * MS, lambda: team.conversations.vanished("alice@elsewhere"))
+    carol.say(3000, "request", {"action": "register", **tides}, to="df")
+    team.run()
+    assert [content for _, content in alice.answers() if "changes" in content] == []
+
+
 def test_an_outsider_that_has_registered_to_play_a_participant_is_invited(ask: Generated) -> None:
     team, records = make(ask, quitting("tim", "tom"), until=7 * SECOND)
     alice = Outside(team)
