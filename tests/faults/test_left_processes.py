@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import os
+import pickle
 import subprocess
 import sys
 from pathlib import Path
@@ -12,9 +13,13 @@ from pathlib import Path
 import psutil
 import pytest
 
+from aseme_dsl.runtime.activity.snapshot import Snapshot
+from aseme_dsl.runtime.chart.board import Board
+from aseme_dsl.runtime.chart.plan import ActivityInfo
 from aseme_dsl.runtime.workers.descendants import ending_descendants
+from aseme_dsl.runtime.workers.processes import get, put
 from tests.cli.support import Done, asemec, command
-from tests.support.waiting import long_enough, wait_until
+from tests.support.waiting import LONG, long_enough, wait_until
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="processes are adopted on Linux only")
 
@@ -159,6 +164,45 @@ def test_what_a_daemon_does_does_not_help_against_a_kill(project: Path, ways: tu
         for number in started:
             with contextlib.suppress(psutil.NoSuchProcess):
                 psutil.Process(number).kill()
+
+
+LEAVING = """
+import subprocess
+class Leave:
+    def execute(self, context):
+        subprocess.Popen(["sleep", "604"], stdout=-3, stderr=-3, start_new_session=True)
+"""
+
+
+@pytest.mark.parametrize("says", [False, True], ids=["killed", "closed"])
+def test_a_worker_kills_what_is_left_when_its_input_ends_without_a_word(tmp_path: Path, says: bool) -> None:
+    """The pipes of a killed process end before its children have another parent."""
+    (tmp_path / "leave.py").write_text(LEAVING)
+    info = ActivityInfo("Leave", "process")
+    snapshot = Snapshot("one", "Leave", "0.2", 0, "", info, Board(), {}, None, (), {})
+    worker = subprocess.Popen(
+        [sys.executable, "-m", "aseme_dsl.runtime.workers.worker", "0", ""],
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+    )  # fmt: skip
+    assert worker.stdin is not None and worker.stdout is not None
+    try:
+        put(worker.stdin, ("run", "leave", str(tmp_path / "leave.py"), "Leave", "", snapshot))
+        while (answer := pickle.loads(get(worker.stdout) or b""))[0] != "end":
+            pass
+        assert answer[1] is None, answer
+        (left,) = psutil.Process(worker.pid).children()
+        if says:
+            put(worker.stdin, ("close",))
+        worker.stdin.close()
+        worker.wait(LONG)
+        assert _lives(left.pid) == says
+        if says:
+            left.kill()
+    finally:
+        worker.kill()
+        worker.wait()
+        worker.stdin.close()
+        worker.stdout.close()
 
 
 def _lives(number: int) -> bool:

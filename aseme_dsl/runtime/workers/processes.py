@@ -197,9 +197,11 @@ class _Process:
 
     def _end(self) -> None:
         """End the worker, by force if it does not by itself."""
-        child, self.child = self.child, None
-        if child is None:
+        if self.child is None:
             return
+        with contextlib.suppress(OSError):  # it has ended
+            self._put(("close",))
+        child, self.child = self.child, None
         for pipe in (child.stdin, child.stdout):
             if pipe is not None:
                 with contextlib.suppress(OSError):  # what was not sent yet cannot be sent any more

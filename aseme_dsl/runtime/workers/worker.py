@@ -32,6 +32,8 @@ class _Worker:
         self.requests = requests
         self.answers = answers
         self.parent = os.getppid()
+        self.closed = False
+        """Whether the other end has said that nothing more comes. It says nothing if it is killed."""
         self.jobs: SimpleQueue[bytes | None] = SimpleQueue()
         self.cancelled = threading.Event()
         self.kept: dict[str, Any] = {}
@@ -42,6 +44,8 @@ class _Worker:
         while (data := get(self.requests)) is not None:
             if data == _CANCEL:
                 self.cancelled.set()
+            elif data == _CLOSE:
+                self.closed = True
             else:
                 self.cancelled.clear()
                 self.jobs.put(data)
@@ -52,8 +56,11 @@ class _Worker:
         os._exit(1)
 
     def end_descendants(self) -> None:
-        """Kill what activities have left, if whoever started us has ended and does so no more."""
-        if os.getppid() != self.parent:
+        """Kill what activities have left, if whoever started us has ended and does so no more.
+
+        Its pipes end before we have another parent: the parent alone does not tell.
+        """
+        if not self.closed or os.getppid() != self.parent:
             kill_descendants(lambda line: None)
 
     def work(self) -> None:
@@ -94,6 +101,7 @@ class _Worker:
 _ORPHAN = 2.0
 """How long, in seconds, an activity may go on whose robot is gone."""
 _CANCEL = pickle.dumps(("cancel",))
+_CLOSE = pickle.dumps(("close",))
 
 
 def _class(module: str, place: str | tuple[Path, str] | None, name: str) -> type[Any]:
