@@ -39,6 +39,8 @@ LOOK = 0.25
 """How often, in seconds, somebody looks for what is stuck, and for what can wait."""
 RESTLESS = 1000
 """After so many steps that follow each other in one thread, another thread goes on with them."""
+BRIEF = 20
+"""After so many steps, a thread that only steps looks whether the run is over, and lets others have the agent."""
 PAUSE = 0.01
 """How long, in seconds, at least passes between two questions whether the run is over."""
 
@@ -161,7 +163,7 @@ class RealDriver:
                 woken, mine.woken = mine.woken, []
                 threading.Thread(target=self._go_on, args=(woken,), name="aseme steps", daemon=True).start()
                 return
-            steps += self._step(mine.woken.pop(0))
+            steps += self._step(mine.woken.pop(0), BRIEF if mine.has_time else RESTLESS)
 
     def _go_on(self, woken: list[Stepping]) -> None:
         """Step these agents, and whom they wake, until they come to rest or the run is over."""
@@ -181,8 +183,8 @@ class RealDriver:
         more = "let something in it take time, unless more comes than it can take"
         self._complain(f"{text}; {more}", agent.name)
 
-    def _step(self, agent: Stepping) -> int:
-        """Let an agent take what has come in; one that does not come to rest is woken once more.
+    def _step(self, agent: Stepping, most: int = RESTLESS) -> int:
+        """Let an agent take what has come in; one that has not come to rest after `most` is woken once more.
 
         Gives the number of steps but those in which a queue became shorter: it comes to its end.
         """
@@ -191,7 +193,7 @@ class RealDriver:
         while agent.intake and lock.acquire(blocking=False):
             self._owners[agent.name] = threading.get_ident()
             try:
-                while agent.intake and steps < RESTLESS:
+                while agent.intake and steps < most:
                     agent.process(agent.take())
                     steps += not agent.chart.drains
             except BaseException as error:  # of the runtime itself: nobody above may swallow it
@@ -205,7 +207,7 @@ class RealDriver:
                 self._news = True
                 with self._condition:
                     self._condition.notify()
-            if steps >= RESTLESS:
+            if steps >= most:
                 if agent.intake and agent not in self._depth.woken:
                     self._depth.woken.append(agent)
                 break
