@@ -40,7 +40,7 @@ LOOK = 0.25
 RESTLESS = 1000
 """After so many steps that follow each other in one thread, another thread goes on with them."""
 BRIEF = 20
-"""After so many steps, a thread that only steps looks whether the run is over, and lets others have the agent."""
+"""After so many steps, a thread that only steps looks whether the run is over, and gives way to others."""
 PAUSE = 0.01
 """How long, in seconds, at least passes between two questions whether the run is over."""
 
