@@ -306,6 +306,8 @@ class Conversations:
         else:
             known = conversation.outsiders if conversation is not None else {}
             to = known.get(name, (AgentIdentifier(name),))
+            if conversation is not None:
+                conversation.note(acl.reply_with, acl.performative, acl.message, name)
             by = external_agents.fipa_moment(acl.reply_by, self._driver.clock)
             self._carry_outside(acl.sender, external_agents.written(acl, to, reply_by=by), to)
 
@@ -477,25 +479,11 @@ class Conversations:
 
     def _hear(self, agent: Receiver, message: FipaMessage, sender: str, identity: Identity) -> None:
         """Hand on what an outsider says, if it is understood."""
-        name = message.conversation or self._asked.get(message.in_reply_to) or f"{sender}-{identity[1]}"
-        conversation = self._conversations.get(name)
-        protocol = conversation.protocol if conversation is not None else message.protocol
-        infos = [
-            info
-            for info in agent.plan.branches
-            if not protocol or info.protocol == protocol or external_agents.plays(info.protocol, protocol)
-        ]
-        if conversation is not None:
-            places = conversation.places
-            infos.sort(key=lambda info: (agent.name, info.participant) not in places)
         try:
-            if conversation is not None and not external_agents.plays(protocol, message.protocol or protocol):
-                raise external_agents.NotUnderstood(f"the conversation is one of {protocol}")
-            if not infos:
-                raise external_agents.NotUnderstood(
-                    f"{agent.name} plays no part in {protocol[:100] or 'a protocol'}"
-                )
-            found = external_agents.understood(message, agent.plan, infos, agent.kinds)
+            name = message.conversation or self._conversation_of(agent, message, sender)
+            name = name or f"{sender}-{identity[1]}"
+            conversation = self._conversations.get(name)
+            found = self._understood(agent, message, sender, name, conversation)
         except external_agents.NotUnderstood as problem:
             self._not_understood(agent.name, message, identity, str(problem))
             return
@@ -530,11 +518,103 @@ class Conversations:
             self._unexpected(agent, acl, f"{', '.join(members)} takes part as {found.participant} already")
         elif sender not in members and found.participant in conversation.chosen:
             self._unexpected(agent, acl, f"{sender} does not take part as {found.participant}")
+        elif reason := self._answers_nothing(message, sender, conversation):
+            self._unexpected(agent, acl, reason)
         else:
             if sender not in members:
                 members.append(sender)
             self._deliver(agent, acl)
         self._close(name)
+
+    def _conversation_of(self, agent: Receiver, message: FipaMessage, sender: str) -> str:
+        """The conversation of a message that names none; empty: it begins one.
+
+        It is that of the message it answers. If it names none either, and it can begin none, it is the only
+        one in which its sender takes part and the agent receives such a message.
+
+        Raises:
+            NotUnderstood: it may be one of several.
+        """
+        if message.in_reply_to:
+            return self._asked.get(message.in_reply_to, "")
+        performative = performative_of(message.performative)
+        named = external_agents.parameter(message, external_agents.MESSAGE)
+
+        def has(kinds: Iterable[tuple[str, str]]) -> bool:
+            return any(act == performative and named in ("", kind) for act, kind in kinds)
+
+        infos = external_agents.played_as(message.protocol, agent.plan.branches)
+        if any(has(info.opens) for info in infos):
+            return ""
+        found = [
+            name
+            for name, conversation in self._conversations.items()
+            if any(sender in names for names in conversation.members.values())
+            and any(
+                who == agent.name and place.info in infos and has(place.info.receives)
+                for (who, _), place in conversation.places.items()
+            )
+        ]
+        if len(found) > 1:
+            raise external_agents.NotUnderstood(
+                f"it may belong to {' or '.join(found[:10])}: conversation-id or in-reply-to says to which"
+            )
+        return found[0] if found else ""
+
+    def _understood(
+        self,
+        agent: Receiver,
+        message: FipaMessage,
+        sender: str,
+        name: str,
+        conversation: Conversation | None,
+    ) -> external_agents.Understood:
+        """What a message of an outsider means in a conversation. Raises NotUnderstood."""
+        branches = agent.plan.branches
+        if conversation is None:
+            protocol = message.protocol
+            infos = external_agents.played_as(protocol, branches)
+            performative = performative_of(message.performative)
+            first = tuple(info for info in infos if any(act == performative for act, _ in info.opens))
+            # A type that does not begin one is understood only where none does.
+            groups = tuple(replace(info, receives=info.opens) for info in first), tuple(infos)
+            context = external_agents.Context(groups)
+        else:
+            protocol = conversation.protocol
+            if not external_agents.plays(protocol, message.protocol or protocol):
+                raise external_agents.NotUnderstood(f"the conversation is one of {protocol}")
+            infos = [info for info in branches if info.protocol == protocol]
+            inside = tuple(place.info for (who, _), place in conversation.places.items() if who == agent.name)
+            rest = tuple(info for info in infos if info not in inside)
+            parts = [part for part, names in conversation.members.items() if sender in names]
+            said = conversation.said_outside
+            answered = said.get(message.in_reply_to)
+            context = external_agents.Context(
+                (inside, rest),
+                parts[0] if len(parts) == 1 else "",
+                None if answered is None else (answered.performative, answered.message),
+                tuple(
+                    (item.performative, item.message) for item in said.values() if sender in item.receivers
+                ),
+            )
+        if not infos:
+            raise external_agents.NotUnderstood(
+                f"{agent.name} plays no part in {protocol[:100] or 'a protocol'}"
+            )
+        return external_agents.understood(message, agent.plan, context, agent.kinds)
+
+    def _answers_nothing(self, message: FipaMessage, sender: str, conversation: Conversation) -> str:
+        """Why the message that an outsider says it answers is none that it was sent; empty if it is."""
+        answered = message.in_reply_to
+        if not answered or conversation.forgotten:
+            return ""
+        said = conversation.said_outside.get(answered)
+        if said is not None and sender in said.receivers:
+            return ""
+        speaker = answered.rpartition("-")[0]
+        if said is None and speaker in self._plans and speaker not in self._agents:
+            return ""  # only the agent's own process knows
+        return f"{sender} was sent no {answered[:100]} in this conversation, which it answers"
 
     def _deadline(self, agent: Receiver, message: FipaMessage, sender: str) -> int | None:
         """Until when an outsider wants an answer; None, and told, if what it says of that cannot be read."""
@@ -564,6 +644,8 @@ class Conversations:
             own = agent.identity() if agent is not None else (to, next(self._numbers))
             answer = external_agents.answer(message, to, NOT_UNDERSTOOD, reason, name_of(own))
             self._told.answered_outside(answer, own, identity)
+            if conversation is not None:
+                conversation.note(answer.reply_with, NOT_UNDERSTOOD, "", identity[0])
             self._carry_outside(to, answer, answer.receivers)
 
     def appeared(self, name: str) -> None:
@@ -717,6 +799,8 @@ class Conversations:
         conversation = self._conversations.get(acl.conversation)
         known = conversation.outsiders if conversation is not None else {}
         to = known.get(acl.sender, (AgentIdentifier(acl.sender),))
+        if conversation is not None:
+            conversation.note(answer.reply_with, NOT_UNDERSTOOD, answer.message, acl.sender)
         self._carry_outside(agent.name, external_agents.written(answer, to, reason), to)
 
     # ---- what the charts do ------------------------------------------------------------------

@@ -17,12 +17,16 @@ from aseme_dsl import outside
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.message.acl import (
     JSON,
+    NOT_UNDERSTOOD,
+    REGISTERED,
     AclMessage,
     AgentIdentifier,
     FipaMessage,
     Span,
     fipa_name,
     performative_of,
+    protocol_of,
+    registered_name,
 )
 from aseme_dsl.runtime.message.as_json import from_json, to_json
 from aseme_dsl.runtime.message.convert import Messages
@@ -63,11 +67,35 @@ def plays(protocol: str, wanted: str) -> bool:
 
 
 def _folded(protocol: str) -> str:
-    return protocol.lower().replace("-", "_").removeprefix("fipa_")
+    return protocol_of(protocol).lower().replace("-", "_").removeprefix("fipa_")
 
 
-def understood(message: FipaMessage, plan: Plan, infos: Sequence[BranchInfo], kinds: Messages) -> Understood:
-    """What a message means to an agent that has these branches for it, the likeliest first.
+def played_as(wanted: str, infos: Sequence[BranchInfo]) -> list[BranchInfo]:
+    """The branches of the protocol that an outsider calls so: of that very name, or else of one like it."""
+    exact = [info for info in infos if info.protocol in (wanted, protocol_of(wanted))]
+    return exact or [info for info in infos if not wanted or plays(info.protocol, wanted)]
+
+
+@dataclass(frozen=True, slots=True)
+class Context:
+    """What a message of an outsider may be understood by, besides itself.
+
+    `infos` are the branches that it may be for, in groups, the likeliest first; `part` is the one that its
+    sender has in the conversation, `answered` what the message is that it answers, as performative and type,
+    and `sent` what was sent to it in the conversation, the newest last.
+    """
+
+    infos: tuple[tuple[BranchInfo, ...], ...]
+    part: str = ""
+    answered: tuple[str, str] | None = None
+    sent: tuple[tuple[str, str], ...] = ()
+
+
+_Found = dict[str, tuple[Any, list[BranchInfo]]]
+
+
+def understood(message: FipaMessage, plan: Plan, context: Context, kinds: Messages) -> Understood:
+    """What a message means to an agent.
 
     Raises:
         NotUnderstood: it means nothing, or may mean several things.
@@ -75,10 +103,47 @@ def understood(message: FipaMessage, plan: Plan, infos: Sequence[BranchInfo], ki
     performative = performative_of(message.performative)
     if performative is None:
         raise NotUnderstood(f"FIPA has no performative {message.performative[:100]}")
-    content = _content(message)
-    named = parameter(message, MESSAGE)
+    content = _reason_of(message) if performative == NOT_UNDERSTOOD else _content(message)
     problems: list[str] = []
-    found: dict[str, tuple[Any, list[BranchInfo]]] = {}
+    found: _Found = {}
+    named = parameter(message, MESSAGE)
+    for infos in context.infos:
+        found = _candidates(performative, named, content, infos, kinds, problems)
+        if not found and performative == NOT_UNDERSTOOD:  # its content is anything, or says why
+            found = _candidates(performative, named, {}, infos, kinds, problems)
+        if found:
+            break
+    if not found:
+        what = f"{performative} {named}".strip()
+        raise NotUnderstood(problems[0] if problems else f"{plan.name} receives no {what}")
+    found = _narrowed(performative, found, plan, context)
+    if len(found) > 1:
+        raise NotUnderstood(f"it may be {' or '.join(found)}: {MESSAGE} or in-reply-to says which")
+    ((name, (value, fitting)),) = found.items()
+    first = fitting[0]
+    protocols = dict.fromkeys(info.protocol for info in fitting)
+    if len(protocols) > 1:
+        raise NotUnderstood(f"it may be of {' or '.join(protocols)}: protocol says which")
+    same = tuple(i for i in fitting if (i.protocol, i.participant) == (first.protocol, first.participant))
+    speakers = _speakers(plan, same, performative, name)
+    said = parameter(message, PARTICIPANT)
+    if said and said not in speakers:
+        raise NotUnderstood(f"{first.participant} receives no {performative} {name} from {said}")
+    if context.part and not said and context.part not in speakers:
+        raise NotUnderstood(f"{first.participant} receives no {performative} {name} from {context.part}")
+    return Understood(performative, name, value, said or context.part or speakers[0], same)
+
+
+def _candidates(
+    performative: str,
+    named: str,
+    content: Any,
+    infos: Iterable[BranchInfo],
+    kinds: Messages,
+    problems: list[str],
+) -> _Found:
+    """The types that a message may have, each with the content and the branches that receive it."""
+    found: _Found = {}
     for info in infos:
         for known, name in info.receives:
             if known != performative or named not in ("", name):
@@ -89,19 +154,64 @@ def understood(message: FipaMessage, plan: Plan, infos: Sequence[BranchInfo], ki
                 problems.append(f"it is no {name}: {problem}"[:LONGEST])
                 continue
             found.setdefault(name, (value, []))[1].append(info)
-    if not found:
-        what = f"{performative} {named}".strip()
-        raise NotUnderstood(problems[0] if problems else f"{plan.name} receives no {what}")
-    if len(found) > 1:
-        raise NotUnderstood(f"it may be {' or '.join(found)}: {MESSAGE} says which")
-    ((name, (value, fitting)),) = found.items()
-    first = fitting[0]
-    same = tuple(i for i in fitting if (i.protocol, i.participant) == (first.protocol, first.participant))
-    speakers = _speakers(plan, same, performative, name)
-    said = parameter(message, PARTICIPANT)
-    if said and said not in speakers:
-        raise NotUnderstood(f"{first.participant} receives no {performative} {name} from {said}")
-    return Understood(performative, name, value, said or speakers[0], same)
+    return found
+
+
+def _narrowed(performative: str, found: _Found, plan: Plan, context: Context) -> _Found:
+    """Of the types that a message may have, those that what was said before leaves open."""
+    for rule in (_from_part, _as_answer, _of_cancel):
+        if len(found) > 1:
+            names = rule(performative, found, plan, context)
+            found = {name: found[name] for name in names} or found
+    return found
+
+
+def _from_part(performative: str, found: _Found, plan: Plan, context: Context) -> list[str]:
+    """What the participant says that the sender is."""
+    return [
+        name
+        for name, (_, infos) in found.items()
+        if not context.part or context.part in _speakers(plan, infos, performative, name)
+    ]
+
+
+ANSWERS_WITH_SAME = ("agree", "refuse", NOT_UNDERSTOOD, "accept_proposal", "reject_proposal")
+"""The content of these is that of the message which they answer."""
+
+
+def _as_answer(performative: str, found: _Found, plan: Plan, context: Context) -> list[str]:
+    """What has the type of the message that it answers, or may answer."""
+    if performative not in ANSWERS_WITH_SAME:
+        return []
+    if context.answered is not None:
+        return [context.answered[1]] if context.answered[1] in found else []
+    possible = {name for _, name in context.sent if name in found}
+    return list(possible) if len(possible) == 1 else []
+
+
+def _of_cancel(performative: str, found: _Found, plan: Plan, context: Context) -> list[str]:
+    """In FIPA's protocols, `inform` and `failure` of what was cancelled answer the `cancel` alone."""
+    if performative not in ("inform", "failure"):
+        return []
+    infos = [info for _, infos in found.values() for info in infos]
+    if any(info.protocol not in REGISTERED for info in infos):
+        return []
+    ends = {name for act, name in infos[0].sends if act == "cancel" and name in found}
+    if context.answered is not None:
+        cancels = context.answered[0] == "cancel"
+        return [name for name in found if (name in ends) == cancels]
+    cancelled = any(act == "cancel" for act, _ in context.sent)
+    return [] if cancelled else [name for name in found if name not in ends]
+
+
+def _reason_of(message: FipaMessage) -> Any:
+    """What a `not-understood` says was not understood, as far as that can be read."""
+    try:
+        content = _content(message)
+    except NotUnderstood:
+        return {}
+    inner = content.get("content")
+    return inner if isinstance(inner, dict) else content
 
 
 def _content(message: FipaMessage) -> Any:
@@ -155,7 +265,7 @@ def written(
         acl.language,
         acl.encoding,
         acl.ontology,
-        acl.protocol,
+        registered_name(acl.protocol),
         acl.conversation,
         acl.reply_with,
         acl.in_reply_to,
@@ -216,5 +326,8 @@ def fipa_moment(moment: int | None, clock: Clock) -> datetime | Span | None:
         return None
     left = moment - clock.now()
     if clock.virtual:
-        return Span(milliseconds=max(left, 0) // MILLISECOND)
+        days, rest = divmod(max(left, 0) // MILLISECOND, 86_400_000)
+        years, days = divmod(days, 365)
+        months, days = divmod(days, 30)
+        return Span(years, months, days, rest)
     return datetime.now(UTC) + timedelta(microseconds=left // 1000)

@@ -38,6 +38,15 @@ class Participation:
         return self.info.protocol, self.info.participant
 
 
+@dataclass(frozen=True, slots=True)
+class SaidOutside:
+    """A message that agents which are not of the team were sent."""
+
+    performative: str
+    message: str
+    receivers: tuple[str, ...]
+
+
 @dataclass(slots=True)
 class Conversation:
     """Who takes part or is invited, by participant."""
@@ -54,6 +63,19 @@ class Conversation:
     """How many of its messages wait here for a participant to be entered or free."""
     outsiders: dict[str, tuple[AgentIdentifier, ...]] = field(default_factory=dict)
     """Who is to get what is said to an agent that is not of the team."""
+    said_outside: dict[str, SaidOutside] = field(default_factory=dict)
+    """What was said to such agents, by what an answer calls it, the newest last."""
+    forgotten: bool = False
+    """Whether more was said to them than is remembered."""
+
+    def note(self, name: str, performative: str, message: str, receiver: str) -> None:
+        """Remember that an agent that is not of the team was sent a message."""
+        known = self.said_outside.get(name)
+        receivers = (receiver,) if known is None else (*known.receivers, receiver)
+        self.said_outside[name] = SaidOutside(performative, message, receivers)
+        if len(self.said_outside) > REMEMBERED:
+            del self.said_outside[next(iter(self.said_outside))]
+            self.forgotten = True
 
 
 @dataclass(slots=True)

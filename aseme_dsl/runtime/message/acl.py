@@ -55,6 +55,36 @@ def performative_of(name: str) -> str | None:
     return found if found in PERFORMATIVES else None
 
 
+REGISTERED = {
+    "request": "fipa-request",  # SC00026
+    "query": "fipa-query",  # SC00027
+    "request_when": "fipa-request-when",  # SC00028
+    "contract_net": "fipa-contract-net",  # SC00029
+    "iterated_contract_net": "fipa-iterated-contract-net",  # SC00030
+    "english_auction": "fipa-auction-english",  # XC00031
+    "dutch_auction": "fipa-auction-dutch",  # XC00032
+    "brokering": "fipa-brokering",  # SC00033
+    "recruiting": "fipa-recruiting",  # SC00034
+    "subscribe": "fipa-subscribe",  # SC00035
+    "propose": "fipa-propose",  # SC00036
+}
+"""FIPA's protocols: what each is called in the library, and in the parameter `protocol` of a message."""
+_OF_REGISTERED = {name: protocol for protocol, name in REGISTERED.items()}
+
+
+def registered_name(protocol: str) -> str:
+    """What a protocol is called on the wire; one that FIPA does not have keeps its name."""
+    return REGISTERED.get(protocol, protocol)
+
+
+def protocol_of(name: str) -> str:
+    """What a protocol is called in a document, from its name on the wire: the inverse of `registered_name`.
+
+    An identifier has no `-`, so no other protocol can have a registered name.
+    """
+    return _OF_REGISTERED.get(name.lower(), name)
+
+
 def name_of(identity: Identity) -> str:
     """What a message is called by an answer to it: its `reply-with`, where its sender gives it no other."""
     return f"{identity[0]}-{identity[1]}"

@@ -69,6 +69,23 @@ def loads(text: bytes | str) -> FipaMessage:
     return message
 
 
+def read_moment(text: str) -> datetime | Span:
+    """A moment as FIPA writes it (`20260131T120000000Z`), or a span from now (`+00000000T000010000`).
+
+    Raises:
+        AclTextError: it is none.
+    """
+    reader = _Reader(text.encode("utf-8", "replace"))
+    found = reader.moment()
+    reader.end()
+    return found
+
+
+def written_span(span: Span) -> str:
+    """A span as FIPA writes it. Raises AclTextError if it has more than FIPA's digits can say."""
+    return _span(span).decode()
+
+
 class _Reader:
     def __init__(self, data: bytes) -> None:
         self.data = data

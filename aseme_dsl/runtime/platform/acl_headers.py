@@ -8,13 +8,26 @@ is the content, a JSON object. What an envelope says besides is JSON in one furt
 from __future__ import annotations
 
 import json
+import re
+import time
 import zlib
 from collections.abc import Mapping
-from datetime import datetime
+from contextlib import suppress
+from datetime import UTC, datetime, timedelta
 from typing import Any
 
 from aseme_dsl import outside
-from aseme_dsl.runtime.message.acl import JSON, AgentIdentifier, FipaMessage, fipa_name, performative_of
+from aseme_dsl.runtime.message.acl import (
+    JSON,
+    AgentIdentifier,
+    FipaMessage,
+    Span,
+    fipa_name,
+    performative_of,
+    protocol_of,
+    registered_name,
+)
+from aseme_dsl.runtime.message.acl_text import AclTextError, read_moment, written_span
 from aseme_dsl.runtime.platform.platform import Headers
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
@@ -66,7 +79,7 @@ def letter(envelope: Envelope, stamp: Stamp, payload: bytes, sender: str, system
     headers = {
         "performative": fipa_name(envelope.performative),
         "conversation-id": envelope.conversation,
-        "protocol": envelope.protocol,
+        "protocol": registered_name(envelope.protocol),
         "ontology": envelope.ontology or system,
         "language": envelope.language or JSON,
         "reply-with": envelope.reply_with or f"{sender}-{envelope.sequence}",
@@ -77,8 +90,19 @@ def letter(envelope: Envelope, stamp: Stamp, payload: bytes, sender: str, system
         headers["in-reply-to"] = envelope.in_reply_to
     if envelope.encoding:
         headers["encoding"] = envelope.encoding
+    if envelope.reply_by:
+        headers["reply-by"] = _on_the_wall(envelope.reply_by)
     headers[OURS] = _compact(rest)
     return headers
+
+
+def _on_the_wall(moment: int) -> str:
+    """A moment of the machine's clock (ns) as a date, for those who have another clock."""
+    left = (moment - time.monotonic_ns()) // 1000
+    try:
+        return (datetime.now(UTC) + timedelta(microseconds=left)).isoformat()
+    except OverflowError:
+        return (datetime.max if left > 0 else datetime.min).replace(tzinfo=UTC).isoformat()
 
 
 def ours(headers: Headers) -> dict[str, Any]:
@@ -122,6 +146,7 @@ def read_letter(said: Mapping[str, Any], headers: Headers, payload: bytes, syste
         values["performative"] = performative
         for name, header in _READABLE.items():
             values[name] = headers.get(header, "")
+        values["protocol"] = protocol_of(values["protocol"])
         ontology, language = headers.get("ontology", ""), headers.get("language", "")
         values["ontology"] = ontology if ontology != system else ""
         values["language"] = language if language != JSON else ""
@@ -169,6 +194,8 @@ def said(message: FipaMessage) -> tuple[dict[str, str], str]:
         headers["reply-to"] = " ".join(item.name for item in message.reply_to)
     if isinstance(message.reply_by, datetime):
         headers["reply-by"] = message.reply_by.isoformat()
+    elif message.reply_by is not None:
+        headers["reply-by"] = written_span(message.reply_by)
     headers |= {name: value for name, value in message.parameters if isinstance(value, str)}
     content = message.content
     if isinstance(content, bytes):
@@ -180,13 +207,10 @@ def heard(sender: str, to: str, headers: Headers, body: str) -> FipaMessage:
     """The message of an outsider: what it does not say is empty; what FIPA does not know is kept as it was
     said, and so is a deadline that is no moment.
     """
-    by = None
+    by = _moment(headers.get("reply-by", ""))
     unread = set(headers) - _FIPA.keys() - _FURTHER
-    if "reply-by" in headers:
-        try:
-            by = datetime.fromisoformat(headers["reply-by"])
-        except ValueError:
-            unread.add("reply-by")
+    if "reply-by" in headers and by is None:
+        unread.add("reply-by")
     return FipaMessage(
         headers.get("performative", ""),
         AgentIdentifier(sender),
@@ -197,3 +221,24 @@ def heard(sender: str, to: str, headers: Headers, body: str) -> FipaMessage:
         parameters=tuple((name, value) for name, value in headers.items() if name in unread),
         **{name: headers[header] for header, name in _FIPA.items() if header in headers},
     )
+
+
+_DURATION = re.compile(
+    r"P(?:(\d{1,4})Y)?(?:(\d{1,2})M)?(?:(\d{1,2})D)?"
+    r"(?:T(?:(\d{1,4})H)?(?:(\d{1,6})M)?(?:(\d{1,8})(?:[.,](\d{1,3}))?S)?)?",
+    re.ASCII,
+)
+
+
+def _moment(text: str) -> datetime | Span | None:
+    """A moment or span as FIPA writes it, or a date or duration of ISO 8601; None for anything else."""
+    with suppress(AclTextError):
+        return read_moment(text)
+    with suppress(ValueError):
+        return datetime.fromisoformat(text)
+    found = _DURATION.fullmatch(text)
+    if found is None or not any(found.groups()):
+        return None
+    years, months, days, hours, minutes, seconds = (int(part or 0) for part in found.groups()[:6])
+    milli = int((found[7] or "").ljust(3, "0"))
+    return Span(years, months, days, ((hours * 60 + minutes) * 60 + seconds) * 1000 + milli)

@@ -111,7 +111,7 @@ def test_an_agent_message_is_one_for_everybody() -> None:
     assert headers == {
         "performative": "accept-proposal",
         "conversation-id": "contract_net-desk-1",
-        "protocol": "contract_net",
+        "protocol": "fipa-contract-net",
         "ontology": "Warehouse",
         "language": "json",
         "reply-with": "desk-3",
