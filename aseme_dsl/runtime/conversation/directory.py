@@ -20,7 +20,7 @@ from typing import Any, Protocol
 
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.message.acl import JSON, AgentIdentifier
-from aseme_dsl.runtime.time.clock import nanoseconds
+from aseme_dsl.runtime.time.clock import Clock, nanoseconds
 from aseme_dsl.runtime.time.timers import Scheduler, Timer
 from aseme_dsl.runtime.trace.trace import Trace
 
@@ -182,6 +182,11 @@ class Directory:
         self._number = 0
         self._listeners: list[Callable[[Change], None]] = []
         self._lock = threading.RLock()
+
+    @property
+    def clock(self) -> Clock:
+        """The clock of the run."""
+        return self._driver.clock
 
     # ---- who is there ------------------------------------------------------------------------
 

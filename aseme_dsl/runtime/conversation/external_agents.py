@@ -303,10 +303,10 @@ def deadline(message: FipaMessage, clock: Clock) -> int | None:
     unread = parameter(message, "reply-by")
     if unread:
         raise ValueError(f"{unread[:100]!r} is no date and time")
-    return _own_moment(message.reply_by, clock)
+    return own_moment(message.reply_by, clock)
 
 
-def _own_moment(moment: datetime | Span | None, clock: Clock) -> int | None:
+def own_moment(moment: datetime | Span | None, clock: Clock) -> int | None:
     """A moment of FIPA's in ns of the run; None in virtual time for one that is not relative."""
     if isinstance(moment, Span):
         days = moment.years * 365 + moment.months * 30 + moment.days

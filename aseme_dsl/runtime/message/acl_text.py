@@ -63,7 +63,7 @@ def loads(text: bytes | str) -> FipaMessage:
     Raises:
         AclTextError: it is none; the error says why, and where.
     """
-    reader = _Reader(text.encode("utf-8", "surrogatepass") if isinstance(text, str) else text)
+    reader = Reader(text.encode("utf-8", "surrogatepass") if isinstance(text, str) else text)
     message = reader.message()
     reader.end()
     return message
@@ -75,18 +75,20 @@ def read_moment(text: str) -> datetime | Span:
     Raises:
         AclTextError: it is none.
     """
-    reader = _Reader(text.encode("utf-8", "replace"))
+    reader = Reader(text.encode("utf-8", "replace"))
     found = reader.moment()
     reader.end()
     return found
 
 
-def written_span(span: Span) -> str:
-    """A span as FIPA writes it. Raises AclTextError if it has more than FIPA's digits can say."""
-    return _span(span).decode()
+def moment_text(moment: datetime | Span) -> bytes:
+    """A moment or a span as FIPA writes it. Raises AclTextError if it has more than FIPA's digits can say."""
+    return _span(moment) if isinstance(moment, Span) else _moment(moment)
 
 
-class _Reader:
+class Reader:
+    """Reads a text from its beginning to its end. Each method raises AclTextError where that is not there."""
+
     def __init__(self, data: bytes) -> None:
         self.data = data
         self.at = 0
@@ -120,12 +122,12 @@ class _Reader:
                 return
             name = self.token("a parameter such as :content, or ')',")
             if not name.startswith(":"):
-                self.fail(f"a parameter such as :content, or ')', is wanted here, not {_shown(name)}", place)
+                self.fail(f"a parameter such as :content, or ')', is wanted here, not {shown(name)}", place)
             name = name[1:]
             if not name:
                 self.fail("the parameter has no name", place)
             if name.lower() in seen:
-                self.fail(f":{_shown(name)} is given twice", place)
+                self.fail(f":{shown(name)} is given twice", place)
             seen.add(name.lower())
             yield name, place
 
@@ -188,7 +190,7 @@ class _Reader:
         token = self.token("a moment such as 20260131T120000000Z")
         found = self.as_moment(token, place)
         if found is None:
-            self.fail(f"a moment such as 20260131T120000000Z is wanted here, not {_shown(token)}", place)
+            self.fail(f"a moment such as 20260131T120000000Z is wanted here, not {shown(token)}", place)
         return found
 
     def protocol(self) -> str:
@@ -213,6 +215,12 @@ class _Reader:
         moment = self.as_moment(token, place)
         if moment is not None:
             return moment
+        number = self.as_number(token, place)
+        if number is not None:
+            return number
+        return self.as_word(token, place, "a word, a string, a number, a moment or '('")
+
+    def as_number(self, token: str, place: int) -> int | float | None:
         if _INTEGER.fullmatch(token):
             try:
                 return int(token)
@@ -221,7 +229,7 @@ class _Reader:
         if _FLOAT.fullmatch(token):
             number = float(token)
             return number if math.isfinite(number) else self.fail("the number is too large", place)
-        return self.as_word(token, place, "a word, a string, a number, a moment or '('")
+        return None
 
     def string(self) -> str | bytes | None:
         """A string of either kind, if there is one here."""
@@ -265,7 +273,7 @@ class _Reader:
 
     def as_word(self, token: str, place: int, wanted: str) -> Word:
         if token[0] in "#-@:0123456789":
-            self.fail(f"{wanted} is wanted here, not {_shown(token)}", place)
+            self.fail(f"{wanted} is wanted here, not {shown(token)}", place)
         return Word(token)
 
     def word(self, wanted: str) -> Word:
@@ -314,7 +322,7 @@ class _Reader:
         place = self.at
         token = self.token(f"the word {wanted}")
         if token.lower() != wanted:
-            self.fail(f"the word {wanted} is wanted here, not {_shown(token)}", place)
+            self.fail(f"the word {wanted} is wanted here, not {shown(token)}", place)
 
     def end(self) -> None:
         self.blanks()
@@ -334,23 +342,24 @@ class _Reader:
         raise AclTextError(reason, place, line, column)
 
 
-def _shown(token: str) -> str:
+def shown(token: str) -> str:
+    """A token as a message of an error has it."""
     return token if len(token) <= 40 else token[:40] + "…"
 
 
-_PARAMETERS: dict[str, tuple[str, Callable[[_Reader], Any]]] = {
-    "sender": ("sender", _Reader.agent),
-    "receiver": ("receivers", _Reader.agents),
-    "content": ("content", _Reader.content),
-    "reply-to": ("reply_to", _Reader.agents),
-    "language": ("language", _Reader.text),
-    "encoding": ("encoding", _Reader.text),
-    "ontology": ("ontology", _Reader.text),
-    "protocol": ("protocol", _Reader.protocol),
-    "conversation-id": ("conversation", _Reader.text),
-    "reply-with": ("reply_with", _Reader.text),
-    "in-reply-to": ("in_reply_to", _Reader.text),
-    "reply-by": ("reply_by", _Reader.moment),
+_PARAMETERS: dict[str, tuple[str, Callable[[Reader], Any]]] = {
+    "sender": ("sender", Reader.agent),
+    "receiver": ("receivers", Reader.agents),
+    "content": ("content", Reader.content),
+    "reply-to": ("reply_to", Reader.agents),
+    "language": ("language", Reader.text),
+    "encoding": ("encoding", Reader.text),
+    "ontology": ("ontology", Reader.text),
+    "protocol": ("protocol", Reader.protocol),
+    "conversation-id": ("conversation", Reader.text),
+    "reply-with": ("reply_with", Reader.text),
+    "in-reply-to": ("in_reply_to", Reader.text),
+    "reply-by": ("reply_by", Reader.moment),
 }
 
 
@@ -375,7 +384,7 @@ def dumps(message: FipaMessage) -> bytes:
     if message.receivers:
         add("receiver", _list("set", map(_agent, message.receivers)))
     if message.content is not None:
-        add("content", _string(message.content))
+        add("content", string_text(message.content))
     if message.reply_with:
         add("reply-with", _word_or_string(message.reply_with))
     if message.reply_by is not None:
@@ -434,7 +443,7 @@ def _expression(value: Any, depth: int = 0) -> bytes:
     if isinstance(value, Word):
         return _as_word(value, "word")
     if isinstance(value, (str, bytes)):
-        return _string(value)
+        return string_text(value)
     if isinstance(value, datetime):
         return _moment(value)
     if isinstance(value, Span):
@@ -479,7 +488,7 @@ def _span(value: Span) -> bytes:
 
 
 def _word_or_string(text: str) -> bytes:
-    return _encoded(text) if _is_word(text) else _string(text)
+    return _encoded(text) if _is_word(text) else string_text(text)
 
 
 def _is_word(text: str) -> bool:
@@ -498,7 +507,8 @@ def _token(text: str) -> bytes:
     return _encoded(text)
 
 
-def _string(value: str | bytes) -> bytes:
+def string_text(value: str | bytes) -> bytes:
+    """A string in quotes, or with its length where quotes cannot hold it."""
     data = _encoded(value) if isinstance(value, str) else value
     if isinstance(value, bytes) or data.endswith(b"\\"):
         return f'#{len(data)}"'.encode() + data

@@ -27,7 +27,7 @@ from aseme_dsl.runtime.message.acl import (
     protocol_of,
     registered_name,
 )
-from aseme_dsl.runtime.message.acl_text import AclTextError, read_moment, written_span
+from aseme_dsl.runtime.message.acl_text import AclTextError, moment_text, read_moment
 from aseme_dsl.runtime.platform.platform import Headers
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
@@ -195,7 +195,7 @@ def said(message: FipaMessage) -> tuple[dict[str, str], str]:
     if isinstance(message.reply_by, datetime):
         headers["reply-by"] = message.reply_by.isoformat()
     elif message.reply_by is not None:
-        headers["reply-by"] = written_span(message.reply_by)
+        headers["reply-by"] = moment_text(message.reply_by).decode()
     headers |= {name: value for name, value in message.parameters if isinstance(value, str)}
     content = message.content
     if isinstance(content, bytes):

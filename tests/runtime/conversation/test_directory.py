@@ -427,7 +427,7 @@ def test_who_registers_twice_is_told() -> None:
 
 def test_other_ontologies_and_languages_are_not_understood() -> None:
     search = ("request", {"action": "search"})
-    for wrong in ({"ontology": "weather"}, {"language": "fipa-sl"}):
+    for wrong in ({"ontology": "weather"}, {"language": "kif"}):
         ((act, content),), _ = df(search, **wrong)
         assert (act, content["error"]) == ("not-understood", "unsupported-value")
 
