@@ -93,6 +93,7 @@ LISTED: dict[str, str] = {
     "runtime/control/control_socket.py: ask: makefile": "its line has a largest size",
     "runtime/control/control_socket.py: ask: readline": "with a largest size",
     "runtime/conversation/conversation_trace.py: answered_outside: json.loads": JUST_WRITTEN,
+    "runtime/conversation/management_sl.py: asked: loads": "of `message.sl`: with a largest size and depth",
     "runtime/team/ending.py: picture: open": NO_FILE,
     "runtime/control/operator_gate.py: _objects: loads": "of `outside`",
     "runtime/control/operator_gate.py: answer: loads": "of `outside`",
