@@ -37,7 +37,7 @@ srm cook {
   liveness { cook = contractor }
   activities { EvaluateJob takes 100ms  MakeProposal takes 100ms simulated  CarryOut takes 3s
                ReportOutcome takes 1s simulated
-               DeclineJob takes 1s simulated  StopWork takes 1s simulated }
+               DeclineJob takes 1s simulated  StopWork takes 1s simulated  CloseJob takes 1s simulated }
 }
 team Kitchen { ann : boss  bob, cid : cook }
 """
@@ -86,9 +86,10 @@ def test_what_is_said_as_lines(run: Path, here: Here) -> None:
         "1 s ann -- cfp Job --> bob, cid [contract_net-ann-1]",
         "1.1 s cid -- refuse Job --> ann [contract_net-ann-1]",
         "1.2 s bob -- propose Proposal (cost 0.0) --> ann [contract_net-ann-1]",
-        "4 s ann -- accept_proposal Contract (contractor bob) --> bob [contract_net-ann-1]",
-        "5 s ann ! lost bob (failed) [contract_net-ann-1]",
-        "5 s bob x breaks down: CarryOut: RuntimeError: the pan is hot [contract_net-ann-1]",
+        "2.2 s ann -- accept_proposal Contract (contractor bob) --> bob [contract_net-ann-1]",
+        "2.2 s ann -- reject_proposal Contract (contractor bob) --> cid [contract_net-ann-1]",
+        "3.2 s ann ! lost bob (failed) [contract_net-ann-1]",
+        "3.2 s bob x breaks down: CarryOut: RuntimeError: the pan is hot [contract_net-ann-1]",
     ]
     assert done.code == 0
 
@@ -97,15 +98,19 @@ def test_a_deadline_that_passes_is_shown(run: Path, here: Here) -> None:
     Path("activities/carry_out.py").write_text(BREAK.replace("wait(1)", "wait(600)"), "utf-8")
     here("run", "kitchen.aseme", "--activities", "activities", "-q", "--for", "5min")
     assert lines(here("sniff", "out/trace.jsonl", "--from", "10s").out) == [
-        "124 s ann ! waits no longer (2min) [contract_net-ann-1]",
-        "124 s ann -- cancel Contract --> bob [contract_net-ann-1]",
-        "125 s bob -- inform Contract --> ann [contract_net-ann-1]",
+        "122.2 s ann ! waits no longer (2min) [contract_net-ann-1]",
+        "122.2 s ann -- cancel Contract --> bob [contract_net-ann-1]",
+        "123.2 s bob -- inform Contract --> ann [contract_net-ann-1]",
     ]
 
 
 def test_filters_say_what_they_leave_out(run: Path, here: Here) -> None:
     done = here("sniff", "out", "--agent", "cid")
-    assert [line.split(" -- ")[1].split()[0] for line in lines(done.out)] == ["cfp", "refuse"]
+    assert [line.split(" -- ")[1].split()[0] for line in lines(done.out)] == [
+        "cfp",
+        "refuse",
+        "reject_proposal",
+    ]
     assert done.err == "left out: 2 messages and 2 events of 1 conversation\n"
     assert here("sniff", "out", "--protocol", "auction").out == "no agent messages in this trace\n"
     assert len(lines(here("sniff", "out", "--conversation", "contract_net-*", "--to", "2s").out)) == 3
@@ -117,7 +122,7 @@ def test_as_mermaid(run: Path, here: Here, snapshot: Snapshot) -> None:
 
 def test_as_a_picture(run: Path, here: Here, snapshot: Snapshot) -> None:
     done = here("sniff", "out", "-o", "pictures/talk.svg")
-    assert done.out == "pictures/talk.svg: 6 rows of 1 conversation\n".replace(
+    assert done.out == "pictures/talk.svg: 7 rows of 1 conversation\n".replace(
         "/", "\\" if sys.platform == "win32" else "/"
     )
     picture = Path("pictures/talk.svg").read_text("utf-8")

@@ -45,8 +45,8 @@ PROGRAMS = (
     Program("patrol", "reports: 6; batteries: guard1 77 %, guard2 74 %, guard3 46 %, guard4 26 %", lines=45),
     Program(
         "warehouse",
-        "at the gate: 24 of 24 pallets; announced again: the carrier is busy by now 1, the carrier is lost 1,"
-        " the pallet slipped 3",
+        "at the gate: 24 of 24 pallets; announced again: nobody is free 3, the carrier is busy by now 1,"
+        " the carrier is lost 1, the pallet slipped 4",
         lines=45,
         lost=1,
     ),

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -14,86 +12,16 @@ from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import render_text
 from aseme_dsl.diagrams.sequence.sequence_svg import drawn
 from aseme_dsl.project.playing.sniff import Sniffer
-from aseme_dsl.runtime import Context
 from aseme_dsl.source import Source
 from tests.conftest import Snapshot
 from tests.runtime.playing import SECOND, Played, play
-from tests.support.generated import Generated, generate
+from tests.stdlib.hostile import endings
+from tests.stdlib.library import PROTOCOLS, Act, Protocol, act, disagreement, generated, kind_of, protocol
+from tests.support.generated import generate
 
-LAST = {"LearnOutcome", "LearnAnswer", "EndSubscription", "CloseAuction", "LearnReply", "LearnResult"}
-"""The last activities of those who begin: they know how it ended."""
 PICTURES = Path(__file__).parents[2] / "docs" / "pictures"
-LIMIT = 20 * 60 * SECOND
+LIMIT = 2 * 3600 * SECOND
 """No conversation of these is longer, whatever happens."""
-
-
-@dataclass(frozen=True)
-class Act:
-    """What an activity does: it lasts, writes variables, prepares a message, and may break down.
-
-    A value may be a mapping by agent, or a list of which each start takes the next.
-    """
-
-    takes: float | Mapping[str, float] = 0.0
-    sets: Mapping[str, Any] = field(default_factory=dict)
-    says: tuple[str, Mapping[str, Any]] | None = None
-    breaks: bool | Mapping[str, bool] = False
-
-
-def act(takes: Any = 0.0, says: Any = None, breaks: Any = False, **sets: Any) -> Act:
-    return Act(takes, sets, says, breaks)
-
-
-def kind_of(generated: Generated, name: str, what: Act) -> type[Any]:
-    starts: dict[str, int] = {}
-
-    class Activity:
-        def execute(self, context: Context) -> None:
-            number = starts[context.agent] = starts.get(context.agent, -1) + 1
-
-            def of(value: Any) -> Any:
-                if isinstance(value, dict):
-                    value = value[context.agent]
-                return value[min(number, len(value) - 1)] if isinstance(value, list) else value
-
-            takes = of(what.takes)
-            if takes:
-                context.wait(takes)
-            if of(what.breaks):
-                raise RuntimeError("the arm is broken")
-            for variable, value in what.sets.items():
-                context.set_variable(variable, of(value))
-            if what.says is not None:
-                message, members = what.says
-                context.prepare(
-                    generated.message(message, **{key: of(value) for key, value in members.items()})
-                )
-            if name in LAST:
-                context.log(f"ended {context.get_variable('ending').name}")
-
-    return Activity
-
-
-@dataclass(frozen=True)
-class Protocol:
-    """A protocol with those who play it, by agent, and what their activities do if all goes well."""
-
-    name: str
-    parts: Mapping[str, str]
-    acts: Mapping[str, Act]
-
-    def __str__(self) -> str:
-        return self.name
-
-    def text(self) -> str:
-        roles = dict.fromkeys(self.parts.values())
-        lines = [f"system {self.name.title().replace('_', '')}", "import protocols"]
-        lines += [
-            f"srm {part}_role {{\n  plays {self.name}.{part}\n  liveness {{ {part}_role = {part} }}\n}}"
-            for part in roles
-        ]
-        team = " ".join(f"{agent} : {part}_role" for agent, part in self.parts.items())
-        return "\n".join([*lines, f"team T {{ {team} }}", ""])
 
 
 @dataclass(frozen=True)
@@ -108,149 +36,6 @@ class End:
     def __str__(self) -> str:
         return f"{self.protocol}: {self.name}"
 
-
-PROTOCOLS = (
-    Protocol(
-        "request",
-        {"ann": "initiator", "bob": "responder"},
-        {
-            "PrepareOrder": act(says=("Order", {"id": "1", "what": "soup"})),
-            "AwaitOutcome": act(),
-            "LearnOutcome": act(),
-            "ConsiderOrder": act(0.1, willing=True),
-            "PerformOrder": act(3, succeeded=True),
-            "ReportOutcome": act(says=("Outcome", {"id": "1", "detail": "hot"})),
-            "StopOrder": act(),
-        },
-    ),
-    Protocol(
-        "query",
-        {"ann": "initiator", "bob": "responder"},
-        {
-            "PrepareQuestion": act(says=("Question", {"id": "1", "about": "the soup"})),
-            "AwaitAnswer": act(),
-            "LearnAnswer": act(),
-            "ConsiderQuestion": act(0.1, willing=True),
-            "FindAnswer": act(1, known=True),
-            "GiveAnswer": act(says=("Answer", {"id": "1", "holds": True, "value": "hot"})),
-            "DropQuestion": act(),
-        },
-    ),
-    Protocol(
-        "propose",
-        {"ann": "initiator", "bob": "responder"},
-        {
-            "PrepareIdea": act(says=("Idea", {"id": "1", "what": "I cook"})),
-            "AwaitReply": act(),
-            "LearnReply": act(),
-            "ConsiderIdea": act(1, wanted=True),
-        },
-    ),
-    Protocol(
-        "subscribe",
-        {"ann": "initiator", "bob": "responder"},
-        {
-            "PrepareSubscription": act(says=("Interest", {"id": "1", "about": "the soup"})),
-            "ReadNews": act(withdrawn=[False, False, True]),
-            "AwaitStop": act(),
-            "EndSubscription": act(),
-            "ConsiderSubscription": act(0.1, willing=True),
-            "WatchSource": act(2, says=("News", {"id": "1", "value": ["cold", "warm", "hot"]})),
-            "StopService": act(),
-        },
-    ),
-    Protocol(
-        "contract_net",
-        {"ann": "manager", "bob": "contractor", "cid": "contractor", "dan": "contractor"},
-        {
-            "AnnounceJob": act(says=("Job", {"id": "1", "what": "soup"})),
-            "CollectProposals": act(2),
-            "AwardContract": act(),
-            "AwaitOutcome": act(),
-            "LearnOutcome": act(),
-            "EvaluateJob": act(
-                {"bob": 0.1, "cid": 0.2, "dan": 0.3}, able={"bob": True, "cid": True, "dan": False}
-            ),
-            "MakeProposal": act(
-                says=("Proposal", {"job": "1", "cost": {"bob": 7.0, "cid": 5.0, "dan": 9.0}})
-            ),
-            "DeclineJob": act(),
-            "CarryOut": act(5, succeeded=True),
-            "ReportOutcome": act(says=("Outcome", {"id": "1", "detail": "hot"})),
-            "StopWork": act(),
-        },
-    ),
-    Protocol(
-        "iterated_contract_net",
-        {"ann": "manager", "bob": "contractor", "cid": "contractor", "dan": "contractor"},
-        {
-            "AnnounceJob": act(says=("Job", {"id": "1", "what": "soup"})),
-            "CollectProposals": act(2),
-            "DecideRound": act(again=[True, False], says=("Job", {"id": "1", "what": "cheaper"})),
-            "AwaitOutcome": act(),
-            "LearnOutcome": act(),
-            "EvaluateJob": act(
-                {"bob": 0.1, "cid": 0.2, "dan": 0.3}, able={"bob": True, "cid": True, "dan": False}
-            ),
-            "MakeProposal": act(
-                says=("Proposal", {"job": "1", "cost": {"bob": [7.0, 4.0], "cid": [5.0, 4.5], "dan": 9.0}})
-            ),
-            "CarryOut": act(5, succeeded=True),
-            "ReportOutcome": act(says=("Outcome", {"id": "1", "detail": "hot"})),
-            "StopWork": act(),
-        },
-    ),
-    Protocol(
-        "auction",
-        {"ann": "auctioneer", "bob": "bidder", "cid": "bidder"},
-        {
-            "OpenAuction": act(lot="a clock", price=10.0, step=5.0, reserve=12.0),
-            "CallPrice": act(0.1),
-            "CollectOffers": act(2),
-            "AwaitPayment": act(),
-            "CloseAuction": act(),
-            "ConsiderLot": act(),
-            "DecideOffer": act(
-                {"bob": 0.1, "cid": 0.2},
-                interested={"bob": [True, True, False], "cid": [True, True, True, False]},
-            ),
-            "Pay": act(1, solvent=True),
-        },
-    ),
-    Protocol(
-        "dutch_auction",
-        {"ann": "auctioneer", "bob": "bidder", "cid": "bidder"},
-        {
-            "OpenAuction": act(lot="fish", price=10.0, step=2.0, reserve=5.0),
-            "CallPrice": act(0.1),
-            "CollectOffers": act(2),
-            "AwaitPayment": act(),
-            "CloseAuction": act(),
-            "ConsiderLot": act(),
-            "DecideOffer": act(
-                {"bob": 0.1, "cid": 0.2}, interested={"bob": [False, True], "cid": [False, False, True]}
-            ),
-            "Pay": act(1, solvent=True),
-        },
-    ),
-    Protocol(
-        "brokering",
-        {"ann": "client", "bob": "broker", "cid": "provider", "dan": "provider"},
-        {
-            "PrepareErrand": act(says=("Errand", {"id": "1", "what": "soup", "wanted": "cook"})),
-            "AwaitResult": act(),
-            "LearnResult": act(),
-            "ConsiderErrand": act(0.1, willing=True),
-            "ChooseProvider": act(0.1, found=[True, True, False], chosen=["cid", "dan", "dan"]),
-            "AwaitProvider": act(),
-            "StopSearch": act(),
-            "WeighErrand": act(0.1, able=True),
-            "RunErrand": act(3, succeeded=True),
-            "ReportResult": act(says=("Outcome", {"id": "1", "detail": "hot"})),
-            "DropErrand": act(),
-        },
-    ),
-)
 
 NEVER = act(3600)
 """So long that nobody waits for it."""
@@ -271,11 +56,20 @@ ENDS = (
     End(
         "request",
         "cannot be stopped",
-        "CANCELLED",
+        "FAILED",
         {"AwaitOutcome": act(1, withdrawn=True), "StopOrder": act(stopped=False)},
     ),
     End("request", "the other is lost", "LOST", {"PerformOrder": act(breaks=True)}),
     End("request", "the one who asked is lost", "", {"AwaitOutcome": act(1, breaks=True)}),
+    End("request_when", "done", "DONE"),
+    End("request_when", "refused", "REFUSED", {"ConsiderInstruction": act(willing=False)}),
+    End("request_when", "the condition never holds", "FAILED", {"AwaitCondition": act(5, hopeless=True)}),
+    End("request_when", "failed", "FAILED", {"PerformInstruction": act(succeeded=False)}),
+    End("request_when", "no answer", "TIMED_OUT", {"ConsiderInstruction": NEVER}),
+    End("request_when", "no outcome", "TIMED_OUT", {"AwaitCondition": act(2 * 3600)}),
+    End("request_when", "taken back", "CANCELLED", {"AwaitOutcome": act(1, withdrawn=True)}),
+    End("request_when", "the other is lost", "LOST", {"PerformInstruction": act(breaks=True)}),
+    End("request_when", "the one who asked is lost", "", {"AwaitOutcome": act(1, breaks=True)}),
     End("query", "done", "DONE"),
     End(
         "query",
@@ -329,7 +123,38 @@ ENDS = (
             )
         },
     ),
+    End("contract_net", "two winners", "DONE", {"AnnounceJob": act(wanted=2, says=("Job", {"id": "1"}))}),
+    End(
+        "contract_net",
+        "one of two winners fails",
+        "FAILED",
+        {
+            "AnnounceJob": act(wanted=2, says=("Job", {"id": "1"})),
+            "CarryOut": act(5, succeeded={"bob": True, "cid": False}),
+        },
+    ),
+    End(
+        "contract_net", "taken back before the award", "CANCELLED", {"CollectProposals": act(withdrawn=True)}
+    ),
+    End(
+        "contract_net",
+        "taken back at the award",
+        "CANCELLED",
+        {"AwardContract": act(withdrawn=True)},
+    ),
+    End(
+        "contract_net",
+        "one does not answer",
+        "DONE",
+        {"EvaluateJob": act({"bob": 0.1, "cid": 0.2, "dan": 3600}, able=True)},
+    ),
     End("iterated_contract_net", "done", "DONE"),
+    End(
+        "iterated_contract_net",
+        "one does not answer",
+        "DONE",
+        {"EvaluateJob": act({"bob": 0.1, "cid": 0.2, "dan": 3600}, able=True)},
+    ),
     End("iterated_contract_net", "nobody can", "REFUSED", {"EvaluateJob": act(able=False)}),
     End("iterated_contract_net", "failed", "FAILED", {"CarryOut": act(succeeded=False)}),
     End("iterated_contract_net", "no outcome", "TIMED_OUT", {"CarryOut": NEVER}),
@@ -337,6 +162,17 @@ ENDS = (
     End("iterated_contract_net", "the contractor is lost", "LOST", {"CarryOut": act(breaks=True)}),
     End("iterated_contract_net", "the manager is lost", "", {"DecideRound": act(breaks=True)}),
     End("auction", "sold", "DONE"),
+    End(
+        "auction",
+        "two at one price, then the other one",
+        "DONE",
+        {
+            "DecideOffer": act(
+                {"bob": 0.1, "cid": 0.2},
+                interested={"bob": [True, False], "cid": [True, True, False]},
+            )
+        },
+    ),
     End("auction", "nobody wants it", "NOBODY", {"DecideOffer": act(interested=False)}),
     End(
         "auction",
@@ -350,6 +186,12 @@ ENDS = (
     End("auction", "the auctioneer is lost", "", {"CollectOffers": act(1, breaks=True)}),
     End("dutch_auction", "sold", "DONE"),
     End("dutch_auction", "nobody wants it", "NOBODY", {"DecideOffer": act(interested=False)}),
+    End(
+        "dutch_auction",
+        "two while the next price is called",
+        "DONE",
+        {"CallPrice": act(0.5), "DecideOffer": act({"bob": 2.1, "cid": 2.2}, interested=True)},
+    ),
     End("dutch_auction", "two at once", "DONE", {"DecideOffer": act(0.1, interested=True)}),
     End("dutch_auction", "not paid", "REFUSED", {"Pay": act(solvent=False)}),
     End("dutch_auction", "no payment", "TIMED_OUT", {"Pay": NEVER}),
@@ -372,16 +214,24 @@ ENDS = (
     End("brokering", "no result", "NOBODY", {"RunErrand": NEVER}),
     End("brokering", "the broker is lost", "LOST", {"AwaitProvider": act(1, breaks=True)}),
     End("brokering", "the client is lost", "", {"AwaitResult": act(1, breaks=True)}),
+    End("recruiting", "done", "DONE"),
+    End("recruiting", "refused", "REFUSED", {"ConsiderErrand": act(willing=False)}),
+    End("recruiting", "the second one can", "DONE", {"WeighErrand": act(able={"cid": False, "dan": True})}),
+    End("recruiting", "nobody known", "NOBODY", {"ChooseProvider": act(found=False)}),
+    End("recruiting", "nobody can", "NOBODY", {"WeighErrand": act(able=False)}),
+    End("recruiting", "all fail", "FAILED", {"RunErrand": act(succeeded=False)}),
+    End(
+        "recruiting",
+        "the first one is lost",
+        "LOST",
+        {"RunErrand": act(1, breaks={"cid": True, "dan": False}, succeeded=True)},
+    ),
+    End("recruiting", "taken back", "CANCELLED", {"AwaitResult": act(1, withdrawn=True)}),
+    End("recruiting", "no answer", "TIMED_OUT", {"ConsiderErrand": NEVER}),
+    End("recruiting", "no result", "TIMED_OUT", {"RunErrand": NEVER}),
+    End("recruiting", "the recruiter is lost", "LOST", {"ChooseProvider": act(1, breaks=True)}),
+    End("recruiting", "the client is lost", "", {"AwaitResult": act(1, breaks=True)}),
 )
-
-
-def protocol(name: str) -> Protocol:
-    return next(item for item in PROTOCOLS if item.name == name)
-
-
-@cache
-def generated(name: str) -> Generated:
-    return generate(protocol(name).text())
 
 
 def played(end: End) -> Played:
@@ -426,8 +276,11 @@ def test_one_role_may_play_all_of_them() -> None:
 @pytest.mark.parametrize("end", ENDS, ids=str)
 def test_it_ends(end: End) -> None:
     run = played(end)
-    logs = [record["text"] for record in run.of("log")]
-    assert logs == ([f"ended {end.ends}"] if end.ends else [])
+    said = endings(run)
+    item = protocol(end.protocol)
+    assert said.get(next(iter(item.parts)), "") == end.ends
+    assert disagreement(item, said) == ""
+    assert "NONE" not in said.values()
     broken = "lost" in end.name
     assert bool(run.of("error")) == broken
     left = [agent for agent in protocol(end.protocol).parts if not _is_over(run, agent)]

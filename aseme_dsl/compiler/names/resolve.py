@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import replace
 
-from aseme_dsl.amola.messages import Function, Type
+from aseme_dsl.amola.messages import AGENT, Function, Type
 from aseme_dsl.amola.system import Agent, Team
 from aseme_dsl.compiler.names.activity_forms import activity_forms
 from aseme_dsl.compiler.names.inclusion import includers
@@ -90,7 +90,11 @@ def _functions(collector: Collector, symbols: Symbols) -> tuple[Function, ...]:
         kinds = [
             type_named(collector, parameter.type, enum_names, message_names) for parameter in item.parameters
         ]
-        result = type_named(collector, item.result, enum_names, message_names)
+        result = (
+            AGENT  # who an agent is, is known by its name; an argument that is one is a string
+            if item.result.text == str(AGENT)
+            else type_named(collector, item.result, enum_names, message_names)
+        )
         if not _TARGET.fullmatch(item.target.text):
             collector.report(problems.NoTarget("function", item.target.text), item.target.span)
         seen: dict[str, Span] = {}

@@ -78,7 +78,7 @@ def call(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Va
 
 
 def _function(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
-    """The overload that fits exactly, else the one that needs the fewest ints taken as doubles."""
+    """The overload that fits exactly, else the one that needs the fewest conversions (see `_cost`)."""
     overloads = checker.scope.symbols.overloads(name)
     costs = {}
     for function in overloads:
@@ -98,12 +98,12 @@ def _function(checker: Checker, name: str, written: tree.Call, arguments: Sequen
 
 
 def _cost(function: Function, arguments: Sequence[Value]) -> int | None:
-    """How many ints are taken as doubles; None where the function does not take the arguments."""
+    """How many ints are taken as doubles and agents as their names; None where it does not take them."""
     if len(function.parameters) != len(arguments):
         return None
     cost = 0
     for (_, kind), argument in zip(function.parameters, arguments, strict=True):
-        if kind == DOUBLE and argument.type == INT:
+        if (argument.type, kind) in ((INT, DOUBLE), (AGENT, STRING)):
             cost += 1
         elif kind != argument.type:
             return None

@@ -371,7 +371,8 @@ class Conversations:
                 return (), to, f"{protocol} takes {_at_least(least)} {to}, and there is {there}"
             members = conversation.members[to] = players[:most]
             conversation.chosen.add(to)
-        return tuple(members), to, ""
+        still = tuple(name for name in members if (name, to) not in conversation.past)
+        return still or tuple(members), to, ""  # whose part is over needs no word of what all others are told
 
     def _present(self, agent: Receiver, protocol: str, participant: str) -> list[str]:
         """The other agents that play a participant and are there, in the team's order."""

@@ -1,0 +1,186 @@
+"""Hostile participants: external agents that take part in a protocol, and do not keep to it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from aseme_dsl.amola.aip import Aip
+from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage, fipa_name
+from aseme_dsl.runtime.team.team import Team
+from tests.runtime.playing import MS, SECOND, Played, check_line, make
+from tests.stdlib.library import Act, Protocol, generated, kind_of
+
+MALLORY = "mallory"
+LIMIT = 2 * 3600 * SECOND
+"""Longer than any conversation of the library without an hour of silence in it."""
+
+Kind = tuple[str, str]
+"""A performative and a message type."""
+
+
+@dataclass(frozen=True)
+class Move:
+    """What a hostile agent sends, and how many ms after its last move or what it has heard first."""
+
+    performative: str
+    message: str
+    after: int = 1
+
+    def __str__(self) -> str:
+        return f"{self.after} {self.performative} {self.message}"
+
+
+class Mallory:
+    """An external agent with the moves that it makes once it is in a conversation, whatever it hears."""
+
+    def __init__(
+        self, team: Team, protocol: str, part: str, moves: Iterable[Move], to: Iterable[str]
+    ) -> None:
+        self.team, self.protocol, self.part = team, protocol, part
+        self.moves, self.to = tuple(moves), tuple(to)
+        self.heard: list[FipaMessage] = []
+        self.conversation = ""
+        team.conversations.add_external_agent(MALLORY, self._hear)
+
+    def register(self) -> None:
+        """Offer to take part."""
+        service = {"services": [{"type": f"{self.protocol}.{self.part}"}]}
+        content = json.dumps({"action": "register", "description": service})
+        message = FipaMessage("request", AgentIdentifier(MALLORY), (), content)
+        self.team.driver.at(0, lambda: self.team.conversations.receive_external("df", message))
+
+    def open(self, at: int, performative: str, message: str) -> None:
+        """Open a conversation at a moment, in ms, and go on with the moves."""
+        self.conversation = "mallory-1"
+        moment = at * MS
+        self.team.driver.at(moment, lambda: self._say(performative, message))
+        self._go_on(moment)
+
+    def _hear(self, message: FipaMessage) -> None:
+        self.heard.append(message)
+        if not self.conversation and message.conversation:
+            self.conversation = message.conversation
+            self._go_on(self.team.driver.clock.now())
+
+    def _go_on(self, moment: int) -> None:
+        for move in self.moves:
+            moment += move.after * MS
+            self.team.driver.at(moment, lambda move=move: self._say(move.performative, move.message))
+
+    def _say(self, performative: str, message: str) -> None:
+        for name in self.to:
+            self.say(name, performative, message, self.part, self.conversation)
+
+    def say(self, to: str, performative: str, message: str, part: str, conversation: str) -> None:
+        parameters = (("X-message", message), ("X-participant", part))
+        self.team.conversations.receive_external(
+            to,
+            FipaMessage(
+                fipa_name(performative),
+                AgentIdentifier(MALLORY),
+                (AgentIdentifier(to),),
+                "{}",
+                protocol=self.protocol,
+                conversation=conversation,
+                parameters=parameters,
+            ),
+        )
+
+
+def aip_of(item: Protocol) -> Aip:
+    return next(aip for aip in generated(item.name).system.aips if aip.name == item.name)
+
+
+def sent_by(item: Protocol, part: str) -> list[Kind]:
+    """What a participant may send."""
+    found = next(p for p in aip_of(item).participants if p.name == part)
+    return [(message.performative, message.message) for message in found.sends]
+
+
+def received_by(item: Protocol, part: str) -> list[Kind]:
+    """What a participant may receive."""
+    found = next(p for p in aip_of(item).participants if p.name == part)
+    return [(message.performative, message.message) for message in found.receives]
+
+
+def team_of(
+    item: Protocol, acts: Mapping[str, Act], without: Iterable[str] = (), **options: Any
+) -> tuple[Team, list[dict[str, Any]]]:
+    """The team of a protocol, less some agents. Who begins waits until all others are there."""
+    acts = {
+        **item.acts,
+        item.first: Act(takes=0.05, sets=item.acts[item.first].sets, says=item.acts[item.first].says),
+        **acts,
+    }
+    made = generated(item.name)
+    agents = [(name, f"{part}_role") for name, part in item.parts.items() if name not in without]
+    classes = {name: kind_of(made, name, what) for name, what in acts.items()}
+    return make(made, classes, agents=agents, until=LIMIT, **options)
+
+
+def finish(team: Team, records: list[dict[str, Any]]) -> Played:
+    result = team.run()
+    for record in records[::7]:
+        check_line(record)
+    return Played(team, result, records)
+
+
+def against(item: Protocol, agent: str, moves: Iterable[Move], acts: Mapping[str, Act] = {}) -> Played:
+    """A run in which a hostile agent plays the part of an agent of the team."""
+    team, records = team_of(item, acts, [agent])
+    part = item.parts[agent]
+    mallory = Mallory(team, item.name, part, moves, [name for name in item.parts if name != agent])
+    if agent == next(iter(item.parts)):
+        mallory.open(100, *sent_by(item, part)[0])
+    else:
+        mallory.register()
+    return finish(team, records)
+
+
+def endings(run: Played) -> dict[str, str]:
+    """How each agent says that its part has ended, the last word counts."""
+    return {
+        record["agent"]: record["text"].removeprefix("ended ")
+        for record in run.of("log")
+        if record["text"].startswith("ended ")
+    }
+
+
+def left_waiting(run: Played) -> list[str]:
+    """The agents that took part and still do at the end of the run."""
+    inside: dict[str, int] = {}
+    for record in run.of("conversation"):
+        if record["what"] in ("open", "join"):
+            inside[record["agent"]] = inside.get(record["agent"], 0) + 1
+        elif record["what"] == "leave":
+            inside[record["agent"]] -= 1
+    return [agent for agent, count in inside.items() if count > 0]
+
+
+def taken(run: Played) -> list[tuple[int, str, str, Kind]]:
+    """Every message that an agent has taken: time, agent, sender and kind."""
+    known: dict[tuple[str, int], Kind] = {}
+    for record in run.records:
+        if record["kind"] == "agent_message":
+            known[record["agent"], record["sequence"]] = (record["performative"], record["message"])
+        elif record["kind"] == "received":
+            known[record["sender"], record["sequence"]] = (record["performative"], record["message"])
+    found = []
+    for step in run.of("step"):
+        for sender, sequence in step.get("agent_messages", ()):
+            kind = known.get((sender, sequence))
+            if kind is not None:
+                found.append((step["time"], step["agent"], sender, kind))
+    return found
+
+
+def sent(run: Played) -> list[tuple[int, str, str, Kind]]:
+    """Every message that an agent of the team has sent: time, sender, receiver and kind."""
+    return [
+        (record["time"], record["agent"], to, (record["performative"], record["message"]))
+        for record in run.of("agent_message")
+        for to in record["to"]
+    ]
