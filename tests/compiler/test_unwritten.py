@@ -78,6 +78,7 @@ srm p {
     PerformOrder takes 1s simulated
     ReportOutcome takes 1s simulated
     StopOrder takes 1s simulated
+    CloseOrder takes 1s simulated
   }
 }
 team T { a : i  b : p }

@@ -22,7 +22,8 @@ class Undecided:
 def undecided(plan: Plan, branch: str) -> Undecided:
     """What the activities of a participant, given by its branch, have to agree to.
 
-    Of what they may say or leave (`has(asked)`, `when [withdrawn]`) they decide something by saying nothing.
+    Of what they may say or leave (`has(asked)`, `when [withdrawn]`) they decide something by saying nothing:
+    so nothing that a line waits for is asked of them.
     """
     inside = branch + "."
     lines = [item for item in plan.transitions if item.source.startswith(inside)]
@@ -33,15 +34,19 @@ def undecided(plan: Plan, branch: str) -> Undecided:
         if item.scope == branch and item.initial is False and item.name not in set_by_lines
     ]
     asked_for: set[str] = set()
+    optional: set[str] = set()
     for item in lines:
-        if item.condition is None or item.when:
+        if item.condition is None:
             continue
         terms = list(_terms(item.condition))
         asked = [term[1] for term in terms if term[0] == "variable"]
+        if item.when:
+            optional.update(asked)
+            continue
         if all(name in left for name in asked) and _SETTLED.issuperset(term[0] for term in terms):
             asked_for.update(asked)
     states = (item for item in plan.states if item.label.startswith(inside) and item.activity is not None)
-    variables = tuple(name.partition("@")[0] for name in left if name in asked_for)
+    variables = tuple(name.partition("@")[0] for name in left if name in asked_for - optional)
     return Undecided(variables, tuple(dict.fromkeys(item.activity or "" for item in states)))
 
 

@@ -22,7 +22,7 @@ srm cook {
   plays contract_net.contractor
   liveness { cook = contractor~[2] }
   activities { EvaluateJob takes 1s  MakeProposal takes 1s  CarryOut takes 1s  ReportOutcome takes 1s
-               DeclineJob takes 1s  StopWork takes 1s }
+               DeclineJob takes 1s  StopWork takes 1s  CloseJob takes 1s }
 }
 team T { ann : boss  bob, cid : cook }
 """
@@ -71,7 +71,7 @@ def test_a_participant_of_the_library_that_nobody_has_written_is_told_once_for_i
         (
             "bob",
             "cook plays contract_net.contractor without code, so able and succeeded stay false: EvaluateJob,"
-            " MakeProposal, CarryOut, ReportOutcome, DeclineJob or StopWork would decide that",
+            " MakeProposal, CarryOut, ReportOutcome, DeclineJob, StopWork or CloseJob would decide that",
         )
     ]
 
@@ -90,6 +90,7 @@ def test_what_has_code_decides_for_itself(activity: str) -> None:
         ("var able : bool = true", "", "[able]", ""),  # it says yes as it is
         ("var able : bool = false", "", "[able || random.state.Job.id == \"1\"]", ""),
         ("var who : agent", "", "[has(who)]", ""),
+        ("var over : bool = false", "enter Leave : when [over]", "[!over]", ""),  # what a line waits for
         ("var n : int = 0", "", "[n > 1]", ""),
     ],
 )  # fmt: skip
