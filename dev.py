@@ -39,6 +39,10 @@ PLAY = ["-m", "aseme_dsl", "run", "examples/robocup"]
 # than processors: many a test waits for other processes.
 IN_WORKERS = ["-n", str((os.cpu_count() or 1) + 1), "--dist", "worksteal"]
 
+FAILED = ROOT / ".pytest_cache/v/cache/lastfailed"
+FEW = 5
+"""So many tests that fail beside others are run once more, alone."""
+
 CHECKS = [
     [("ruff check", ["-m", "ruff", "check"])],
     [("ruff format", ["-m", "ruff", "format", "--check"])],
@@ -307,7 +311,20 @@ def test(further: list[str]) -> int:
 def alone(name: str, arguments: list[str], further: list[str]) -> Iterator[tuple[str, int]]:
     """Run a check; give its name and its exit code."""
     say(f"== {name}")
-    yield name, in_environment([*arguments, *(further if name == "pytest" else [])])
+    yield name, tests(arguments, further) if name == "pytest" else in_environment(arguments)
+
+
+def tests(arguments: list[str], further: list[str]) -> int:
+    """Run pytest; give its exit code.
+
+    A few tests that failed beside others are run once more, one after the other: on a busy machine, a test
+    that waits for other processes can be too late. They are listed, so that somebody makes them steady.
+    """
+    code = in_environment([*arguments, *further])
+    if code != 1 or further or not FAILED.exists() or len(failed := json.loads(FAILED.read_text())) > FEW:
+        return code
+    say("== pytest, one after the other, what failed beside others: " + ", ".join(failed))
+    return in_environment(["-m", "pytest", "-n", "0", "--last-failed", "--last-failed-no-failures", "none"])
 
 
 def beside(group: list[tuple[str, list[str]]]) -> Iterator[tuple[str, int]]:
@@ -329,7 +346,7 @@ def beside(group: list[tuple[str, list[str]]]) -> Iterator[tuple[str, int]]:
 def unit(further: list[str]) -> int:
     """Set up what a developer needs, and run the tests that depend on the Python."""
     set_up("dev")
-    return in_environment(["-m", "pytest", "-q", *IN_WORKERS, *UNIT, *further])
+    return tests(["-m", "pytest", "-q", *IN_WORKERS, *UNIT], further)
 
 
 def long(further: list[str]) -> int:

@@ -209,6 +209,25 @@ def test_the_first_failing_check_ends_it(record: Recorder, capsys: pytest.Captur
     assert "mypy failed (exit code 3)" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(("failed", "further"), [(1, []), (dev.FEW, []), (dev.FEW + 1, []), (1, ["-x"])])
+def test_a_few_failed_tests_are_run_once_more_alone(
+    record: Recorder,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    failed: int,
+    further: list[str],
+) -> None:
+    """With `-x`, and where much fails, that says nothing of the rest."""
+    monkeypatch.setattr(dev, "FAILED", tmp_path / "lastfailed")
+    dev.FAILED.write_text(json.dumps({f"tests/test_it.py::test_{number}": True for number in range(failed)}))
+    started = record({"pytest": 1})
+    assert dev.main(["test", *further]) == 1
+    again = [arguments for arguments in started if "--last-failed" in arguments]
+    assert len(again) == (failed <= dev.FEW and not further)
+    assert ("tests/test_it.py::test_0" in capsys.readouterr().out) == bool(again)
+
+
 def test_the_long_lane_measures_and_plays_many_random_charts(record: Recorder) -> None:
     started = record({})
     assert dev.main(["long"]) == 0
