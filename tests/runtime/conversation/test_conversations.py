@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.conversation import conversation
+from aseme_dsl.runtime.conversation.exchange import delivery
 from aseme_dsl.runtime.message.acl import PERFORMATIVES, fipa_name
 from tests.runtime.playing import MS, SECOND, Played, play
 from tests.support.generated import generate
@@ -319,7 +319,7 @@ def test_each_of_them_is_sent_and_taken() -> None:
 
 def test_no_more_messages_wait_than_an_agent_can_remember(monkeypatch: pytest.MonkeyPatch) -> None:
     """Who asks for ever somebody who never listens is told, and nothing grows."""
-    monkeypatch.setattr(conversation, "WAITING", 20)
+    monkeypatch.setattr(delivery, "WAITING", 20)
     run = play(
         """
         system S
@@ -341,4 +341,4 @@ def test_no_more_messages_wait_than_an_agent_can_remember(monkeypatch: pytest.Mo
     told = "worker1 request Task: 20 messages wait already for a participant to be entered"
     assert unexpected(run).count(told) == asked - 20
     conversations = run.team.conversations
-    assert len(conversations._conversations) <= 21
+    assert len(conversations._members.conversations) <= 21

@@ -90,7 +90,7 @@ def test_an_outsider_asks_and_is_answered(ask: Generated) -> None:
         ("join", "c1"),
         ("leave", "c1"),
     ]
-    assert alice.team.conversations._conversations == {}
+    assert alice.team.conversations._members.conversations == {}
 
 
 def test_little_need_be_said(ask: Generated) -> None:
@@ -196,7 +196,7 @@ def test_what_is_not_understood_is_told_and_answered(ask: Generated, case: str) 
         ["alice@elsewhere"],
     )
     assert answer.reply_with == f"{mail['agent']}-{mail['sequence']}"
-    assert alice.team.conversations._conversations == {}
+    assert alice.team.conversations._members.conversations == {}
 
 
 def test_what_does_not_say_who_has_sent_it_is_told(ask: Generated) -> None:

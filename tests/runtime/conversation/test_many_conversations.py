@@ -146,5 +146,5 @@ def test_a_thousand_conversations_among_a_hundred_agents(crowd: Generated, clock
         opened = max(r["time"] for r in run.of("conversation") if r["what"] == "open")
         assert opened < min(r["time"] for r in run.of("conversation") if r["what"] == "leave")
     conversations = run.team.conversations
-    assert conversations._conversations == {}
+    assert conversations._members.conversations == {}
     assert len(run.of("agent_message")) == 3 * total

@@ -1,0 +1,266 @@
+"""Delivery: a message reaches the branch that takes part in its conversation, or is unexpected."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage
+from aseme_dsl.runtime.chart.plan import BranchInfo
+from aseme_dsl.runtime.conversation import external_agents
+from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
+from aseme_dsl.runtime.conversation.counting import Counting
+from aseme_dsl.runtime.conversation.exchange.members import Members
+from aseme_dsl.runtime.conversation.exchange.outside import Outside
+from aseme_dsl.runtime.conversation.losses import Losses
+from aseme_dsl.runtime.conversation.participation import REMEMBERED, Conversation, Participation
+from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, AclMessage, AgentIdentifier, name_of
+from aseme_dsl.runtime.ports import Links, Receiver
+from aseme_dsl.runtime.time.clock import Clock
+from aseme_dsl.runtime.transport.port import Transport
+
+WAITING = 1000
+"""So many messages wait at the most, at one agent, for a participant to be entered."""
+
+
+class Delivery:
+    """What brings messages to branches. Called with the lock of the conversations."""
+
+    def __init__(
+        self,
+        members: Members,
+        told: ConversationTrace,
+        counting: Counting,
+        outside: Outside,
+        transport: Transport,
+        links: Callable[[], Links | None],
+        queue: int,
+        clock: Clock,
+    ) -> None:
+        """So many messages, `queue`, may wait for a participant; `links` are the simulated ones, if any."""
+        self._members = members
+        self._told = told
+        self._counting = counting
+        self._outside = outside
+        self._transport = transport
+        self._links = links
+        self._queue = queue
+        self._clock = clock
+        self.losses = Losses(
+            told, counting, members.agents, members.desks, members.plans, transport, links, self.bring
+        )
+
+    def bring(self, name: str, acl: AclMessage) -> None:
+        """Deliver a message to an agent here, or have it carried to one elsewhere."""
+        if name in self._members.agents:
+            agent = self._members.agents[name]
+            links = self._links()
+            if links is None or name == acl.sender:
+                self.deliver(agent, acl)
+            else:
+                links.carry(
+                    acl.sender,
+                    name,
+                    "mail",
+                    acl.conversation,
+                    acl.identity,
+                    lambda: self.deliver(agent, acl),
+                )
+            return
+        conversation = self._members.conversations.get(acl.conversation)
+        if name in self._members.plans:
+            self._transport.carry(acl, name, conversation.members if conversation is not None else {})
+        else:
+            known = conversation.outsiders if conversation is not None else {}
+            to = known.get(name, (AgentIdentifier(name),))
+            if conversation is not None:
+                conversation.note(acl.reply_with, acl.performative, acl.message, name)
+            by = external_agents.fipa_moment(acl.reply_by, self._clock)
+            self._outside.carry(acl.sender, external_agents.written(acl, to, reply_by=by), to)
+
+    def take_part(self, agent: Receiver, place: Participation, name: str, what: str) -> None:
+        """A branch takes part in a conversation from now on; `what` it did: `open` or `join`."""
+        place.conversation = name
+        part = place.part
+        self._members.desks[agent.name].free.get(part, {}).pop(place.info.label, None)
+        conversation = self._members.conversations[name]
+        conversation.places[agent.name, part[1]] = place
+        members = conversation.members.setdefault(part[1], [])
+        if agent.name not in members:
+            members.append(agent.name)
+        self._told.takes_part(what, agent.name, place, name)
+        self.losses.joined(agent, place, name, conversation)
+
+    def deliver(self, agent: Receiver, acl: AclMessage) -> None:
+        """Give a message to the branch that takes part; else to a free one, or let it wait for one."""
+        conversation = self._members.conversations.get(acl.conversation)
+        place = conversation.places.get((agent.name, acl.to)) if conversation is not None else None
+        if place is not None:
+            if not receives(place.info, acl):
+                self.unexpected(agent, acl, f"{acl.to} does not receive it")
+            elif len(place.waiting) >= self._queue:
+                self._refuse(agent, place, acl)
+            else:
+                self.post(agent, place, acl)
+            return
+        if conversation is None:
+            self.unexpected(agent, acl, "the conversation is closed")
+            return
+        if (agent.name, acl.to) in conversation.past:
+            self.unexpected(agent, acl, "its part in the conversation is over")
+            return
+        played = [
+            info
+            for info in agent.plan.branches
+            if (info.protocol, info.participant) == (acl.protocol, acl.to)
+        ]
+        if played and played[0].version != acl.version:
+            self.unexpected(agent, acl, f"{acl.sender} plays another version of {acl.protocol}")
+            return
+        info = next((info for info in played if receives(info, acl)), None)
+        if info is None or agent.over:
+            reason = f"{agent.name} has ended" if agent.over else f"{agent.role} does not receive it"
+            self.unexpected(agent, acl, reason)
+            return
+        desk = self._members.desks[agent.name]
+        invitations = desk.invitations
+        if invitations.size >= WAITING:
+            self.unexpected(agent, acl, f"{WAITING} messages wait already for a participant to be entered")
+            return
+        part = acl.protocol, acl.to
+        is_invited = invitations.has(part, acl.conversation)
+        if not is_invited and (acl.performative, acl.message) not in info.opens:
+            if acl.sender not in self._members.plans:
+                self.unexpected(agent, acl, f"{acl.to} does not begin with it")
+                return
+            # What opens the conversation may be on its way from another agent.
+            invitations.add_early(part, acl)
+            conversation.invitations += 1
+            return
+        place = desk.first_free(part)
+        if place is not None and not is_invited:
+            self.take_part(agent, place, acl.conversation, "join")
+            self.post(agent, place, acl)
+            for early in invitations.take_early(acl.conversation, part):
+                conversation.invitations -= 1
+                self.post(agent, place, early)
+            return
+        invitations.add(part, acl)
+        conversation.invitations += 1
+
+    def post(self, agent: Receiver, place: Participation, acl: AclMessage) -> None:
+        """Let a message wait for its branch, and be an input of the agent."""
+        mail = AgentMessage(
+            place.info.label,
+            acl.performative,
+            acl.message,
+            agent.understood(acl.content),
+            acl.participant,
+            acl.sender,
+            acl.identity,
+            acl.reply_with,
+            acl.reply_by,
+            acl.in_reply_to,
+        )
+        place.waiting[acl.identity] = mail
+        agent.post(acl.identity, mail, conversation=acl.conversation)
+
+    def _refuse(self, agent: Receiver, place: Participation, acl: AclMessage) -> None:
+        """Too many messages wait already that the participant does not take."""
+        if not place.was_full:
+            place.was_full = True
+            text = f"{self._queue} messages wait for {acl.to} of {agent.name} and are not taken"
+            self._told.fault(agent.name, f"{text}: what comes now is refused")
+        self.unexpected(agent, acl, f"{self._queue} messages wait already for {acl.to}")
+
+    def unexpected(self, agent: Receiver, acl: AclMessage, reason: str) -> None:
+        """Tell of a message that nobody expects, and answer it, but never an answer to that."""
+        self._told.unexpected(agent.name, acl, reason)
+        self._counting.unexpected(agent, self._members.conversations.get(acl.conversation), acl)
+        if acl.performative != NOT_UNDERSTOOD:
+            self._answer(agent, acl, reason)
+
+    def _answer(self, agent: Receiver, acl: AclMessage, reason: str) -> None:
+        """Answer a message that nobody expects."""
+        identity = agent.identity()
+        answer = AclMessage(
+            NOT_UNDERSTOOD,
+            agent.name,
+            (acl.sender,),
+            acl.message,
+            acl.content,
+            acl.protocol,
+            acl.conversation,
+            acl.to,
+            acl.participant,
+            identity,
+            acl.version,
+            acl.ontology,
+            name_of(identity),
+            acl.reply_with,
+        )
+        self._told.sent(answer, [acl.identity])
+        if acl.sender in self._members.plans:
+            self.bring(acl.sender, answer)
+            return
+        conversation = self._members.conversations.get(acl.conversation)
+        known = conversation.outsiders if conversation is not None else {}
+        to = known.get(acl.sender, (AgentIdentifier(acl.sender),))
+        if conversation is not None:
+            conversation.note(answer.reply_with, NOT_UNDERSTOOD, answer.message, acl.sender)
+        self._outside.carry(agent.name, external_agents.written(answer, to, reason), to)
+
+    def arrives(self, agent: Receiver, mail: AgentMessage, conversation: str | None) -> bool:
+        """Whether mail that was under way still finds its participant; tells and answers if it does not."""
+        place = self._members.desks[agent.name].branches.get(mail.branch)
+        if conversation is None or (place is not None and place.conversation == conversation):
+            return True
+        if mail.performative == LOST:
+            return False
+        info = agent.branch_info(mail.branch)
+        acl = AclMessage(
+            mail.performative,
+            mail.sender,
+            (agent.name,),
+            mail.message,
+            mail.content,
+            info.protocol,
+            conversation,
+            mail.participant,
+            info.participant,
+            mail.identity,
+            info.version,
+            agent.plan.system,
+            mail.reply_with,
+        )
+        self.unexpected(agent, acl, "its part in the conversation is over")
+        return False
+
+    def close(self, name: str) -> None:
+        """Forget a conversation in which nobody takes part or may still do so."""
+        conversation = self._members.conversations.get(name)
+        if conversation is None or conversation.places:
+            return
+        if conversation.invitations and not self._transport.networked:
+            self._refuse_early(name, conversation)
+        if conversation.invitations or name not in self._members.conversations:
+            return
+        del self._members.conversations[name]
+        if self._transport.networked or conversation.outsiders:
+            self._members.over[name] = conversation.past
+            if len(self._members.over) > REMEMBERED:
+                del self._members.over[next(iter(self._members.over))]
+
+    def _refuse_early(self, name: str, conversation: Conversation) -> None:
+        """Nobody can send what opens a conversation any more: answer what waits for that."""
+        for agent, desk in self._members.desks.items():
+            for acl in desk.invitations.take_early(name):
+                conversation.invitations -= 1
+                self.unexpected(self._members.agents[agent], acl, f"{acl.to} does not begin with it")
+
+
+def receives(info: BranchInfo, acl: AclMessage) -> bool:
+    """Whether a branch lists a message as received."""
+    return (acl.performative, acl.message) in info.receives
+
+
+__all__ = ["Delivery", "receives"]
