@@ -47,7 +47,7 @@ def command(port: int | None, stdio: bool) -> int:
 
     gc.disable()  # the server does it when nobody waits
     server = make_server(__version__, project(), _python_folders)
-    server.tidies = True
+    server.tidying.tidies = True
     if port is None:
         # The protocol has standard output to itself; what else is printed goes where people may read it.
         output = os.fdopen(os.dup(sys.stdout.fileno()), "wb")

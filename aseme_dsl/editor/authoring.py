@@ -76,7 +76,7 @@ def _offer(server: Server) -> None:
 
     async def asked(document: lsp.TextDocumentIdentifier, position: lsp.Position) -> _Asked | None:
         """The text as it is now, the offset in it, and what was known of it when it was last compiled."""
-        path = server.path(document.uri)
+        path = server.texts.path(document.uri)
         if not server.files.is_known(path):
             await server.settled(path)
         view = server.files.recent(path)
@@ -85,7 +85,7 @@ def _offer(server: Server) -> None:
         before = kept.get(path)
         if before is None or before[0].program is not view.program:
             before = kept[path] = (view, known_in(view))
-        return view.source, server.offset(view, position), before[1]
+        return view.source, server.texts.offset(view, position), before[1]
 
     @server.feature(lsp.TEXT_DOCUMENT_COMPLETION, lsp.CompletionOptions(trigger_characters=list(TRIGGERS)))
     async def completion(params: lsp.CompletionParams) -> lsp.CompletionList | None:
@@ -190,7 +190,9 @@ def _is_of_kind(item: Action, kind: lsp.CodeActionKind | str) -> bool:
 
 def _code_action(server: Server, view: View, item: Action, shown: Sequence[lsp.Diagnostic]) -> lsp.CodeAction:
     made = lsp.CodeAction(item.title, kind=_ACTION_KINDS[item.kind], is_preferred=item.preferred or None)
-    places = {(mended.code, server.range(mended.span).start.line) for mended in item.mends if mended.span}
+    places = {
+        (mended.code, server.texts.range(mended.span).start.line) for mended in item.mends if mended.span
+    }
     made.diagnostics = [one for one in shown if (one.code, one.range.start.line) in places] or None
     if item.explains:
         made.command = lsp.Command(item.title, EXPLAIN, arguments=[item.explains])
@@ -199,7 +201,7 @@ def _code_action(server: Server, view: View, item: Action, shown: Sequence[lsp.D
         if item.cursor is not None and _shows_documents(server):
             text = apply(view.source.text, item.edits)
             place = Lines(text, server.encoding).position(item.cursor)
-            arguments = [server.uri(view.path), place.line, place.character]
+            arguments = [server.texts.uri(view.path), place.line, place.character]
             made.command = lsp.Command(item.title, GO_ON, arguments=arguments)
     else:
         data = {"path": view.path, "name": item.name, "start": item.start, "end": item.end}
@@ -231,8 +233,8 @@ def _carried_out(server: Server, data: Any) -> lsp.WorkspaceEdit | None:
 def _workspace_edit(server: Server, view: View, edits: Sequence[Edit]) -> lsp.WorkspaceEdit:
     changes: dict[str, list[lsp.TextEdit]] = {}
     for edit in edits:
-        uri = server.uri(view.program.path_of(edit.span.source))
-        changes.setdefault(uri, []).append(lsp.TextEdit(server.range(edit.span), edit.text))
+        uri = server.texts.uri(view.program.path_of(edit.span.source))
+        changes.setdefault(uri, []).append(lsp.TextEdit(server.texts.range(edit.span), edit.text))
     return lsp.WorkspaceEdit(changes=changes)
 
 
@@ -296,7 +298,7 @@ class _Ranges:
 
     def __call__(self, start: int, end: int) -> lsp.Range:
         if (start, end) not in self.made:
-            self.made[start, end] = self.server.range(Span(self.source, start, end))
+            self.made[start, end] = self.server.texts.range(Span(self.source, start, end))
         return self.made[start, end]
 
 

@@ -34,19 +34,19 @@ def answer_in_python(server: Server) -> None:
         return found
 
     async def read(uri: str) -> Classes | None:
-        path = server.path(uri)
+        path = server.texts.path(uri)
         try:
-            text = server.code[path] if path in server.code else outside.read_text(Path(path))
+            text = server.texts.code[path] if path in server.texts.code else outside.read_text(Path(path))
         except (OSError, ValueError):
             return None
-        source = server.source(path, text)
+        source = server.texts.source(path, text)
         return source, activity_classes(source, await programs(path))
 
     async def at(params: AtPlace) -> tuple[ActivityClass, int] | None:
         found = await read(params.text_document.uri)
         if found is None:
             return None
-        offset = server.offset_in(found[0], params.position)
+        offset = server.texts.offset_in(found[0], params.position)
         one = class_at(found[1], offset)
         return None if one is None else (one, offset)
 
@@ -54,29 +54,31 @@ def answer_in_python(server: Server) -> None:
         found = await at(params)
         if found is None or not found[0].name.start <= found[1] <= found[0].name.end:
             return None  # it is the Python's own
-        return server.locations(places(found[0])[:1])
+        return server.texts.locations(places(found[0])[:1])
 
     async def declaration(params: lsp.DeclarationParams) -> list[lsp.Location] | None:
         found = await at(params)
-        return None if found is None else server.locations(places(found[0])[:1])
+        return None if found is None else server.texts.locations(places(found[0])[:1])
 
     async def references(params: lsp.ReferenceParams) -> list[lsp.Location] | None:
         found = await at(params)
-        return None if found is None else server.locations(places(found[0]))
+        return None if found is None else server.texts.locations(places(found[0]))
 
     async def lenses(params: lsp.CodeLensParams) -> list[lsp.CodeLens] | None:
         found = await read(params.text_document.uri)
         made = []
         for item in found[1] if found is not None else ():
-            locations = server.locations(places(item))
+            locations = server.texts.locations(places(item))
             if locations:
                 first = locations[0]
                 start = first.range.start
-                title = f"{Path(server.path(first.uri)).name}:{start.line + 1}"
+                title = f"{Path(server.texts.path(first.uri)).name}:{start.line + 1}"
                 title += f" and {len(locations) - 1} more places" if len(locations) > 2 else ""
                 arguments = [first.uri, start.line, start.character]
                 made.append(
-                    lsp.CodeLens(server.range(item.name), lsp.Command(title, GO_ON, arguments=arguments))
+                    lsp.CodeLens(
+                        server.texts.range(item.name), lsp.Command(title, GO_ON, arguments=arguments)
+                    )
                 )
         return made
 
@@ -84,7 +86,9 @@ def answer_in_python(server: Server) -> None:
         found = await read(params.text_document.uri)
         if found is None:
             return None
-        start, end = (server.offset_in(found[0], place) for place in (params.range.start, params.range.end))
+        start, end = (
+            server.texts.offset_in(found[0], place) for place in (params.range.start, params.range.end)
+        )
         path = found[0].path
         made = []
         for program, item in problems(path, start, end, await programs(path)):
@@ -112,8 +116,8 @@ def answer_in_python(server: Server) -> None:
 def _changes(server: Server, program: Program, edits: tuple[Edit, ...]) -> dict[str, list[lsp.TextEdit]]:
     found: dict[str, list[lsp.TextEdit]] = {}
     for edit in edits:
-        uri = server.uri(program.path_of(edit.span.source))
-        place = lsp.TextEdit(server.range(edit.span), edit.text)
+        uri = server.texts.uri(program.path_of(edit.span.source))
+        place = lsp.TextEdit(server.texts.range(edit.span), edit.text)
         found.setdefault(uri, []).append(place)
     return found
 

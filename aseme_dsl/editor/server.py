@@ -22,9 +22,10 @@ from aseme_dsl.editor.files.positions import Change, Position, changed
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.files.workspace import Project
 from aseme_dsl.editor.following import Page
+from aseme_dsl.editor.publishing import Publishing
 from aseme_dsl.editor.python_answers import answer_in_python
 from aseme_dsl.editor.reading import reading
-from aseme_dsl.editor.session import IDLE, FoldersOf, Server, is_python, outdated, plain_range
+from aseme_dsl.editor.session import FoldersOf, Server, is_python, outdated
 from aseme_dsl.source import Span
 
 DIAGRAM, CURSOR = "aseme/diagram", "aseme/cursor"
@@ -78,12 +79,13 @@ def make_server(
 ) -> Server:
     """A server that answers every request that this room can answer."""
     server = Server(version, project, folders, reader)
-    _documents(server)
+    publishing = Publishing(server)
+    _documents(server, publishing)
     _questions(server)
     _changes(server)
     _structure(server)
     _hierarchy(server)
-    _drawings(server)
+    _drawings(server, publishing)
     answer_authors(server)
     answer_in_python(server)
     return server
@@ -92,7 +94,7 @@ def make_server(
 # ---- what the editor tells -------------------------------------------------------------------------
 
 
-def _documents(server: Server) -> None:
+def _documents(server: Server, publishing: Publishing) -> None:
     @server.feature(lsp.INITIALIZED)
     def initialized(params: lsp.InitializedParams) -> None:
         folders = server.workspace.folders.values() if server.workspace.folders else ()
@@ -103,61 +105,61 @@ def _documents(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
     def did_open(params: lsp.DidOpenTextDocumentParams) -> None:
         document = params.text_document
-        path = server.path(document.uri)
-        server.uris[path] = document.uri
+        path = server.texts.path(document.uri)
+        server.texts.uris[path] = document.uri
         if is_python(document.uri):
-            server.code[path] = document.text
+            server.texts.code[path] = document.text
             return
         server.files.open(path, document.text, document.version)
-        server.soon(path)
+        publishing.soon(path)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
     def did_change(params: lsp.DidChangeTextDocumentParams) -> None:
-        path = server.path(params.text_document.uri)
+        path = server.texts.path(params.text_document.uri)
         changes = tuple(map(_change, params.content_changes))
         if is_python(params.text_document.uri):
-            server.code[path] = changed(server.code.get(path, ""), changes, server.encoding)
+            server.texts.code[path] = changed(server.texts.code.get(path, ""), changes, server.encoding)
             return
         text = server.files.text(path) or ""
         for change in changes:
             text = changed(text, (change,), server.encoding)
             server.files.open(path, text, params.text_document.version)
         server.reader.changed(path, text)
-        server.soon(path)
+        publishing.soon(path)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)
     def did_save(params: lsp.DidSaveTextDocumentParams) -> None:
         server.files.forget()
-        saved = server.path(params.text_document.uri)
+        saved = server.texts.path(params.text_document.uri)
         for path in server.files.buffers if is_python(params.text_document.uri) else (saved,):
-            server.soon(path)
+            publishing.soon(path)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
     def did_close(params: lsp.DidCloseTextDocumentParams) -> None:
-        path = server.path(params.text_document.uri)
+        path = server.texts.path(params.text_document.uri)
         if is_python(params.text_document.uri):
-            server.code.pop(path, None)
-            server.uris.pop(path, None)
+            server.texts.code.pop(path, None)
+            server.texts.uris.pop(path, None)
             return
         others = [other for other in server.files.affected(path) if other != path]
-        server.hush(path)
+        publishing.hush(path)
         server.files.close(path)
         server.tokens.pop(path, None)
-        server.uris.pop(path, None)
+        server.texts.uris.pop(path, None)
         empty: list[lsp.Diagnostic] = []
         server.text_document_publish_diagnostics(
             lsp.PublishDiagnosticsParams(params.text_document.uri, empty)
         )
         for other in others:
-            server.soon(other)
-        server.hush_elsewhere()
-        server.idle = asyncio.get_running_loop().call_later(IDLE, server.tidy_all)
+            publishing.soon(other)
+        publishing.hush_elsewhere()
+        server.tidying.later()
 
     @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def watched(params: lsp.DidChangeWatchedFilesParams) -> None:
         server.files.forget()
         for path in server.files.buffers:
-            server.soon(path)
+            publishing.soon(path)
 
     @server.feature(lsp.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
     def folders(params: lsp.DidChangeWorkspaceFoldersParams) -> None:
@@ -165,7 +167,7 @@ def _documents(server: Server) -> None:
         server.files.folders = [path for path in paths if path]
         server.files.forget()
         for path in server.files.buffers:
-            server.soon(path)
+            publishing.soon(path)
 
 
 def _ask_for_news_of_files(server: Server) -> None:
@@ -199,7 +201,9 @@ def _questions(server: Server) -> None:
         found = hover.hover(*place)
         if found is None:
             return None
-        return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, found.text), server.range(found.span))
+        return lsp.Hover(
+            lsp.MarkupContent(lsp.MarkupKind.Markdown, found.text), server.texts.range(found.span)
+        )
 
     @server.feature(lsp.TEXT_DOCUMENT_DEFINITION)
     async def definition(params: lsp.DefinitionParams) -> list[lsp.Location] | None:
@@ -207,14 +211,14 @@ def _questions(server: Server) -> None:
         if place is None:
             return None
         view, offset = place
-        return server.locations(navigation.definition_or_python(view, offset, _folders(server, view)))
+        return server.texts.locations(navigation.definition_or_python(view, offset, _folders(server, view)))
 
     @server.feature(lsp.TEXT_DOCUMENT_DECLARATION)
     async def declaration(params: lsp.DeclarationParams) -> list[lsp.Location] | None:
         place = await server.place_now(params)
         if place is None:
             return None
-        return server.locations(navigation.definition(*place))
+        return server.texts.locations(navigation.definition(*place))
 
     @server.feature(lsp.TEXT_DOCUMENT_IMPLEMENTATION)
     async def implementation(params: lsp.ImplementationParams) -> list[lsp.Location] | None:
@@ -222,7 +226,7 @@ def _questions(server: Server) -> None:
         if place is None:
             return None
         view, offset = place
-        return server.locations(navigation.implementation(view, offset, _folders(server, view)))
+        return server.texts.locations(navigation.implementation(view, offset, _folders(server, view)))
 
     @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
     async def references(params: lsp.ReferenceParams) -> list[lsp.Location] | None:
@@ -232,7 +236,7 @@ def _questions(server: Server) -> None:
         view, offset = place
         declared = params.context.include_declaration
         places = navigation.references(view, offset, _folders(server, view), declaration=declared)
-        return server.locations(places)
+        return server.texts.locations(places)
 
     @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
     async def highlights(params: lsp.DocumentHighlightParams) -> list[lsp.DocumentHighlight] | None:
@@ -241,7 +245,7 @@ def _questions(server: Server) -> None:
             return None
         server.moved(params.text_document.uri, params.position)
         found = navigation.highlights(*place)
-        return [lsp.DocumentHighlight(server.range(span), _HIGHLIGHTS[use]) for span, use in found]
+        return [lsp.DocumentHighlight(server.texts.range(span), _HIGHLIGHTS[use]) for span, use in found]
 
     @server.feature(lsp.WORKSPACE_SYMBOL)
     async def symbols(params: lsp.WorkspaceSymbolParams) -> list[lsp.SymbolInformation]:
@@ -249,7 +253,7 @@ def _questions(server: Server) -> None:
         programs = [await server.in_pieces(server.files.programming(root)) for root in sorted(roots)]
         return [
             lsp.SymbolInformation(
-                server.location(path, span),
+                server.texts.location(path, span),
                 symbol.name,
                 _SYMBOLS.get(symbol.kind, lsp.SymbolKind.Variable),
                 container_name=symbol.owner or None,
@@ -274,7 +278,7 @@ def _changes(server: Server) -> None:
         found = rename.renameable(server.files, *place)
         if isinstance(found, rename.Refused):
             raise JsonRpcInvalidParams(found.reason)
-        return server.range(found)
+        return server.texts.range(found)
 
     @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
     async def on_rename(params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
@@ -302,20 +306,20 @@ def _changes(server: Server) -> None:
         return await laid_out(params.text_document.uri, first, last)
 
     async def laid_out(uri: str, first: int = 1, last: int | None = None) -> list[lsp.TextEdit] | None:
-        source = server.text_of(uri)
+        source = server.texts.text_of(uri)
         if source is None:
             return None
         found = await server.aside(layout.laying_out(source, first, last))
-        now = server.text_of(uri)
+        now = server.texts.text_of(uri)
         if now is None or now.text != source.text:
             raise outdated()
-        return server.text_edits(found)
+        return server.texts.text_edits(found)
 
 
 def _renaming(server: Server, found: rename.Renaming) -> lsp.WorkspaceEdit:
     """All edits; files get other names where the editor can do that, and else it says what is left to do."""
     edits = {
-        server.uri(path): server.text_edits(changes)
+        server.texts.uri(path): server.texts.text_edits(changes)
         for path, changes in (*found.edits.items(), *found.code.edits.items())
     }
     moves = [(old.as_uri(), new.as_uri()) for old, new in found.code.moves]
@@ -331,7 +335,7 @@ def _renaming(server: Server, found: rename.Renaming) -> lsp.WorkspaceEdit:
         return lsp.WorkspaceEdit(edits)
     versions: dict[str, int | None] = {}
     if able is not None and able.document_changes:  # it says whether versions are understood, no more
-        versions = {server.uri(path): buffer.version for path, buffer in server.files.buffers.items()}
+        versions = {server.texts.uri(path): buffer.version for path, buffer in server.files.buffers.items()}
     documents = [
         lsp.TextDocumentEdit(
             lsp.OptionalVersionedTextDocumentIdentifier(uri, versions.get(uri)), list(changes)
@@ -372,7 +376,7 @@ def _structure(server: Server) -> None:
         for offset in offsets:
             around: lsp.SelectionRange | None = None
             for span in reversed(outline.selections(view, offset)):
-                around = lsp.SelectionRange(server.range(span), around)
+                around = lsp.SelectionRange(server.texts.range(span), around)
             assert around is not None
             found.append(around)
         return found
@@ -383,7 +387,8 @@ def _structure(server: Server) -> None:
         if view is None:
             return None
         return [
-            lsp.DocumentLink(server.range(span), server.uri(path)) for span, path in navigation.links(view)
+            lsp.DocumentLink(server.texts.range(span), server.texts.uri(path))
+            for span, path in navigation.links(view)
         ]
 
     legend = lsp.SemanticTokensLegend(list(tokens.TYPES), list(tokens.MODIFIERS))
@@ -426,7 +431,9 @@ def _structure(server: Server) -> None:
         view, (start, end) = found
         names = await server.in_pieces(tokens.tokens(view))
         within = [item for item in names if item.end > start and item.start < end]
-        return lsp.SemanticTokens(await server.in_pieces(tokens.encoded(server.lines(view.source), within)))
+        return lsp.SemanticTokens(
+            await server.in_pieces(tokens.encoded(server.texts.lines(view.source), within))
+        )
 
     @server.feature(lsp.TEXT_DOCUMENT_INLAY_HINT)
     async def inlay_hints(params: lsp.InlayHintParams) -> list[lsp.InlayHint] | None:
@@ -436,7 +443,7 @@ def _structure(server: Server) -> None:
         view, (start, end) = found
         return [
             lsp.InlayHint(
-                server.range(Span(view.source, item.offset, item.offset)).start,
+                server.texts.range(Span(view.source, item.offset, item.offset)).start,
                 item.text,
                 lsp.InlayHintKind.Type if item.is_type else None,
                 padding_left=not item.is_type,
@@ -451,7 +458,7 @@ def _structure(server: Server) -> None:
             return None
         return [
             lsp.CodeLens(
-                server.range(Span(item.span.source, item.span.start, item.span.start)),
+                server.texts.range(Span(item.span.source, item.span.start, item.span.start)),
                 lsp.Command(item.title, item.command, arguments=[dict(item.arguments)]),
             )
             for item in hints.lenses(view)
@@ -462,8 +469,8 @@ def _entry(server: Server, item: outline.Entry) -> lsp.DocumentSymbol:
     return lsp.DocumentSymbol(
         item.name,
         _SYMBOLS.get(item.kind, lsp.SymbolKind.Variable),
-        server.range(item.span),
-        server.range(item.name_span),
+        server.texts.range(item.span),
+        server.texts.range(item.name_span),
         detail=item.detail,
         children=[_entry(server, inner) for inner in item.inside],
     )
@@ -471,7 +478,7 @@ def _entry(server: Server, item: outline.Entry) -> lsp.DocumentSymbol:
 
 async def _encoded(server: Server, view: View) -> list[int]:
     names = await server.in_pieces(tokens.tokens(view))
-    return await server.in_pieces(tokens.encoded(server.lines(view.source), names))
+    return await server.in_pieces(tokens.encoded(server.texts.lines(view.source), names))
 
 
 def _remember(server: Server, view: View, data: Sequence[int]) -> str:
@@ -504,7 +511,7 @@ def _hierarchy(server: Server) -> None:
             return None
         return [
             lsp.CallHierarchyIncomingCall(
-                _item(server, path, call.other), [server.range(span) for span in call.places]
+                _item(server, path, call.other), [server.texts.range(span) for span in call.places]
             )
             for call in calls.incoming(view.program, symbol)
         ]
@@ -519,7 +526,7 @@ def _hierarchy(server: Server) -> None:
             return None
         return [
             lsp.CallHierarchyOutgoingCall(
-                _item(server, path, call.other), [server.range(span) for span in call.places]
+                _item(server, path, call.other), [server.texts.range(span) for span in call.places]
             )
             for call in calls.outgoing(view.program, symbol)
         ]
@@ -530,9 +537,9 @@ def _item(server: Server, path: str, found: calls.Caller) -> lsp.CallHierarchyIt
     return lsp.CallHierarchyItem(
         symbol.name,
         _SYMBOLS.get(symbol.kind, lsp.SymbolKind.Function),
-        server.uri(found.path),
-        server.range(found.span),
-        server.range(found.name_span),
+        server.texts.uri(found.path),
+        server.texts.range(found.span),
+        server.texts.range(found.name_span),
         detail=symbol.owner or None,
         data={"view": path, "kind": symbol.kind.value, "name": symbol.name, "owner": symbol.owner},
     )
@@ -553,7 +560,7 @@ def _read(data: Any, name: str) -> Any:
 # ---- drawings ---------------------------------------------------------------------------------------
 
 
-def _drawings(server: Server) -> None:
+def _drawings(server: Server, publishing: Publishing) -> None:
     page: list[Page[lsp.Position]] = []
 
     async def drawn(uri: str, position: lsp.Position) -> tuple[View, LiveDrawing] | None:
@@ -562,7 +569,7 @@ def _drawings(server: Server) -> None:
             view = await server.view(uri)
             if view is None:
                 return None
-            offset = server.offset(view, position)
+            offset = server.texts.offset(view, position)
             view.occurrence_at(offset)  # it is looked up here: only one thread may ask the compiler's memory
             # Graphviz is another program: what is typed meanwhile is not kept waiting.
             found = await asyncio.to_thread(server.diagrams.at, view, offset)
@@ -586,8 +593,8 @@ def _drawings(server: Server) -> None:
             "note": picture.note,
             "elements": {
                 name: {
-                    "uri": server.uri(view.program.path_of(span.source)),
-                    "range": plain_range(server, span),
+                    "uri": server.texts.uri(view.program.path_of(span.source)),
+                    "range": server.texts.plain_range(span),
                 }
                 for name, span in picture.elements.items()
             },
@@ -600,8 +607,8 @@ def _drawings(server: Server) -> None:
 
     async def go(view: View, span: Span) -> None:
         """Show a place in the editor."""
-        uri = server.uri(view.program.path_of(span.source))
-        await shown(lsp.ShowDocumentParams(uri, take_focus=True, selection=server.range(span)))
+        uri = server.texts.uri(view.program.path_of(span.source))
+        await shown(lsp.ShowDocumentParams(uri, take_focus=True, selection=server.texts.range(span)))
 
     async def shown(document: lsp.ShowDocumentParams) -> None:
         """Have the editor show something, if it can be told to."""
@@ -616,7 +623,7 @@ def _drawings(server: Server) -> None:
         if not page:
             page.append(Page(drawn, go))
             server.moved = page[0].moved
-            server.renewed = page[0].renew
+            publishing.renewed = page[0].renew
         url = page[0].viewer.url
         await shown(lsp.ShowDocumentParams(url, external=True))
         return url

@@ -130,8 +130,8 @@ async def objects_kept(edits: int, first: int) -> int:
         )
         SERVER.files.recent("/nowhere/team.aseme")
         await SERVER.publish("/nowhere/team.aseme")
-    SERVER.tidy_all()
-    return SERVER.kept
+    SERVER.tidying.tidy_all()
+    return SERVER.tidying.kept
 
 
 def test_what_a_server_keeps_does_not_grow(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -140,7 +140,7 @@ def test_what_a_server_keeps_does_not_grow(monkeypatch: pytest.MonkeyPatch) -> N
         return await objects_kept(30, 100), await objects_kept(60, 200)
 
     monkeypatch.setattr(session, "DEBOUNCE", 0)
-    monkeypatch.setattr(SERVER, "tidies", True)
+    monkeypatch.setattr(SERVER.tidying, "tidies", True)
     monkeypatch.setattr(SERVER, "publish_one", lambda path, view: None)  # nobody is there
     try:
         before, after = asyncio.run(edited_long())

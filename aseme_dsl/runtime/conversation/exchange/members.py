@@ -52,7 +52,7 @@ class Members:
             conversation = self.conversations[name] = Conversation(protocol, past=past)
         return conversation
 
-    def open(self, protocol: str, agent: str, life: str) -> str:
+    def begin(self, protocol: str, agent: str, life: str) -> str:
         """Open a conversation; its name. `life` tells one start of a process from another."""
         while True:
             number = self.opened[protocol, agent] = self.opened.get((protocol, agent), 0) + 1

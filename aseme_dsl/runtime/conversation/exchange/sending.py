@@ -182,7 +182,7 @@ class Sending:
             )
 
     def _open(self, agent: Receiver, place: Participation) -> None:
-        name = self._members.open(place.info.protocol, agent.name, self._life)
+        name = self._members.begin(place.info.protocol, agent.name, self._life)
         self._delivery.take_part(agent, place, name, "open")
 
     def _receivers(
