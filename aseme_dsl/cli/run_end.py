@@ -120,7 +120,8 @@ def _awaited(item: Awaited) -> str:
 
 
 def _unread_line(item: Unread) -> str:
-    where = f" as {item.participant} in {item.conversation}" if item.conversation else ""
+    part = f" as {item.participant}" if item.participant else ""
+    where = f"{part} in {item.conversation}" if item.conversation else part
     return f"unread: {item.performative} {item.message} from {item.sender} to {item.agent}{where}"
 
 

@@ -15,6 +15,7 @@ from aseme_dsl.runtime.chart.input_queue import Errand, Posted, Writer
 from aseme_dsl.runtime.chart.inputs import Identity, Input
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.message.convert import Messages
+from aseme_dsl.runtime.message.free import ACLMessage
 from aseme_dsl.runtime.time.timers import Scheduler
 
 RunningT = TypeVar("RunningT", contravariant=True)
@@ -42,6 +43,15 @@ class Receiver(Protocol):
         conversation: str | None = None,
     ) -> None: ...
     def understood(self, content: Any) -> Any: ...
+    @property
+    def listens(self) -> bool:
+        """Whether it has behaviours that may receive messages outside of every protocol."""
+        ...
+
+    def hear(self, identity: Identity, message: ACLMessage, refuse: Callable[[str], None]) -> None:
+        """A message outside of every protocol has come; `refuse` tells why nobody wants it."""
+        ...
+
     def branch_info(self, label: str) -> BranchInfo: ...
 
 

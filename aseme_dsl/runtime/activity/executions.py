@@ -135,7 +135,11 @@ class Executions:
         """Whether an activity of a protocol branch has code."""
         if branch not in self._coded:
             inside = (item for item in self.agent.plan.states if item.label.startswith(f"{branch}."))
-            self._coded[branch] = any(self._has_code(item.activity) for item in inside if item.activity)
+            self._coded[branch] = any(
+                self.has_code(item.activity) or self.agent.callback(item.label) is not None
+                for item in inside
+                if item.activity
+            )
         return self._coded[branch]
 
     def running(self) -> list[Execution]:
@@ -270,8 +274,12 @@ class Executions:
         node.last_start = now
         node.starts += 1
         board = self.agent.chart.board_of(start.label)
+        code, kind = node.code, node.kind
+        if code is None and node.error is None:
+            called = self.agent.callback(start.label)
+            code, kind = called, kind if called is None else "step"
         execution = node.current = Execution(
-            self, start, info, node.code, node.kind, node.starts, node.branch, board, now
+            self, start, info, code, kind, node.starts, node.branch, board, now
         )
         given = {name: to_json(value) for name, value in start.arguments}
         self._trace("start", start, **({"arguments": given} if given else {}))
@@ -307,7 +315,7 @@ class Executions:
         """Tell, once for a role, of a participant that agrees to nothing: no activity of it has code."""
         plan = self.agent.plan
         found = undecided(plan, branch)
-        if not found.variables or any(map(self._has_code, found.activities)):
+        if not found.variables or self.has_code_in(branch):
             return
         info = self.agent.branch_info(branch)
         stay = f"{listed(found.variables, 'and')} {'stays' if len(found.variables) == 1 else 'stay'} false"
@@ -315,7 +323,7 @@ class Executions:
         write = listed(found.activities, "or")
         self.agent.trace.remark(now, self.agent.name, f"{text}: {write} would decide that")
 
-    def _has_code(self, activity: str) -> bool:
+    def has_code(self, activity: str) -> bool:
         """Whether there is code for an activity; what cannot be loaded is told when it starts."""
         try:
             return not self._info(activity).simulated and has_code(self._find(activity))
@@ -454,7 +462,7 @@ class Executions:
                 access.check_publish(execution.info, channel)
             case c.SetVariable(name, value):
                 variable = self.agent.plan.variable_of(name, execution.label)
-                if not _fits(variable.type, value):
+                if not fits(variable.type, value):
                     raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
                 access.check_set(execution.info, variable, name)
             case c.Prepare(message):
@@ -494,7 +502,8 @@ class Executions:
 _TYPES = {**TYPES, "agent": (str, type(None))}
 
 
-def _fits(kind: str, value: Any) -> bool:
+def fits(kind: str, value: Any) -> bool:
+    """Whether a value is of the type of a variable."""
     expected = _TYPES.get(kind)
     if expected is None:
         return type(value).__name__ == kind

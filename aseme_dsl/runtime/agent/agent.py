@@ -45,6 +45,7 @@ from aseme_dsl.runtime.chart.inputs import (
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.conversation.conversation import Conversations
 from aseme_dsl.runtime.message.convert import Messages, converted
+from aseme_dsl.runtime.message.free import ACLMessage
 from aseme_dsl.runtime.ports import Driver
 from aseme_dsl.runtime.time.timers import Timer
 from aseme_dsl.runtime.trace.trace import Trace
@@ -127,7 +128,7 @@ class Agent:
             Cancel: self.executions.cancel,
             Publication: self._publish,
             Sending: self._send,
-            MailTaken: lambda effect: self.conversations.taken(self, effect.branch, effect.identity),
+            MailTaken: self._take_mail,
             Joined: self._join,
             Left: self._leave,
             FunctionResult: _nothing,
@@ -176,6 +177,31 @@ class Agent:
     def take(self) -> list[Posted | Errand]:
         """Everything that has come in so far."""
         return self.intake.take()
+
+    @property
+    def listens(self) -> bool:
+        """Whether it has behaviours that may receive messages outside of every protocol."""
+        shown = self.shown
+        if shown is None:
+            return not self.chart.started and self.chart.AGENT is not None
+        return bool(shown.added_behaviours)
+
+    def hear(self, identity: Identity, message: ACLMessage, refuse: Callable[[str], None]) -> None:
+        """A message outside of every protocol has come: for a behaviour that somebody has added."""
+        self.errand(lambda: self._hear(identity, message, refuse))
+
+    def _hear(self, identity: Identity, message: ACLMessage, refuse: Callable[[str], None]) -> None:
+        if self.down:
+            text = f"{message.performative} from {message.sender} is lost: {self.name} is down"
+            self.trace.fault(self.driver.clock.now(), self.name, text, input=list(identity))
+        elif self.over:
+            refuse(f"{self.name} has ended")
+        elif self.shown is not None:
+            self.shown.hear(identity, message, refuse)
+        elif self.chart.started or self.chart.AGENT is None:
+            refuse(f"{self.role} has no behaviours that could receive it")
+        else:  # its first step comes before the next errand
+            self.hear(identity, message, refuse)
 
     def begin(self) -> None:
         """Ask for a step, also if nothing comes in: the first one, or one more."""
@@ -411,6 +437,8 @@ class Agent:
             self.conversations.leaving(self, "crashed" if dead else "replaced")
             for effect in effects:
                 self._carried_out[type(effect)](effect)
+            if self.shown is not None:
+                self.shown.stop_behaviours()
             if self.shown is not None and not dead:
                 self.shown.over(left=True)
             self.shown = None
@@ -498,6 +526,20 @@ class Agent:
     def _count_fault(self, effect: Fault) -> None:
         at = self.plan.transitions[effect.transition].at
         self.trace.count_fault(self.driver.clock.now(), self.name, effect.reason, at)
+
+    def _take_mail(self, effect: MailTaken) -> None:
+        mail = self.conversations.taken(self, effect.branch, effect.identity)
+        if mail is not None:
+            self.take_note(effect.branch, mail)
+
+    def take_note(self, branch: str, mail: AgentMessage) -> None:
+        """A participant, by its branch, has taken a message: its behaviour is told."""
+        if self.shown is not None:
+            self.shown.take_note(branch, mail)
+
+    def callback(self, label: str) -> type[Any] | None:
+        """The activity of a state that is a method of a behaviour, if it is one."""
+        return None if self.shown is None else self.shown.callback(label)
 
     def _publish(self, effect: Publication) -> None:
         self.bus.publish(self, effect.channel, effect.message, effect.host, region=effect.region)

@@ -1,30 +1,41 @@
-"""Behaviours: a running chart as an agent with a tree of behaviours, in the terms of JADE.
+"""Views: a running chart as an agent with a tree of behaviours, in the terms of JADE.
 
 The backend `jade_like` generates a class for each behaviour and one for the agent. They show what the chart
 does and decide nothing: a behaviour is active while its state is, whatever runs the chart, and the chart runs
 the same whether anybody looks or not. `on_start` and `on_end` (of a waker also `on_wake`) of a class of the
 user are called in the order in which states are entered and left, also inside one step, after that step, at
 its time. They must not block. What they raise is told in the trace as a fault, and the agent goes on.
+
+Behaviours that a user adds beside the tree do act: they are in `added_behaviours`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence, Set
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from dataclasses import dataclass, is_dataclass
 from itertools import pairwise
 from typing import Any, ClassVar
 
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder
 from aseme_dsl.runtime.activity.execution import Host
+from aseme_dsl.runtime.activity.executions import fits
 from aseme_dsl.runtime.activity.returning import frames_of, reason_of
+from aseme_dsl.runtime.agent import added_behaviours as added
+from aseme_dsl.runtime.agent import fipa_callbacks
+from aseme_dsl.runtime.agent.behaviour_scheduler import ROOT, BehaviourScheduler
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.following import Following, Shape
-from aseme_dsl.runtime.chart.inputs import Outcome
-from aseme_dsl.runtime.conversation.directory import Service
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Happened, Identity, Outcome, Written
+from aseme_dsl.runtime.conversation.directory import AgentDirectory, Directory, Offer, Service, Withdraw
+from aseme_dsl.runtime.message.as_json import to_json
+from aseme_dsl.runtime.message.free import ACLMessage, MessageTemplate
 
 START, CHOICE, END = "START", "CHOICE", "END"
 """The points of a behaviour: where it begins, where it chooses, where it is done."""
 _POINTS = {START: "START", CHOICE: "CONDITION", END: "END"}
+
+_CALLED = ("handle_", "prepare_", "next_notification", "await_condition")
+"""How the methods of a participant's behaviour begin that are called for a message or as an activity."""
 
 ALL = "all"
 """When a parallel behaviour is done: when all that is in it is."""
@@ -112,6 +123,36 @@ class Behaviour:
     def log(self, text: str) -> None:
         """Write a line into the trace."""
         self.agent.log(self, text)
+
+    def raise_event(self, name: str) -> None:
+        """Raise an event: transitions that wait for it see it in the agent's next step."""
+        self.agent._raise_event(name, self.name, self.states[-1])
+
+    def get_variable(self, name: str) -> Any:
+        """A variable of its participant or of the role. Raises LookupError if there is none."""
+        return self.agent._variable(name, self.states[-1])
+
+    def set_variable(self, name: str, value: Any) -> None:
+        """Write a variable of its participant or of the role. Raises LookupError and TypeError."""
+        self.agent._set_variable(name, value, self.name, self.states[-1])
+
+    def prepare(self, message: Any) -> None:
+        """Give what the next `send` of this message type of its participant contains. Raises TypeError."""
+        self.agent._prepare(message, self)
+
+    # ---- for the callbacks of a participant ----------------------------------------------------
+
+    def heard(self) -> tuple[AgentMessage, ...]:
+        """What its participant has taken in this conversation, the last message of each kind and sender."""
+        return self.agent._heard(self)
+
+    def default_of(self, message: str) -> Any:
+        """A message of a type with its defaults."""
+        return self.agent._default_of(message)
+
+    def tells_responses(self) -> bool:
+        """Whether `handle_all_responses` was not called in this conversation; from now on it was."""
+        return self.agent._tells_responses(self)
 
     def _implied(self) -> Iterator[tuple[str, str]]:
         """The transitions that need no mention."""
@@ -265,11 +306,28 @@ class ParallelBehaviour(CompositeBehaviour):
     when: ClassVar[str] = ALL
 
 
+class _Window:
+    """The directory as behaviours see it."""
+
+    def __init__(self, shell: Host) -> None:
+        self._shell = shell
+
+    @property
+    def directory(self) -> Directory:
+        return self._shell.conversations.directory
+
+    def do(self, doing: Offer | Withdraw) -> None:
+        wanted = isinstance(doing, Withdraw) or doing.anew
+        self._shell.requests.check_registered(wanted)
+        self._shell.requests.register(doing)
+
+
 class JadeLikeAgent:
     """An agent with behaviours: what it offers, and what it does.
 
     The generated subclass says which step class it shows; a subclass of that, in the folder of activities,
-    says in `setup` which behaviours are the user's own.
+    says in `setup` which behaviours are the user's own. Those of the tree that it uses are views; those
+    that it adds act.
     """
 
     main: ClassVar[type[Behaviour]] = Behaviour
@@ -296,6 +354,9 @@ class JadeLikeAgent:
         self._count = 0
         self._since: dict[str, int] = {}
         self._kinds: dict[type[Behaviour], type[Behaviour]] = {}
+        self._added = BehaviourScheduler(shell, self)
+        self._told: dict[str, str | None] = {}
+        """The conversation of each branch in which all responses were told last."""
         self._at: dict[str, list[Behaviour]] = {}
         """What starts and ends with each state: its behaviour, and those that wait in it."""
         self._wakers: dict[int, list[WakerBehaviour]] = {}
@@ -308,6 +369,12 @@ class JadeLikeAgent:
     def setup(self) -> None:
         """Called before the agent's first step; to be overridden."""
 
+    def take_over(self, before: JadeLikeAgent) -> None:
+        """Called after `setup` when the agent goes on after a hot swap; `before` is its object until then.
+
+        To be overridden, to keep what an attribute has.
+        """
+
     def take_down(self) -> None:
         """Called when the agent has ended, in whatever way; to be overridden."""
 
@@ -319,6 +386,8 @@ class JadeLikeAgent:
                 are for the same one.
         """
         for kind in kinds:
+            if issubclass(kind, added.Behaviour):
+                raise TypeError(f"{kind.__name__} runs beside the tree: add_behaviour({kind.__name__}())")
             home = self.main.__module__
             bases = (item for item in kind.__mro__ if item.__module__ == home)
             base = next((item for item in bases if issubclass(item, Behaviour)), None)
@@ -327,6 +396,7 @@ class JadeLikeAgent:
                     f"{kind.__name__} is no subclass of a behaviour of {self.plan.name}: what the agent does"
                     f" stands in {self.plan.source}"
                 )
+            self._check_callbacks(kind, base)
             if kind.build is not base.build:
                 raise TypeError(
                     f"{kind.__name__} overrides build: what is in it stands in {self.plan.source}"
@@ -335,6 +405,59 @@ class JadeLikeAgent:
             if other is not None:
                 raise TypeError(f"{kind.__name__} and {other.__name__} are both for {base.__name__}")
             self._kinds[base] = kind
+
+    def add_behaviour(self, behaviour: added.Behaviour) -> None:
+        """Run a behaviour beside the statechart, from the end of this step on.
+
+        Raises:
+            TypeError: it is not an object of a behaviour of `aseme_dsl.runtime.jade`, runs already, or lacks
+                something; the text says what.
+        """
+        kind = behaviour if isinstance(behaviour, type) else type(behaviour)
+        if issubclass(kind, Behaviour):
+            raise TypeError(f"{kind.__name__} is a view of a state: use({kind.__name__}) in setup")
+        if isinstance(behaviour, type):
+            raise TypeError(f"{kind.__name__} is a class: add_behaviour({kind.__name__}())")
+        self._added.add(behaviour)
+
+    def remove_behaviour(self, behaviour: added.Behaviour) -> None:
+        """Run a behaviour no more; its `on_end` is not called. Raises LookupError if it does not run."""
+        self._added.remove(behaviour)
+
+    @property
+    def added_behaviours(self) -> tuple[added.Behaviour, ...]:
+        """What was added and has not ended."""
+        return self._added.roots
+
+    def receive(self, template: MessageTemplate | None = None) -> ACLMessage | None:
+        """Take the oldest message outside of every protocol that waits and matches, or None."""
+        return self._added.receive(template)
+
+    def send(self, message: ACLMessage) -> ACLMessage:
+        """Send a message outside of every protocol; gives it as it was sent.
+
+        Raises:
+            LookupError: it belongs to a protocol of the system, whose participants alone send it.
+            ValueError: it has no receiver.
+        """
+        return self._added.send(message)
+
+    @property
+    def directory(self) -> AgentDirectory:
+        """Which agents there are, and what each offers."""
+        return AgentDirectory(_Window(self._shell))
+
+    def raise_event(self, name: str) -> None:
+        """Raise an event: transitions that wait for it see it in the agent's next step."""
+        self._raise_event(name, type(self).__name__, ROOT)
+
+    def get_variable(self, name: str) -> Any:
+        """A variable of the role. Raises LookupError if there is none."""
+        return self._variable(name, ROOT)
+
+    def set_variable(self, name: str, value: Any) -> None:
+        """Write a variable of the role. Raises LookupError if there is none, TypeError for another type."""
+        self._set_variable(name, value, type(self).__name__, ROOT)
 
     @property
     def name(self) -> str:
@@ -373,7 +496,144 @@ class JadeLikeAgent:
             "log", self.now, agent=shell.name, activity=behaviour.name, label=behaviour.label, text=text
         )
 
+    def _check_callbacks(self, kind: type[Behaviour], base: type[Behaviour]) -> None:
+        """Raises TypeError for a `handle_…` or `prepare_…` that nothing would call."""
+        names = {name for name in dir(kind) if name.startswith(_CALLED) and not hasattr(base, name)}
+        if not names:
+            return
+        if not kind.participant:
+            raise TypeError(
+                f"{kind.__name__} has {sorted(names)[0]}, and {base.__name__} is not a participant's part"
+            )
+        branches = [item for item in self.plan.branches if item.label in kind.states]
+        receives = [pair for item in branches for pair in item.receives]
+        known = fipa_callbacks.methods_of(kind.protocol, kind.participant, receives)
+        wrong = next((name for name in sorted(names) if name not in known), None)
+        if wrong is not None:
+            raise TypeError(
+                f"{kind.__name__} has {wrong}, which nothing calls: {kind.protocol}.{kind.participant} has"
+                f" {', '.join(known)}"
+            )
+        table = fipa_callbacks.CALLBACKS.get((kind.protocol, kind.participant), {})
+        inside = {
+            state.activity
+            for item in branches
+            for state in self.plan.states
+            if _is_in(state.label, item.label)
+        }
+        for activity, callback in table.items():
+            if callback.method in names and not inside & {
+                name for name, other in table.items() if other.method == callback.method
+            }:
+                raise TypeError(
+                    f"{kind.__name__} has {callback.method}, which nothing calls: another activity stands for"
+                    f" {activity}"
+                )
+            if callback.method in names and activity in inside and self._shell.executions.has_code(activity):
+                text = f"{callback.method} of {kind.__name__} is not called: {activity} has code"
+                self._shell.trace.fault(self.now, self._shell.name, text, kind.at)
+
+    # ---- for its behaviours --------------------------------------------------------------------
+
+    def _prepare(self, message: Any, by: Behaviour) -> None:
+        if isinstance(message, type) or not is_dataclass(message):
+            raise TypeError(f"what is prepared is a message, not {message!r}")
+        branch = self.plan.branch_of(by.states[-1])
+        self._shell.requests.prepared.add(branch, by.states[-1], type(message).__name__, message)
+
+    def _heard(self, by: Behaviour) -> tuple[AgentMessage, ...]:
+        branch = self.plan.branch_of(by.states[-1])
+        return () if branch is None else self._shell.conversations.taken_by(self._shell, branch)
+
+    def _default_of(self, message: str) -> Any:
+        return self._shell.kinds[message]()
+
+    def _tells_responses(self, by: Behaviour) -> bool:
+        branch = self.plan.branch_of(by.states[-1]) or ""
+        conversation = self._shell.conversations.place(self._shell, branch)[0]
+        if self._told.get(branch) == conversation:
+            return False
+        self._told[branch] = conversation
+        return True
+
+    def _variable(self, name: str, label: str) -> Any:
+        return self._shell.chart.variable(self.plan.variable_of(name, label).name)
+
+    def _set_variable(self, name: str, value: Any, by: str, label: str) -> None:
+        shell, variable = self._shell, self.plan.variable_of(name, label)
+        if not fits(variable.type, value):
+            raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
+        identity = shell.identity()
+        shell.trace.write(
+            "variable",
+            self.now,
+            agent=shell.name,
+            sequence=identity[1],
+            variable=variable.name,
+            value=to_json(value),
+            activity=by,
+            label=label,
+        )
+        shell.post(identity, Written(variable.name, value))
+
+    def _raise_event(self, name: str, by: str, label: str) -> None:
+        shell, identity = self._shell, self._shell.identity()
+        shell.trace.write(
+            "event", self.now, agent=shell.name, sequence=identity[1], event=name, activity=by, label=label
+        )
+        shell.post(identity, Happened(name))
+
     # ---- for the shell -------------------------------------------------------------------------
+
+    def take_note(self, branch: str, mail: AgentMessage) -> None:
+        """A participant, by its branch, has taken a message."""
+        item = self._part(branch)
+        if item is None:
+            return
+        name = f"handle_{mail.performative}"
+        method = getattr(item, name, None)
+        if method is not None and not fipa_callbacks.is_activity(item.protocol, item.participant, name):
+            self._try(item.name, item.at, lambda: _returned_nothing(method(mail), name), name)
+        is_answer = mail.performative in (*fipa_callbacks.RESPONSES, *fipa_callbacks.RESULTS)
+        if is_answer and (item.protocol, item.participant) in fipa_callbacks.ANSWERED_ONCE:
+            self._tell_responses(item, mail)
+
+    def _tell_responses(self, item: Behaviour, mail: AgentMessage) -> None:
+        """All responses have come: the only agent that was asked has answered."""
+        name = "handle_all_responses"
+        method = getattr(item, name, None)
+        if method is not None and item.tells_responses():
+            responses = [mail] if mail.performative in fipa_callbacks.RESPONSES else []
+            self._try(item.name, item.at, lambda: _returned_nothing(method(responses), name), name)
+
+    def callback(self, label: str) -> type[Any] | None:
+        """The activity of a state that is a method of its participant's behaviour, if it is one."""
+        branch = self.plan.branch_of(label)
+        item = self._part(branch) if branch is not None else None
+        if item is None:
+            return None
+        table = fipa_callbacks.CALLBACKS.get((item.protocol, item.participant), {})
+        found = table.get(self.plan.by_label[label].activity or "")
+        if found is None or not any(hasattr(item, each.method) for each in table.values() if each.method):
+            return None
+        if found.method and not hasattr(item, found.method):
+            if found.does in ("content", "decide", "result", "condition"):
+                return None
+            if found.does in ("clean", "award"):
+                found = fipa_callbacks.Callback("nothing")
+        return fipa_callbacks.activity_of(found, item)
+
+    def _part(self, branch: str) -> Behaviour | None:
+        """The behaviour that stands for a participant, by its branch."""
+        return next((item for item in self.behaviours if item.participant and branch in item.states), None)
+
+    def hear(self, identity: Identity, message: ACLMessage, refuse: Callable[[str], None]) -> None:
+        """A message outside of every protocol has come."""
+        self._added.hear(identity, message, refuse)
+
+    def stop_behaviours(self, *, told: bool = True) -> None:
+        """What was added acts no more; the trace may be told."""
+        self._added.stop(told=told)
 
     def follow(self, outcome: Outcome) -> None:
         """The chart has made a step."""
@@ -398,6 +658,7 @@ class JadeLikeAgent:
         if self._over:
             return
         self._over = True
+        self.stop_behaviours(told=left)
         if left:
             self.leave()
         self._try(type(self).__name__, "", self.take_down, "take_down")
@@ -405,6 +666,9 @@ class JadeLikeAgent:
     def go_on(self, before: JadeLikeAgent | None, labels: Mapping[str, str]) -> None:
         """The chart stands where another one stood, whose states are called otherwise."""
         self._began = True
+        if before is not None:
+            before.stop_behaviours()
+            self._try(type(self).__name__, "", lambda: self.take_over(before), "take_over")
         self._following.stand(self._shell.chart.configuration())
         self._count = 1
         for label in self._following.active:
@@ -537,3 +801,13 @@ def _built(kind: type[Behaviour], agent: JadeLikeAgent) -> Behaviour:
         raise TypeError(f"{kind.__name__}.__init__ does not call that of its base")
     made.build()
     return made
+
+
+def _returned_nothing(made: Any, name: str) -> None:
+    """Raises TypeError if what only hears of a message has returned something."""
+    if made is not None:
+        raise TypeError(f"{name} returned {made!r}: it returns nothing, since the protocol says what is sent")
+
+
+def _is_in(label: str, state: str) -> bool:
+    return f"{label}.".startswith(f"{state}.")

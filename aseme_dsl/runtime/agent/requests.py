@@ -128,16 +128,22 @@ class Requests:
                 by = None if within is None else now + within
                 self.prepared.sent(branch, name, message)
                 agent.conversations.send(agent, branch, performative, name, message, to, reply_by=by)
-            case d.Offer(services, lease, anew):
-                entry = d.Entry(AgentIdentifier(agent.name), services)
-                directory = agent.conversations.directory
-                self._settle(lambda: (directory.modify if anew else directory.register)(entry, lease))
-            case d.Withdraw():
-                self._settle(lambda: agent.conversations.directory.deregister(agent.name))
+            case d.Offer() | d.Withdraw():
+                self.register(doing)
             case c.Log(text):
                 agent.trace.write(
                     "log", now, agent=agent.name, activity=activity, label=execution.label, text=text
                 )
+
+    def register(self, doing: d.Offer | d.Withdraw) -> None:
+        """Change what the agent has registered in the directory."""
+        directory = self._agent.conversations.directory
+        if isinstance(doing, d.Withdraw):
+            self._settle(lambda: directory.deregister(self._agent.name))
+            return
+        entry = d.Entry(AgentIdentifier(self._agent.name), doing.services)
+        change = directory.modify if doing.anew else directory.register
+        self._settle(lambda: change(entry, doing.lease))
 
     def _settle(self, change: Callable[[], object]) -> None:
         """Change what is registered; tell if that cannot be any more."""
@@ -174,6 +180,7 @@ class Requests:
                     token=execution.start.token,
                 )
                 agent.conversations.taken(agent, branch, item.identity)
+                agent.take_note(branch, item)
                 if agent.branch_info(branch).counts:
                     agent.begin()  # a condition may wait for just this
                 return item

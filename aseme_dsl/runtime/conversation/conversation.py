@@ -32,11 +32,13 @@ from aseme_dsl.runtime.conversation.exchange.members import Members
 from aseme_dsl.runtime.conversation.exchange.outside import Hears, Outside
 from aseme_dsl.runtime.conversation.exchange.parts import Parts
 from aseme_dsl.runtime.conversation.exchange.sending import Sending
+from aseme_dsl.runtime.conversation.free_messages import Mailbox
 from aseme_dsl.runtime.conversation.losses import reason_of
 from aseme_dsl.runtime.conversation.management import Management
 from aseme_dsl.runtime.conversation.participation import Desk
 from aseme_dsl.runtime.message.acl import AclMessage, AgentIdentifier, FipaMessage
 from aseme_dsl.runtime.message.convert import Messages
+from aseme_dsl.runtime.message.free import ACLMessage
 from aseme_dsl.runtime.ports import Links, Receiver
 from aseme_dsl.runtime.time.timers import Scheduler
 from aseme_dsl.runtime.trace.trace import Trace
@@ -140,6 +142,11 @@ class Conversations:
         with self._driver.holding(), self._lock:
             self._sending.send_to_agent(agent, branch, performative, message, content, to, reply_by)
 
+    def send_free(self, agent: Receiver, message: ACLMessage) -> ACLMessage:
+        """Send a message outside of every protocol; what was sent. Raises MoveError and ValueError."""
+        with self._driver.holding(), self._lock:
+            return self._delivery.free.send(agent, message)
+
     # ---- receiving ---------------------------------------------------------------------------
 
     def arrived(self, agent: Receiver, acl: AclMessage, members: Mapping[str, Sequence[str]]) -> None:
@@ -150,6 +157,9 @@ class Conversations:
                 return
             if acl.performative != LOST:  # that is told where somebody waits for it
                 self._told.received(agent.name, acl)
+            if self._delivery.free.is_free(acl):
+                self._delivery.free.deliver(agent, acl)
+                return
             played = (info.version for info in agent.plan.branches if info.protocol == acl.protocol)
             acl = replace(acl, version=next(played, ""))  # the transport brings only what is of our model
             conversation = self._members.known(acl.conversation, acl.protocol)
@@ -209,13 +219,14 @@ class Conversations:
         with self._driver.holding(), self._lock:
             self._parts.left(agent, branch, completed)
 
-    def taken(self, agent: Receiver, branch: str, identity: Identity) -> None:
-        """A transition or an activity took a message."""
+    def taken(self, agent: Receiver, branch: str, identity: Identity) -> AgentMessage | None:
+        """A transition or an activity took a message: the message, if it waited."""
         with self._lock:
-            place = self._parts.taken(agent, branch, identity)
+            place, mail = self._parts.taken(agent, branch, identity)
         if place is not None and place.completed:
             with self._driver.holding(), self._lock:
                 self._delivery.losses.consumed(agent, place)
+        return mail
 
     def taken_by(self, agent: Receiver, branch: str) -> tuple[AgentMessage, ...]:
         """What a participation has taken: the last of each kind and sender, the newest at the end."""
@@ -292,6 +303,14 @@ class Conversations:
                 found.append((name, conversation.protocol, [(*who, here.get(who)) for who in members]))
             return found
 
+    def mailbox(self, name: str) -> Mailbox:
+        """The messages outside of every protocol that wait for an agent here."""
+        return self._delivery.free.box(name)
+
+    def protocol_of(self, protocol: str) -> str | None:
+        """The protocol that some agent of the team plays and that a message means by this name, if any."""
+        return self._delivery.free.protocol_of(protocol)
+
     def unread(self) -> list[tuple[str, str, str, str, str, str]]:
         """The agent messages that wait here: receiver, participant, conversation, performative, message and
         sender."""
@@ -315,4 +334,4 @@ class Conversations:
                     (agent, acl.to, acl.conversation, acl.performative, acl.message, acl.sender)
                     for acl in desk.invitations.waiting()
                 ]
-            return found
+            return found + self._delivery.free.unread()

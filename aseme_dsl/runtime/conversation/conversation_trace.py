@@ -11,6 +11,7 @@ from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation.participation import Participation
 from aseme_dsl.runtime.message.acl import AclMessage, FipaMessage, performative_of
 from aseme_dsl.runtime.message.as_json import to_json
+from aseme_dsl.runtime.message.free import ACLMessage
 from aseme_dsl.runtime.time.timers import Scheduler
 from aseme_dsl.runtime.trace.trace import Trace
 
@@ -81,9 +82,24 @@ class ConversationTrace:
             agent=agent,
             input=list(acl.identity),
             performative=acl.performative,
-            message=acl.message,
+            message=acl.message or "text",
             sender=acl.sender,
-            conversation=acl.conversation,
+            conversation=acl.conversation or None,
+            reason=reason,
+        )
+
+    def unread(self, agent: str, identity: Identity, message: ACLMessage, reason: str) -> None:
+        """A message outside of every protocol was not received by any behaviour."""
+        content = message.content
+        self._trace.write(
+            "unexpected",
+            self._driver.clock.now(),
+            agent=agent,
+            input=list(identity),
+            performative=message.performative,
+            message="text" if isinstance(content, str) else type(content).__name__,
+            sender=message.sender,
+            conversation=message.conversation_id or None,
             reason=reason,
         )
 

@@ -192,7 +192,8 @@ def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str], since: int) 
     where = "in" if running else ("before" if leaf.type in ("START", "CONDITION") else "after")
     if running:
         awaits.insert(0, Awaited("activity", leaf.activity or leaf.name, leaf.at))
-    free = is_entered and conversation is None and not running and any(may_begin)
+    begins = is_entered and conversation is None and not running and any(may_begin)
+    free = begins or agent.listens  # a behaviour may raise what it waits for
     return Waiting(
         leaf.label,
         named.name,

@@ -11,6 +11,7 @@ from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
 from aseme_dsl.runtime.conversation.exchange.members import Members
 from aseme_dsl.runtime.conversation.exchange.outside import Outside
+from aseme_dsl.runtime.conversation.free_messages import FreeMessages
 from aseme_dsl.runtime.conversation.losses import Losses
 from aseme_dsl.runtime.conversation.participation import REMEMBERED, Conversation, Participation
 from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, AclMessage, AgentIdentifier, name_of
@@ -47,6 +48,9 @@ class Delivery:
         self._clock = clock
         self.losses = Losses(
             told, counting, members.agents, members.desks, members.plans, transport, links, self.bring
+        )
+        self.free = FreeMessages(
+            told, clock, members.plans, members.conversations, self.bring, outside.carry, self.unexpected
         )
 
     def bring(self, name: str, acl: AclMessage) -> None:
@@ -92,6 +96,9 @@ class Delivery:
 
     def deliver(self, agent: Receiver, acl: AclMessage) -> None:
         """Give a message to the branch that takes part; else to a free one, or let it wait for one."""
+        if self.free.is_free(acl):
+            self.free.deliver(agent, acl)
+            return
         conversation = self._members.conversations.get(acl.conversation)
         place = conversation.places.get((agent.name, acl.to)) if conversation is not None else None
         if place is not None:

@@ -71,13 +71,18 @@ class Hearing:
 
     def _hear(self, agent: Receiver, message: FipaMessage, sender: str, identity: Identity) -> None:
         """Hand on what an outsider says, if it is understood."""
+        if self._delivery.free.is_known(message) and self._hear_free(agent, message, identity, ""):
+            return
+        name = ""
         try:
             name = message.conversation or self._conversation_of(agent, message, sender)
             name = name or f"{sender}-{identity[1]}"
             conversation = self._members.conversations.get(name)
             found = self._understood(agent, message, sender, name, conversation)
         except external_agents.NotUnderstood as problem:
-            self._not_understood(agent.name, message, identity, str(problem))
+            is_free = name not in self._members.conversations
+            if not (is_free and self._hear_free(agent, message, identity, str(problem))):
+                self._not_understood(agent.name, message, identity, str(problem))
             return
         by = self._deadline(agent, message, sender)
         info = found.infos[0]
@@ -117,6 +122,16 @@ class Hearing:
                 members.append(sender)
             self._delivery.deliver(agent, acl)
         self._delivery.close(name)
+
+    def _hear_free(self, agent: Receiver, message: FipaMessage, identity: Identity, problem: str) -> bool:
+        """Give a message that no participant understands to the agent's behaviours, if they may have it."""
+        return self._delivery.free.hear(
+            agent,
+            message,
+            identity,
+            self._deadline(agent, message, identity[0]),
+            lambda reason: self._not_understood(agent.name, message, identity, problem or reason),
+        )
 
     def _conversation_of(self, agent: Receiver, message: FipaMessage, sender: str) -> str:
         """The conversation of a message that names none; empty: it begins one.

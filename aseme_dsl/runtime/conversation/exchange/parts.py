@@ -74,6 +74,8 @@ class Parts:
         Why its parts are over was said before, with `leaving`.
         """
         desk = self._members.desks[agent.name]
+        if desk.leaving is not None:
+            self._delivery.free.clear(agent, reason)
         for branch in list(desk.branches):
             self.left(agent, branch)
         if desk.leaving not in (None, "left"):  # those who have asked it, and it has not joined
@@ -105,18 +107,20 @@ class Parts:
                     self._told.takes_part("gone", to, place, known, peer=name, reason=reason)
             self._delivery.close(known)
 
-    def taken(self, agent: Receiver, branch: str, identity: Identity) -> Participation | None:
-        """A transition or an activity took a message of this participation."""
+    def taken(
+        self, agent: Receiver, branch: str, identity: Identity
+    ) -> tuple[Participation | None, AgentMessage | None]:
+        """A transition or an activity took a message of this participation: the message, if it waited."""
         place = self._members.desks[agent.name].branches.get(branch)
         if place is None:
-            return None
+            return None, None
         mail = place.waiting.pop(identity, None)
         if mail is not None:
             kind = (mail.performative, mail.message, mail.sender)
             place.taken.pop(kind, None)
             place.taken[kind] = mail
             place.answered[mail.sender] = mail
-        return place
+        return place, mail
 
     def taken_by(self, agent: Receiver, branch: str) -> tuple[AgentMessage, ...]:
         """What a participation has taken: the last of each kind and sender, the newest at the end."""

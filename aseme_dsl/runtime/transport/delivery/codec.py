@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from aseme_dsl.runtime.message.free import Text
 from aseme_dsl.runtime.message.wire import Schema, WireError
 
 
@@ -21,13 +22,29 @@ class Codec:
 
     def encode(self, message: Any) -> bytes:
         """The payload of a message. Raises WireError."""
-        payload = self.schema.encode_json(message) if self.readable else self.schema.encode(message)
+        if isinstance(message, Text):
+            payload = _utf_8(message.text)
+        else:
+            payload = self.schema.encode_json(message) if self.readable else self.schema.encode(message)
         if self.largest is not None and len(payload) > self.largest:
             raise WireError(f"it has {len(payload)} bytes, and at the most {self.largest} travel here")
         return payload
 
     def read(self, kind: type[Any], payload: bytes) -> Any:
         """The message that a payload is. Raises WireError."""
+        if kind is Text:
+            try:
+                return Text(payload.decode())
+            except UnicodeDecodeError as problem:
+                raise WireError(f"{len(payload)} bytes are no text in UTF-8: {problem}") from None
         if self.readable:
             return self.schema.decode_json(kind, payload)
         return self.schema.decode(kind, payload)
+
+
+def _utf_8(text: str) -> bytes:
+    """A text as bytes. Raises WireError for one with half a character."""
+    try:
+        return text.encode()
+    except UnicodeEncodeError as problem:
+        raise WireError(f"the text cannot be encoded: {problem}") from None

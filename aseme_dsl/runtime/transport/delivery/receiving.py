@@ -8,6 +8,7 @@ from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import LOST
 from aseme_dsl.runtime.message.acl import JSON, AclMessage, name_of
+from aseme_dsl.runtime.message.free import Text
 from aseme_dsl.runtime.message.wire import WireError
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.delivery.clocks import deadline_of, moment_of
@@ -85,7 +86,8 @@ def decoded(state: Delivery, other: Other, envelope: Envelope, payload: bytes) -
         return envelope, None
     kind: Any = state.codec.schema.channels.get(name)
     if mail:
-        kind = next((k for k in state.codec.schema.classes if k.__name__ == name), None)
+        kind = Text if not name else None
+        kind = kind or next((k for k in state.codec.schema.classes if k.__name__ == name), None)
     if kind is None:
         count(state, other, "refused", f"there is no {'message' if mail else 'channel'} {name}", about=name)
         return None
