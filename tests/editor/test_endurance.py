@@ -15,7 +15,7 @@ from lsprotocol import types as lsp
 from pygls.lsp.client import LanguageClient
 
 from aseme_dsl.compiler import analyse
-from aseme_dsl.editor import server, session
+from aseme_dsl.editor import publishing, server
 from aseme_dsl.editor.answers.navigation import PythonFolders
 from aseme_dsl.editor.files.positions import Lines
 from aseme_dsl.editor.files.workspace import Project
@@ -30,6 +30,7 @@ TEXT = (ROOT / "tests/acceptance/kouretes.aseme").read_text("utf-8")
 
 PATH = "/nowhere/team.aseme"
 SERVER = server.make_server("1", Project(), lambda root: PythonFolders())
+PUBLISHING = publishing.Publishing(SERVER)
 
 
 def change(before: str, after: str) -> lsp.TextDocumentContentChangePartial:
@@ -129,7 +130,7 @@ async def objects_kept(edits: int, first: int) -> int:
             "/nowhere/team.aseme", f"{text}\nlet l{number} = {number} < 3 {'{' * (number % 3 == 0)}\n"
         )
         SERVER.files.recent("/nowhere/team.aseme")
-        await SERVER.publish("/nowhere/team.aseme")
+        await PUBLISHING.publish("/nowhere/team.aseme")
     SERVER.tidying.tidy_all()
     return SERVER.tidying.kept
 
@@ -139,9 +140,9 @@ def test_what_a_server_keeps_does_not_grow(monkeypatch: pytest.MonkeyPatch) -> N
         await objects_kept(70, 0)  # until as much is kept as ever
         return await objects_kept(30, 100), await objects_kept(60, 200)
 
-    monkeypatch.setattr(session, "DEBOUNCE", 0)
+    monkeypatch.setattr(publishing, "DEBOUNCE", 0)
     monkeypatch.setattr(SERVER.tidying, "tidies", True)
-    monkeypatch.setattr(SERVER, "publish_one", lambda path, view: None)  # nobody is there
+    monkeypatch.setattr(PUBLISHING, "_publish_one", lambda path, view: None)  # nobody is there
     try:
         before, after = asyncio.run(edited_long())
     finally:
