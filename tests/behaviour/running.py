@@ -22,6 +22,8 @@ from aseme_dsl.runtime.chart.inputs import (
     Joined,
     Left,
     MailTaken,
+    Resumed,
+    Suspended,
     Outcome,
     Publication,
     Sample,
@@ -170,6 +172,10 @@ class Run:
                 return f"join {branch}"
             case Left(branch=branch, completed=completed):
                 return f"{'complete' if completed else 'part'} {branch}"
+            case Suspended(branch=branch):
+                return f"suspend {branch}"
+            case Resumed(branch=branch):
+                return f"resume {branch}"
             case FunctionResult(function=function, value=value):
                 return f"{function} is {value}"
             case Fault(transition=number):

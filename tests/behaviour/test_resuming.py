@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tests.behaviour.conftest import Play
+from tests.behaviour.running import Run
 
 SHIFT = """
 srm R {
@@ -149,31 +150,122 @@ def test_exits_are_done_when_it_is_cut_short(play: Play) -> None:
     assert (run.variable("n"), run.active) == (1, ["B"])
 
 
-def test_conversations_do_not_resume(play: Play) -> None:
-    """ "At a protocol branch it stops: the branch is entered anew." """
-    run = play("""
-        aip p {
-          participant a {
-            engage "Always." var n : int = 0 sends inform Note receives inform Note
-            process = Ask . Give
-            }
-          participant b { engage "Always." sends inform Note receives inform Note process = Hear }
-          outcome "Done."
-          control a { enter Give : / n = n + 1 }
-        }
-        srm R {
-          plays p.a
-          liveness { R = (shift [> Charge)~  shift = A . a . B }
-          control R { resume shift :  enter Charge : go }
-        }
-    """).step()
+CONVERSATION = """
+aip p {
+  participant a {
+    engage "Always." var n : int = 0 sends inform Note receives inform Note
+    process = Ask . Give
+    }
+  participant b { engage "Always." sends inform Note receives inform Note process = Hear }
+  outcome "Done."
+  control a { enter Give : inform Note from b / n = n + 1 }
+}
+srm R {
+  plays p.a
+  liveness { R = (shift [> Charge)~  shift = A . a . B }
+  control R { resume shift : [t.state.M.on]  enter shift : else  enter Charge : go }
+}
+"""
+
+
+def words(run: Run) -> list[str]:
+    return [line.split()[0] for line in run.did]
+
+
+def test_a_conversation_is_suspended_and_goes_on(play: Play) -> None:
+    """ "The conversation stays open, mail waits in it, its activities are cancelled" """
+    run = play(CONVERSATION).step()
     run.step(run.done("A"))
-    run.step(run.done("Ask"))
-    assert run.variable("n") == 1
+    run.step(run.mail("inform", "Note"))
+    assert (run.active, run.variable("n")) == (["Give"], 1)
     run.step(run.event("go"))
+    assert words(run) == ["cancel", "suspend", "start"]
+    run.step(run.mail("inform", "Note"))
+    run.step(run.done("Charge"), run.heard("t.state.M", on=True))
+    assert words(run) == ["resume", "start"]
+    assert (run.active, run.variable("n")) == (["Give"], 1)
+    run.step(run.done("Give"))
+    assert [line.split()[0] for line in run.did] == ["complete", "start"]
+
+
+def test_mail_of_a_suspended_conversation_is_taken_when_it_goes_on(play: Play) -> None:
+    run = play(CONVERSATION).step()
+    run.step(run.done("A"))
+    run.step(run.event("go"))
+    run.step(run.mail("inform", "Note"))
+    assert run.did == []
+    run.step(run.done("Charge"), run.heard("t.state.M", on=True))
+    assert run.active == ["Give"]
+
+
+def test_by_enter_it_is_discarded(play: Play) -> None:
+    """ "The part is discarded, which is leaving, when `enter` is taken instead" """
+    run = play(CONVERSATION).step()
+    run.step(run.done("A"))
+    run.step(run.event("go"), run.heard("t.state.M", on=False))
+    run.step(run.mail("inform", "Note"))
     run.step(run.done("Charge"))
-    assert [line.split()[0] for line in run.did] == ["join", "start"]
+    assert words(run) == ["part", "start"]
+    run.step(run.done("A"))
+    assert (run.active, words(run)) == (["Ask"], ["join", "start"])
+
+
+def test_it_is_discarded_with_the_region_that_remembers_it(play: Play) -> None:
+    """ "… or the region that remembers it is left" """
+    text = CONVERSATION.replace(
+        "liveness { R = (shift [> Charge)~",
+        "liveness { R = ((work || Z) [> Halt)~  work = (shift [> Charge)~",
+    ).replace("control R {", "control R { enter Halt : stop } control work {")
+    run = play(text).step()
+    run.step(run.done("A"))
+    run.step(run.event("go"))
+    assert words(run) == ["cancel", "suspend", "start"]
+    run.step(run.event("stop"))
+    assert words(run) == ["cancel", "part", "cancel", "start"]
+
+
+def test_its_own_time_stands_still(play: Play) -> None:
+    """ "The part's own `after` and timers stand still; on resumption they go on" """
+    text = CONVERSATION.replace(
+        "enter Give : inform Note from b / n = n + 1",
+        "enter Ask : / start_timer(t, 30ms)  enter Give : after(10ms) / n = n + 1"
+        "  leave Give : when [expired(t)] / n = n + 2",
+    )
+    run = play(text).step()
+    run.step(run.done("A"))
+    run.step(run.event("go"), ms=8)
+    run.step(run.done("Charge"), run.heard("t.state.M", on=True), ms=50)
+    assert (run.active, run.due) == (["Ask"], 2)
+    run.step(ms=2)
+    assert (run.active, run.due) == (["Give"], 20)
+    run.step(ms=20)
+    assert run.active == ["B"]
+
+
+def test_a_timer_ends_with_the_part(play: Play) -> None:
+    text = CONVERSATION.replace("A . a . B", "a~").replace(
+        "enter Give : inform Note from b / n = n + 1",
+        "enter Give : [n == 0] / start_timer(t, 30ms)  leave Give : inform Note from b or after(1s)"
+        "  on Give : when [expired(t)] / n = n + 1",
+    )
+    run = play(text).step()
+    run.step(run.done("Ask"))
+    assert run.due == 30
+    run.step(run.mail("inform", "Note"), ms=1)
+    run.step(ms=500)
     assert (run.active, run.variable("n")) == (["Ask"], 0)
+
+
+def test_a_participant_itself_is_resumed(play: Play) -> None:
+    text = CONVERSATION.replace("shift", "a").replace("a = A . a . B", "")
+    run = play(text).step()
+    run.step(run.mail("inform", "Note"))
+    run.step(run.event("go"))
+    assert words(run) == ["cancel", "suspend", "start"]
+    run.step(run.done("Charge"), run.heard("t.state.M", on=True))
+    assert (run.active, run.variable("n"), words(run)) == (["Give"], 1, ["resume", "start"])
+    run.step(run.done("Give"))
+    assert words(run)[0] == "complete"
 
 
 def test_each_state_has_its_own_memory(play: Play) -> None:

@@ -31,10 +31,12 @@ from aseme_dsl.runtime.chart.inputs import (
     MailTaken,
     Outcome,
     Publication,
+    Resumed,
     Sample,
     Sending,
     Settled,
     Start,
+    Suspended,
     Written,
 )
 from aseme_dsl.runtime.chart.plan import Plan, Term, Transition
@@ -192,6 +194,10 @@ class Reference:
         """What each `on` transition has seen when it was taken last, since its state was entered."""
         self.kept: dict[str, tuple[set[str], set[str]]] = {}
         """Of states that may be resumed: what was active in them when they were left, what of it complete."""
+        self.suspended: dict[str, tuple[int, dict[str, dict[str, int]]]] = {}
+        """The branches that may go on: when each was left, and the timers of each region that stand still."""
+        self.held: set[str] = set()
+        """The branches that are suspended by the transition which is being taken."""
         self.waited: dict[int, int] = {}
         """The longest `after` by which an `on` transition was taken, since its state was entered."""
         self.outcome = Outcome()
@@ -760,9 +766,19 @@ class Reference:
         # "A transition that leads out of its region reads the blackboard of that region, and acts in the
         # region of its scope."
         there_is = self.regions[self.region_of(scope)]
+        # "A part that any `resume` line can continue is *suspended* instead … discarded … when … the region
+        # that remembers it is left."
+        self.held = {
+            branch
+            for state in self.resumable()
+            if state in self.active and scope in self.around(state) and not self.is_complete(state)
+            if self.region_of(state) in (scope, *self.around(scope))
+            for branch in self.branches_in(state)
+        }
         for child in self.children(scope):
             if child in self.active:
                 self.leave(child)
+        self.held = set()
 
         # "then the actions run;" "actions of segment 1, then 2"
         for number in way:
@@ -784,9 +800,7 @@ class Reference:
         # "Entering by resume: the states around the remembered leaves are entered outermost first … Then the
         # memory is spent."
         again = self.kept.pop(target, None) if transitions[-1].resume else None
-        if target in self.mailbox:
-            again = None
-        self.enter(path[0], path[1:], again)
+        self.enter(path[0], path[1:], again, target if transitions[-1].resume else "")
 
     def take_on(self, number: int, board: Region) -> None:
         """ "Nothing is left or entered." """
@@ -867,6 +881,7 @@ class Reference:
                 inside = {state for state in self.active if label in self.around(state)}
                 self.kept[label] = (inside, inside & self.complete)
         completed = self.is_complete(label)
+        still = self.timers_of_part(label) if label in self.mailbox else {}
         for child in self.children(label):
             if child in self.active:
                 self.leave(child)
@@ -885,24 +900,108 @@ class Reference:
                 self.outcome.taken.append((number,))
                 self.do(number, self.regions[self.region_of(label)])
         if label in self.mailbox:
-            # "entering/leaving a participation gives Joined/Left"; what waits in its conversation is given up
-            self.mailbox[label].clear()
-            self.forget_rounds(label)
-            self.outcome.effects.append(Left(label, completed))
+            # "A timer that a part starts ends with the part."
+            for name in self.timers_started_in(label):
+                self.regions[self.region_of(label)].timers.pop(name, None)
+            if label in self.held and not completed:
+                self.suspended[label] = (self.now, still)
+                self.outcome.effects.append(Suspended(label))
+            else:
+                self.part(label, completed)
+        if label in self.regions:
+            for state in self.resumable():
+                if self.region_of(state) == label:
+                    self.discard(state)
         if label in self.regions and label != self.root():
             # "leaving the region drops its timers", and its blackboard "is dropped when the AND is left"
             del self.regions[label]
 
+    def part(self, branch: str, completed: bool = False) -> None:
+        """ "entering/leaving a participation gives Joined/Left"; what waits in its conversation is given up"""
+        self.mailbox[branch].clear()
+        self.forget_rounds(branch)
+        self.outcome.effects.append(Left(branch, completed))
+
+    def resumable(self) -> list[str]:
+        """The composites that some transition resumes, in document order."""
+        targets = {transition.target for transition in self.plan.transitions if transition.resume}
+        return [s.label for s in self.plan.states if s.label in targets and s.type == "OR"]
+
+    def branches_in(self, label: str) -> set[str]:
+        return {branch for branch in self.mailbox if label in (branch, *self.around(branch))}
+
+    def discard(self, label: str, but: str = "") -> None:
+        """ "The part is discarded, which is leaving, when `enter` is taken instead" """
+        for branch in list(self.suspended):
+            if branch in self.branches_in(label) - self.held - (self.branches_in(but) if but else set()):
+                del self.suspended[branch]
+                self.part(branch)
+
+    def timers_started_in(self, label: str) -> set[str]:
+        ways = [way for way in self.plan.transitions if label in self.around(way.source)]
+        return {action[1] for way in ways for action in way.actions if action[0] == "start_timer"}
+
+    def timers_of_part(self, branch: str) -> dict[str, dict[str, int]]:
+        """The timers of a part, by the region that has them."""
+        own = self.region_of(branch)
+        names = self.timers_started_in(branch)
+        found = {r.label: dict(r.timers) for r in self.regions.values() if branch in self.around(r.label)}
+        found[own] = {n: due for n, due in self.regions[own].timers.items() if n in names}
+        return found
+
+    def go_on(self, label: str, again: tuple[set[str], set[str]]) -> None:
+        """ "Its activities are cancelled, the part's own `after` and timers stand still; on resumption they
+        go on" """
+        moment, timers = self.suspended.pop(label)
+        passed = self.now - moment
+        for state in self.entered:
+            if label in (state, *self.around(state)):
+                self.entered[state] += passed
+        shifted = {r: {n: due + passed for n, due in kept.items()} for r, kept in timers.items()}
+        self.regions[self.region_of(label)].timers |= shifted.pop(self.region_of(label))
+        self.outcome.effects.append(Resumed(label))
+        self.be_in(label, again, shifted)
+
+    def be_in(
+        self, label: str, again: tuple[set[str], set[str]], timers: dict[str, dict[str, int]]
+    ) -> None:
+        """Be in a state of a part that goes on, as it was left; nothing that belongs to an entry is done."""
+        self.active.add(label)
+        match self.type_of(label):
+            case "BASIC" if label in again[1]:
+                self.complete.add(label)
+            case "BASIC":
+                self.start(label)
+            case "OR":
+                for child in [child for child in self.children(label) if child in again[0]]:
+                    self.be_in(child, again, timers)
+            case "AND":
+                for inner in self.children(label):
+                    self.begin_region(inner, self.regions[self.region_of(label)])
+                    self.regions[inner].timers |= timers.get(inner, {})
+                    self.be_in(inner, again, timers)
+
     def enter(
-        self, label: str, path: list[str] | None = None, again: tuple[set[str], set[str]] | None = None
+        self,
+        label: str,
+        path: list[str] | None = None,
+        again: tuple[set[str], set[str]] | None = None,
+        resumed: str = "",
     ) -> None:
         """Enter a state, and inside it the next one of the path instead of its START.
 
-        At the end of the path `again` says what was active, and what of that complete, when it was left.
+        At the end of the path, at `resumed`, `again` says what was active, and what of that complete, when it
+        was left.
         """
         state = self.plan.by_label[label]
+        goes_on = again is not None and path is None
+        if label in self.resumable() and not goes_on and label != resumed:
+            self.discard(label, resumed)
         if label in self.mailbox:
-            # "At a protocol branch it stops: the branch is entered anew."
+            # A part that was not suspended "is entered anew".
+            if not path and label in self.suspended and again is not None:
+                self.go_on(label, again)
+                return
             if not path:
                 again = None
             for kept in [other for other in self.kept if label in self.around(other)]:
@@ -932,21 +1031,12 @@ class Reference:
                 # "one that was complete is complete"
                 self.complete.add(label)
             case "BASIC":
-                # "BASIC gives Start with a new token (a counter of the chart, from 1)"
-                assert state.activity is not None
-                # "absent from the entry of such a state until it ends with an outcome"
-                self.note_end(label, ABSENT)
-                given = self.given(label)
-                if given is None:
-                    return
-                self.tokens += 1
-                self.token[label] = self.tokens
-                self.outcome.effects.append(Start(label, state.activity, self.tokens, given))
+                self.start(label)
             case "OR":
                 # "OR: its START becomes active"
                 was = [child for child in self.children(label) if again is not None and child in again[0]]
                 if path:
-                    self.enter(path[0], path[1:], again)
+                    self.enter(path[0], path[1:], again, resumed)
                 elif was:
                     self.enter(was[0], None, again)
                 else:
@@ -957,16 +1047,36 @@ class Reference:
                 # and histories, no signals, no timers) and its START becomes active"
                 surrounding = self.regions[self.region_of(label)]
                 for inner in self.children(label):
-                    self.regions[inner] = Region(
-                        inner,
-                        states={channel: list(found) for channel, found in surrounding.states.items()},
-                        data={channel: list(found) for channel, found in surrounding.data.items()},
-                        # "they start with a copy"
-                        variables=dict(surrounding.variables),
-                    )
-                    # "regions that are entered during the step do not see it"
-                    self.spent |= {(inner, name) for name in self.events}
-                    self.enter(inner, path[1:] if path and path[0] == inner else None, again)
+                    self.begin_region(inner, surrounding)
+                    if path and path[0] == inner:
+                        self.enter(inner, path[1:], again, resumed)
+                    else:
+                        self.enter(inner, None, None if path else again)
+
+    def begin_region(self, inner: str, surrounding: Region) -> None:
+        """The blackboard of a region that is entered."""
+        self.regions[inner] = Region(
+            inner,
+            states={channel: list(found) for channel, found in surrounding.states.items()},
+            data={channel: list(found) for channel, found in surrounding.data.items()},
+            # "they start with a copy"
+            variables=dict(surrounding.variables),
+        )
+        # "regions that are entered during the step do not see it"
+        self.spent |= {(inner, name) for name in self.events}
+
+    def start(self, label: str) -> None:
+        """ "BASIC gives Start with a new token (a counter of the chart, from 1)" """
+        activity = self.plan.by_label[label].activity
+        assert activity is not None
+        # "absent from the entry of such a state until it ends with an outcome"
+        self.note_end(label, ABSENT)
+        given = self.given(label)
+        if given is None:
+            return
+        self.tokens += 1
+        self.token[label] = self.tokens
+        self.outcome.effects.append(Start(label, activity, self.tokens, given))
 
     def given(self, label: str) -> tuple[tuple[str, Any], ...] | None:
         """ "What an activity is given is computed on entry. Absent or raising, the state fails at once." """

@@ -185,6 +185,21 @@ class FlatChart:
         labels = {transition.target for transition in self.chart.transitions if transition.resume}
         return tuple(node for node in self.chart.states if node.label in labels and node.type is StateType.OR)
 
+    @cached_property
+    def suspended(self) -> tuple[State, ...]:
+        """The branches that a composite which is resumed is or has inside."""
+        return tuple(
+            branch
+            for branch in self.branches
+            if any(f"{branch.label}.".startswith(f"{node.label}.") for node in self.resumed)
+        )
+
+    def suspends(self, node: State) -> bool:
+        """Whether a composite is resumed, and is or has inside a branch that is suspended."""
+        return node in self.resumed and any(
+            f"{branch.label}.".startswith(f"{node.label}.") for branch in self.suspended
+        )
+
     def regions_inside(self, label: str) -> list[FlatRegion]:
         """The regions inside a state, at any depth."""
         return [region for region in self.regions if region.label.startswith(f"{label}.")]

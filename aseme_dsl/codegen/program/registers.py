@@ -122,6 +122,20 @@ class Registers:
                     found.setdefault(region, {}).setdefault(item.timer)
         return {region: tuple(sorted(found[region])) for region in sorted(found)}
 
+    def started_in(self, label: str) -> tuple[str, ...]:
+        """The timers that transitions inside a state start."""
+        return tuple(
+            sorted(
+                {
+                    action.timer
+                    for transition in self._chart.transitions
+                    if transition.source.startswith(f"{label}.")
+                    for action in transition.expression.actions
+                    if isinstance(action, StartTimer)
+                }
+            )
+        )
+
     @cached_property
     def outcomes(self) -> tuple[tuple[str, ...], ...]:
         """The groups of states of which somebody asks how the last that was active has ended."""

@@ -44,7 +44,12 @@ class Entering(Part):
             if self.chart.is_region(label):
                 self._enter_one(method, depth, region, label, target, resume)
                 return
-            self._on_entry(method, depth, region, self.chart.node(label))
+            inner = self.chart.node(label)
+            if not again and self.flat.suspends(inner) and not (label == target and resume):
+                but = f", {target!r}" if resume else ""
+                method.add(depth, f"self.discard({label!r}{but})")
+            if label != target or not (resume and self.chart.is_branch(inner)):
+                self.on_entry(method, depth, region, inner)
         node = self.chart.node(target)
         number = self.flat.leaf.get(target)
         match node.type:
@@ -54,12 +59,17 @@ class Entering(Part):
                 method.add(depth, f"self.r{region} = {number}")
                 if target in self.registers.ending:
                     method.add(depth, f"self.await_outcome({target!r})")
-                method.add(depth, f"self.k{region} = {self._begin(node)}")
+                method.add(depth, f"self.k{region} = {self.begin(node)}")
             case StateType.AND:
                 method.add(depth, f"self.r{region} = {number}")
                 for inner in self.flat.regions_of(target):
                     call = f"_again_{inner.number}(now, kept)" if again else f"_enter_{inner.number}(now)"
                     method.add(depth, f"self.{call}")
+            case StateType.OR if resume and self.chart.is_branch(node):
+                method.add(depth, f"if self.proceed({target!r}):", f"    self._resume_{key_of(target)}(now)")
+                method.add(depth, "else:")
+                self.on_entry(method, depth + 1, region, node)
+                self.activate_start(method, depth + 1, region, target)
             case StateType.OR if resume:
                 method.add(depth, f"if self.{self.names.kept(node)} is None:")
                 self.activate_start(method, depth + 1, region, target)
@@ -80,6 +90,8 @@ class Entering(Part):
         method.add(depth, f"self.r{region} = {self.flat.leaf[around]}")
         for inner in self.flat.regions_of(around):
             if inner.label == entered:
+                if self.flat.suspends(self.chart.node(entered)):
+                    method.add(depth, f"self.discard({entered!r})")
                 begin = self.names.writing(inner.number)
                 self.begin_region(begin, inner.number)
                 method.take(depth - 2, begin)
@@ -87,7 +99,7 @@ class Entering(Part):
             else:
                 method.add(depth, f"self._enter_{inner.number}(now)")
 
-    def _begin(self, node: State) -> str:
+    def begin(self, node: State) -> str:
         """The call that starts the activity of a state; with arguments in a method of its own."""
         if not node.arguments:
             return f"self.begin({node.label!r}, {node.activity!r})"
@@ -123,7 +135,8 @@ class Entering(Part):
         document = f"Start {docstring(node.name)}, the activity of {node.label}."
         self.names.method(f"{name}(self, now: int) -> int", document, method)
 
-    def _on_entry(self, method: Method, depth: int, region: int, node: State) -> None:
+    def on_entry(self, method: Method, depth: int, region: int, node: State) -> None:
+        """What belongs to every entry of a state."""
         if self.chart.is_branch(node):
             method.add(depth, f"self.join({node.label!r})")
         for variable in self.chart.variables:
@@ -158,11 +171,18 @@ class Entering(Part):
     def enter_region(self, region: int) -> None:
         label = self.flat.regions[region].label
         method = self.names.writing(region)
+        if self.flat.suspends(self.chart.node(label)):
+            method.add(2, f"self.discard({label!r})")
         self.begin_region(method, region)
         self.activate_start(method, 2, region, label)
         self.names.method(f"_enter_{region}(self, now: int) -> None", f"Enter region {label}.", method)
 
     def begin_region(self, method: Method, region: int) -> None:
+        """The blackboard of a region that is entered, and what is done on its entry."""
+        self.renew_region(method, region)
+        self.on_entry(method, 2, region, self.chart.node(self.flat.regions[region].label))
+
+    def renew_region(self, method: Method, region: int) -> None:
         """The blackboard of a region that is entered, and its copies of variables."""
         outer = self.flat.enclosing(region)
         method.add(2, f"self.b{region} = Board{region}()", f"self.b{region}.inherit(self.b{outer})")
@@ -176,12 +196,11 @@ class Entering(Part):
                 if around is not None:
                     copies = (self.names.variable(name, item) for item in (region, around))
                     method.add(2, " = ".join(f"self.{copy}" for copy in copies))
-        self._on_entry(method, 2, region, self.chart.node(self.flat.regions[region].label))
 
     def enter_root(self) -> None:
         method = self.names.writing(0)
         root = self.chart.root
-        self._on_entry(method, 2, 0, root)
+        self.on_entry(method, 2, 0, root)
         self.activate_start(method, 2, 0, root.label)
         if NOW.name in method.used:
             method.lines.insert(0, "        now = self.now")

@@ -13,6 +13,7 @@ what a careful person writes by hand. Methods of the class, for region 3:
     _exit_…     what is done when a state is left
     _keep_…     what is remembered of a composite that may be resumed
     _resume_…   such a composite goes on;  _again_3: and a region in it
+    _proceed_…  a participant's branch that was suspended goes on;  _proceed_3: and a region in it
 """
 
 from __future__ import annotations
@@ -76,6 +77,8 @@ def generate_step(system: System, chart: Statechart, class_name: str) -> StepCod
     for node in flat.resumed:
         resuming.keep(node)
         resuming.resume(node)
+    for branch in flat.suspended:
+        resuming.proceed(branch)
     for inner in flat.entered_again:
         resuming.again(inner.number)
     entering.enter_root()

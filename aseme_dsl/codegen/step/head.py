@@ -74,6 +74,7 @@ class Head(Part):
             *self._missed(),
             *self._marks(),
             *self._memories(),
+            *self._part_timers(),
             *self._counts(),
             "    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = (",
             *(f"        {labels!r}," for labels in self._leaf_labels()),
@@ -139,6 +140,16 @@ class Head(Part):
     def _memories(self) -> list[str]:
         kept = {node.label: self.names.kept(node) for node in self.flat.resumed}
         return [f"    KEPT: ClassVar[Mapping[str, str]] = {kept!r}"] if kept else []
+
+    def _part_timers(self) -> list[str]:
+        """The timers that end with a protocol branch, and stand still while it is suspended."""
+        found = {
+            branch.label: (f"b{self.flat.region_number[branch.label]}", names)
+            for branch in self.flat.branches
+            if (names := self.registers.started_in(branch.label))
+        }
+        kind = "tuple[str, tuple[str, ...]]"
+        return [f"    PART_TIMERS: ClassVar[Mapping[str, {kind}]] = {found!r}"] if found else []
 
     def _counts(self) -> list[str]:
         found = {label: self.names.count_name(label) for label in self.registers.counted}

@@ -43,6 +43,13 @@ class Leaving(Part):
         place = f"self.r{self.flat.region_number[end.label]} == {self.flat.leaf[end.label]}"
         return [*lines, f"self.part({node.label!r}, completed={'True' if leaf is end else place})"]
 
+    def _kept(self, node: State) -> list[str]:
+        """What remembers where a composite is left, while the region around it stays active."""
+        lines = [f"self._keep_{key_of(node.label)}()"]
+        if self.flat.suspends(node):
+            lines += [f"if self.{self.names.kept(node)} is not None:", f"    self.hold({node.label!r})"]
+        return lines
+
     def leave_leaf(
         self, method: Method, depth: int, region: int, scope: str, leaf: State | None, complete: bool
     ) -> None:
@@ -52,9 +59,9 @@ class Leaving(Part):
             first, last = self.flat.range[node.label]
             if leaf is None:
                 method.add(depth, f"if {first} <= self.r{region} <= {last}:")
-                method.add(depth + 1, f"self._keep_{key_of(node.label)}()")
+                method.add(depth + 1, *self._kept(node))
             elif leaf.label.startswith(f"{node.label}."):
-                method.add(depth, f"self._keep_{key_of(node.label)}()")
+                method.add(depth, *self._kept(node))
         if leaf is None:
             method.add(depth, f"self._leave_leaf_{region}()")
             for node in reversed(self.flat.leaving):
@@ -113,6 +120,9 @@ class Leaving(Part):
                 first, last = self.flat.range[node.label]
                 whole.add(2, f"if {first} <= self.r{region} <= {last}:")
                 whole.add(3, *self._left(node))
+        for node in self.flat.resumed:
+            if self.flat.region_number[node.label] == region and self.flat.suspends(node):
+                whole.add(2, f"self.discard({node.label!r})")
         whole.add(2, f"self.r{region} = INACTIVE")
         self.names.method(f"_leave_{region}(self) -> None", f"Leave region {label}.", whole)
 

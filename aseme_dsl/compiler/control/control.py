@@ -142,8 +142,8 @@ def read_lines(
                 found += check_staying(entry)
             elif entry.verb.text == RESUME:
                 line = replace(line, resume=True)
-                if problem is None:
-                    found += check_resuming(entry, formulas, frozenset(played_names))
+                if key is not None:
+                    found += check_resuming(entry, formulas, frozenset(played_names), key[0])
             if problem is not None:
                 found.append(problem)
                 unsure.add(name)

@@ -15,12 +15,15 @@ RESUME = "resume"
 """The verb of these lines."""
 
 
-def check_resuming(line: tree.Way, formulas: Formulas, played: frozenset[str]) -> Iterator[Diagnostic]:
-    """W430 for a term that has nothing to go on with: an activity, or a participant that the role plays."""
+def check_resuming(
+    line: tree.Way, formulas: Formulas, played: frozenset[str], verb: str
+) -> Iterator[Diagnostic]:
+    """W430 for an activity, which has nothing to go on with: `verb` does the same."""
     term = ungrouped(line.term.formula)
-    if term.operator is not Operator.NAME or term.name in formulas.named:
+    if term.operator is not Operator.NAME or term.name in formulas.named or term.name in played:
         return
-    yield Diagnostic(NothingToResume(term.name, term.name in played), line.verb.span.to(line.term.span))
+    span = line.verb.span.to(line.term.span)
+    yield Diagnostic(NothingToResume(term.name, verb), span, fix=f"{verb} {line.term.span.text}")
 
 
 __all__ = ["RESUME", "check_resuming"]

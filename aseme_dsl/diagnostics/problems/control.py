@@ -459,15 +459,15 @@ class LoopNeverLeft(Problem):
 class NothingToResume(Problem):
     code = "W430"
     term: str
-    is_participant: bool
+    verb: str
 
     @property
     def message(self) -> str:
-        if self.is_participant:
-            return f"`{self.term}` is a participant: a conversation that was left cannot be resumed"
-        return f"`{self.term}` is an activity: it starts anew, as by `enter {self.term}`"
+        return f"`{self.term}` is an activity: it starts anew, as by `{self.verb} {self.term}`"
 
-    hint = "write `enter`, or resume the formula around it"
+    @property
+    def hint(self) -> str:
+        return f"write `{self.verb}` instead of `resume`"
 
 
 class RegionsWakeEachOther(Problem):

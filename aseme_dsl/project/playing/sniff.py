@@ -239,6 +239,10 @@ class Sniffer:
                     if len(untaken) == 1:
                         messages = self._names.get(conversation, {}).get(untaken[0], "a message")
                     yield Mark(moment, name, f"leaves without having taken {messages}", conversation)
+            case "suspend":
+                yield Mark(moment, name, "is suspended", conversation)
+            case "resume":
+                yield Mark(moment, name, "goes on", conversation)
             case "gone" if record.get("reason") != "completed":  # that is how most parts end
                 reason = f" ({record['reason']})" if "reason" in record else ""
                 yield Mark(moment, name, f"lost {record['peer']}{reason}", conversation)

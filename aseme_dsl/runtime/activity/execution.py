@@ -118,6 +118,8 @@ class Execution:
         "opens",
         "owner",
         "result",
+        "earlier",
+        "made",
         "sent",
         "start",
         "started",
@@ -156,6 +158,10 @@ class Execution:
         self.held: list[c.Doing] = []
         self.dropped = 0
         self.sent: Sent = set()
+        self.made: Sent = set()
+        """What has left the agent since its state was entered."""
+        self.earlier: Sent = set()
+        """What of that an earlier start has sent, before the participant was suspended: it is not sent again."""
         self.timer: Timer | None = None
         self.generator: Generator[Any, None, Any] | None = None
         self.keeps = ""

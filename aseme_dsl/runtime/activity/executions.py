@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Mapping
-from dataclasses import dataclass, is_dataclass, replace
+from dataclasses import dataclass, field, is_dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -17,6 +17,7 @@ from aseme_dsl.runtime.chart.inputs import Cancel, Completed, Crashed, Start
 from aseme_dsl.runtime.chart.missing_decisions import listed, undecided
 from aseme_dsl.runtime.chart.plan import ActivityInfo
 from aseme_dsl.runtime.conversation.directory import Offer, Withdraw
+from aseme_dsl.runtime.conversation.moves import Sent
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.message.convert import same_shape
 from aseme_dsl.runtime.time.clock import MILLISECOND, nanoseconds, shown
@@ -47,6 +48,8 @@ class _Node:
     next: Start | None = None
     held: Timer | None = None
     waits: bool = False
+    made: Sent = field(default_factory=set)
+    """What the activity that was suspended here has sent."""
 
 
 class Executions:
@@ -104,6 +107,19 @@ class Executions:
             self._close(execution)
         else:
             self.agent.driver.cancel(execution)
+
+    def suspend(self, branch: str) -> None:
+        """A protocol branch is suspended: where an activity ran, the next start goes on."""
+        for node in self._nodes.values():
+            current = node.current
+            if node.branch == branch and current is not None and current.cancelled:
+                node.made = set(current.made)
+
+    def leave(self, branch: str) -> None:
+        """The part of a protocol branch is over: nothing in it goes on."""
+        for node in self._nodes.values():
+            if node.branch == branch:
+                node.made = set()
 
     def cancel_all(self) -> None:
         """Cancel everything: the agent stops."""
@@ -281,6 +297,7 @@ class Executions:
         execution = node.current = Execution(
             self, start, info, code, kind, node.starts, node.branch, board, now
         )
+        execution.earlier, execution.made, node.made = node.made, set(node.made), set()
         given = {name: to_json(value) for name, value in start.arguments}
         self._trace("start", start, **({"arguments": given} if given else {}))
         if node.error is not None:

@@ -37,10 +37,12 @@ from aseme_dsl.runtime.chart.inputs import (
     MailTaken,
     Outcome,
     Publication,
+    Resumed,
     Sample,
     Sending,
     Settled,
     Start,
+    Suspended,
 )
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.conversation.conversation import Conversations
@@ -131,6 +133,8 @@ class Agent:
             MailTaken: self._take_mail,
             Joined: self._join,
             Left: self._leave,
+            Suspended: self._suspend,
+            Resumed: lambda effect: self.conversations.resumed(self, effect.branch),
             FunctionResult: _nothing,
             Fault: self._count_fault,
             LeftOut: lambda effect: self.overload.inside(effect.region, effect.channel),
@@ -416,8 +420,10 @@ class Agent:
                 self._renewed(item, labels) if isinstance(item, Posted) else item for item in self.take()
             )
             self.intake.put_back([item for item in waiting if item is not None])
+        self.conversations.leaving(self, "replaced")
         for effect in carried.effects:
             self._carried_out[type(effect)](effect)
+        self.conversations.leaving(self, "left")
         if changed or is_due:
             self.errand(self._want)
         self.modules.renew(find)
@@ -433,6 +439,7 @@ class Agent:
         if old.started:
             old.effects.clear()
             old.leave()
+            old.discard(old.PLAN.states[0].label)
             effects = old.effects if not dead else [item for item in old.effects if not _is_said(item)]
             self.conversations.leaving(self, "crashed" if dead else "replaced")
             for effect in effects:
@@ -557,7 +564,12 @@ class Agent:
 
     def _leave(self, effect: Left) -> None:
         self.requests.prepared.forget(effect.branch)
+        self.executions.leave(effect.branch)
         self.conversations.left(self, effect.branch, effect.completed)
+
+    def _suspend(self, effect: Suspended) -> None:
+        self.executions.suspend(effect.branch)
+        self.conversations.suspended(self, effect.branch)
 
     def _fail_for_content(self) -> None:
         """Fail the state that was entered by a transition whose message has no content, or the agent."""

@@ -11,7 +11,7 @@ from aseme_dsl.runtime.agent.prepared import Prepared
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Happened, Identity, Sending, Written
 from aseme_dsl.runtime.conversation import directory as d
-from aseme_dsl.runtime.conversation.moves import MoveError, check_move, check_once
+from aseme_dsl.runtime.conversation.moves import MoveError, check_move, check_once, made_before
 from aseme_dsl.runtime.message.acl import AgentIdentifier
 from aseme_dsl.runtime.message.as_json import to_json
 
@@ -126,8 +126,14 @@ class Requests:
                 branch, name = execution.branch, type(message).__name__
                 assert branch is not None  # checked before
                 by = None if within is None else now + within
-                self.prepared.sent(branch, name, message)
-                agent.conversations.send(agent, branch, performative, name, message, to, reply_by=by)
+                said = performative, name
+                before = made_before(execution.earlier, agent.branch_info(branch), said)
+                if not before:
+                    self.prepared.sent(branch, name, message)
+                receivers = agent.conversations.send(
+                    agent, branch, performative, name, message, to, reply_by=by, before=before
+                )
+                execution.made.update((*said, receiver) for receiver in receivers)
             case d.Offer() | d.Withdraw():
                 self.register(doing)
             case c.Log(text):

@@ -212,6 +212,7 @@ class _Carrying:
         self._marks()
         self._memories()
         self._mail()
+        self._suspended()
         for number in entered:
             getattr(new, f"_enter_{number}")(self.now)
         restarted = self._restart()
@@ -460,6 +461,21 @@ class _Carrying:
                 self.lost.append(f"where {self.old.PLAN.by_label[label].name} was left")
             else:
                 setattr(self.new, new, carried)
+
+    def _suspended(self) -> None:
+        """The participants that are suspended, as far as it is known where they go on; others are left."""
+        new = self.new
+        for branch, kept in self.old.suspended.items():
+            label = self.labels.get(branch, "")
+            memories = [slot for state, slot in new.KEPT.items() if f"{label}.".startswith(f"{state}.")]
+            if label in new.mail and any(getattr(new, slot) is not None for slot in memories):
+                new.suspended[label] = kept
+                for number, region in enumerate(self.old.REGIONS):
+                    home = self.regions.get(self.labels.get(region, ""))
+                    if f"{region}.".startswith(f"{branch}.") and home is not None:
+                        getattr(new, f"b{home}").timers.update(getattr(self.old, f"b{number}").timers)
+            elif label in new.mail:
+                new.part(label)
 
     @staticmethod
     def _key(transition: Transition, labels: Mapping[str, str]) -> tuple[str | None, str]:

@@ -25,9 +25,11 @@ from aseme_dsl.runtime.chart.inputs import (
     MailTaken,
     Outcome,
     Publication,
+    Resumed,
     Sample,
     Sending,
     Start,
+    Suspended,
 )
 from aseme_dsl.runtime.chart.state import ChartState
 from aseme_dsl.runtime.chart.stepping import (
@@ -140,10 +142,56 @@ class Chart(ChartState):
         self.effects.append(Joined(branch))
 
     def part(self, branch: str, completed: bool = False) -> None:
-        """A protocol branch is left, at its END or before; what waits there is given up."""
+        """A protocol branch is left, at its END or before; what waits there is given up, unless it is held."""
+        timers = self._take_timers(branch)
+        if branch in self.held and not completed:
+            self.suspended[branch] = self.now, timers
+            self.effects.append(Suspended(branch))
+            return
         self.mail[branch].clear()
         self.rounds.forget(branch)
         self.effects.append(Left(branch, completed))
+
+    def hold(self, label: str) -> None:
+        """The branches in a state that is left now, and may be resumed, are suspended."""
+        if self.failure is None:
+            self.held.update(branch for branch in self.mail if _is_in(branch, label))
+
+    def proceed(self, branch: str) -> bool:
+        """A branch that was suspended goes on, and the time that stood still in it; whether it was."""
+        if branch not in self.suspended:
+            return False
+        moment, timers = self.suspended.pop(branch)
+        passed = self.now - moment
+        for label, slot in self.TIMES.items():
+            if _is_in(label, branch):
+                setattr(self, slot, getattr(self, slot) + passed)
+        if timers:
+            self._timers(branch).update({name: due + passed for name, due in timers.items()})
+        for number, label in enumerate(self.REGIONS):
+            if _is_in(label, branch):
+                inner = getattr(self, f"b{number}").timers
+                inner.update({name: due + passed for name, due in inner.items()})
+        self.effects.append(Resumed(branch))
+        return True
+
+    def discard(self, label: str, but: str = "") -> None:
+        """What was suspended in a state goes on no more, but for what is held or in the state `but`."""
+        for branch in [item for item in self.suspended if _is_in(item, label) and item not in self.held]:
+            if not but or not _is_in(branch, but):
+                del self.suspended[branch]
+                self.part(branch)
+
+    def _timers(self, branch: str) -> dict[str, int]:
+        board: Board = getattr(self, self.PART_TIMERS[branch][0])
+        return board.timers
+
+    def _take_timers(self, branch: str) -> dict[str, int]:
+        """The timers of a branch that is left, which then run no more."""
+        if branch not in self.PART_TIMERS:
+            return {}
+        timers = self._timers(branch)
+        return {name: timers.pop(name) for name in self.PART_TIMERS[branch][1] if name in timers}
 
     def fault(self, transition: int, reason: object) -> bool:
         """Note, once a step, that something of a transition could not be done; always False."""
@@ -309,3 +357,8 @@ class Chart(ChartState):
             ):
                 board.ahead.add(item.identity)
                 put(self, region, board, item)
+
+
+def _is_in(label: str, state: str) -> bool:
+    """Whether a state is another one or inside it."""
+    return label == state or label.startswith(f"{state}.")

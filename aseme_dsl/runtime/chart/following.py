@@ -55,17 +55,38 @@ class Shape:
         holding = (label for label in reversed(_around(source)[:-1]) if label in around)
         return next(label for label in holding if self.plan.by_label[label].type == "OR")
 
-    def entered(self, path: tuple[str, ...], again: frozenset[str] | None = None) -> tuple[str, ...]:
+    def region(self, label: str) -> str:
+        """The innermost region around a state."""
+        plan = self.plan
+        around = reversed(_around(label))
+        return next(
+            item
+            for item in around
+            if (parent := plan.by_label[item].parent) is None or plan.by_label[parent].type == "AND"
+        )
+
+    def branches_in(self, label: str) -> set[str]:
+        """The branches of participants that a state is or has inside."""
+        return {branch for branch in self.plan.branch_labels if f"{branch}.".startswith(f"{label}.")}
+
+    def entered(
+        self,
+        path: tuple[str, ...],
+        again: frozenset[str] | None = None,
+        suspended: frozenset[str] = frozenset(),
+    ) -> tuple[str, ...]:
         """What is entered on the way to the last state of a path: inside it what was active there, else what
-        begins there."""
+        begins there. A branch begins anew unless it is suspended."""
         if again is not None:
-            return self._all_entered(path, again)
+            return self._all_entered(path, again, suspended)
         found = self._entered.get(path)
         if found is None:
-            found = self._entered[path] = self._all_entered(path, frozenset())
+            found = self._entered[path] = self._all_entered(path, frozenset(), frozenset())
         return found
 
-    def _all_entered(self, path: tuple[str, ...], again: frozenset[str]) -> tuple[str, ...]:
+    def _all_entered(
+        self, path: tuple[str, ...], again: frozenset[str], suspended: frozenset[str]
+    ) -> tuple[str, ...]:
         plan = self.plan
         wanted = {*path, *again}
         entered: list[str] = []
@@ -74,7 +95,8 @@ class Shape:
             at = stack.pop()
             entered.append(at)
             children = plan.inside.get(at, ())
-            if at in plan.branch_labels and not any(item.startswith(f"{at}.") for item in path):
+            anew = at in plan.branch_labels and at not in suspended
+            if anew and not any(item.startswith(f"{at}.") for item in path):
                 # What is remembered inside a conversation is of another one.
                 wanted = {item for item in wanted if not item.startswith(f"{at}.")}
             match plan.by_label[at].type:
@@ -96,6 +118,9 @@ class Following:
     kept: dict[str, frozenset[str]] = field(default_factory=dict)
     """Of states that may be resumed, and were left before they were complete: what was active in them."""
 
+    suspended: set[str] = field(default_factory=set)
+    """The branches of participants that were left and may go on."""
+
     def begin(self) -> Change:
         """The root is entered."""
         return Change((), self._enter(self.shape.entered((self.shape.plan.states[0].label,))))
@@ -111,12 +136,20 @@ class Following:
             return NOTHING
         plan = self.shape.plan
         left = self._leave(scope)
-        again = None
-        if plan.transitions[numbers[-1]].resume and target not in plan.branch_labels:
-            again = self.kept.get(target)
-        if plan.transitions[numbers[-1]].resume:
-            self.kept.pop(target, None)
-        return Change(left, self._enter(self.shape.entered(path, again)))
+        resumes = plan.transitions[numbers[-1]].resume
+        again = self.kept.pop(target, None) if resumes else None
+        for label in path:
+            if label in plan.resumed and not (resumes and label == target):
+                self.suspended -= self.shape.branches_in(label) - (
+                    self.shape.branches_in(target) if resumes else set()
+                )
+        if target in plan.branch_labels and target not in self.suspended:
+            again = None
+        entered = self.shape.entered(path, again, frozenset(self.suspended))
+        for label in entered:
+            if label in plan.resumed and label not in path and label not in (again or ()):
+                self.suspended -= self.shape.branches_in(label)
+        return Change(left, self._enter(entered))
 
     def end(self) -> Change:
         """Everything is left."""
@@ -142,19 +175,28 @@ class Following:
         within = f"{scope}."
         left = [label for label in self.active if label.startswith(within)]
         left.sort(key=self.shape.rank.__getitem__)
+        held: set[str] = set()
         for label in self.shape.plan.resumed:
             if label in self.active and label.startswith(within):
                 self.kept.pop(label, None)
                 if not self.is_complete(label):
                     self.kept[label] = frozenset(item for item in left if item.startswith(f"{label}."))
+                    if self.shape.region(label) in _around(scope):
+                        held |= self.shape.branches_in(label)
+        for label in self.shape.plan.resumed:
+            if self.shape.region(label) in left:
+                self.suspended -= self.shape.branches_in(label) - held
+        self.suspended |= {label for label in held.intersection(left) if not self.is_complete(label)}
         self.active.difference_update(left)
         return tuple(left)
 
     def _enter(self, entered: tuple[str, ...]) -> tuple[str, ...]:
         if self.kept:
-            branches = [label for label in entered if label in self.shape.plan.branch_labels]
+            anew = self.shape.plan.branch_labels - self.suspended
+            branches = [label for label in entered if label in anew]
             for key in [key for key in self.kept if any(key.startswith(f"{label}.") for label in branches)]:
                 del self.kept[key]
+        self.suspended.difference_update(entered)
         self.active.update(entered)
         return entered
 

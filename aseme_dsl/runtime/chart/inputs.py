@@ -212,6 +212,20 @@ class Left:
 
 
 @_made_often
+class Suspended:
+    """The protocol branch at `branch` was left, and a transition may resume it: its part is not over."""
+
+    branch: str
+
+
+@_made_often
+class Resumed:
+    """The protocol branch at `branch`, which was suspended, goes on."""
+
+    branch: str
+
+
+@_made_often
 class FunctionResult:
     """A function of the document was called and gave `value`."""
 
@@ -235,7 +249,20 @@ class LeftOut:
     channel: str
 
 
-Effect = Start | Cancel | Publication | Sending | MailTaken | Joined | Left | FunctionResult | Fault | LeftOut
+Effect = (
+    Start
+    | Cancel
+    | Publication
+    | Sending
+    | MailTaken
+    | Joined
+    | Left
+    | Suspended
+    | Resumed
+    | FunctionResult
+    | Fault
+    | LeftOut
+)
 
 
 @dataclass(slots=True, init=False)

@@ -30,6 +30,7 @@ class ChartState:
         "failed",
         "failure",
         "finished",
+        "held",
         "index",
         "mail",
         "now",
@@ -41,6 +42,7 @@ class ChartState:
         "seed",
         "spent",
         "started",
+        "suspended",
         "taken",
         "tokens",
         "woken",
@@ -76,6 +78,8 @@ class ChartState:
     """The slots of what is remembered of states that may be resumed: the numbers of their regions' leaves."""
     MARKS: ClassVar[Mapping[int, tuple[str, str]]] = {}
     """For each `on` transition the slots of what it saw when it was taken last, and of the time it waited."""
+    PART_TIMERS: ClassVar[Mapping[str, tuple[str, tuple[str, ...]]]] = {}
+    """Of each protocol branch that starts timers: the slot of the blackboard that has them, and their names."""
     LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """The labels of each region's leaves by their numbers."""
 
@@ -95,6 +99,10 @@ class ChartState:
         self.mail: dict[str, list[AgentMessage]] = {info.label: [] for info in self.PLAN.branches}
         self.rounds = Rounds()
         """Who was addressed in the branches, and who has answered."""
+        self.held: set[str] = set()
+        """The branches that are suspended where they are left now, while a state is being left."""
+        self.suspended: dict[str, tuple[int, dict[str, int]]] = {}
+        """The branches that may go on: when each was left, and its timers then."""
         self.writes: list[tuple[int, str, Any]] = []
         self.drains = False
         """Whether a step has dropped a signal behind which another one waits; reset like `woken`."""

@@ -119,14 +119,18 @@ class Conversations:
         reply_by: int | None = None,
         *,
         one: bool = False,
-    ) -> None:
+        before: Collection[str] = (),
+    ) -> tuple[str, ...]:
         """Send in the conversation of a branch, which it opens if it has none; `to` may be an agent.
 
         It does not go to the agents in `excepts`, and with `one` to a single agent. An answer is wanted until
-        `reply_by`, if that is said.
+        `reply_by`, if that is said. Those in `before` have got it before the branch was suspended. Gives the
+        agents that it goes to.
         """
         with self._driver.holding(), self._lock:
-            self._sending.send(agent, branch, performative, message, content, to, excepts, reply_by, one=one)
+            return self._sending.send(
+                agent, branch, performative, message, content, to, excepts, reply_by, one=one, before=before
+            )
 
     def send_to_agent(
         self,
@@ -209,6 +213,16 @@ class Conversations:
         """A branch was entered: it is free, and takes the conversation that waits longest."""
         with self._driver.holding(), self._lock:
             self._parts.joined(agent, branch)
+
+    def suspended(self, agent: Receiver, branch: str) -> None:
+        """A branch was left that may be resumed: its conversation stays open, and mail waits in it."""
+        with self._driver.holding(), self._lock:
+            self._parts.suspended(agent, branch)
+
+    def resumed(self, agent: Receiver, branch: str) -> None:
+        """A branch that was suspended goes on."""
+        with self._driver.holding(), self._lock:
+            self._parts.resumed(agent, branch)
 
     def leaving(self, agent: Receiver, reason: Reason | None) -> None:
         """Parts of an agent that end from now on before their END do so for this reason; None: in silence."""

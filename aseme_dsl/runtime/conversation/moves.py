@@ -59,4 +59,11 @@ def check_once(sent: Sent, info: BranchInfo, activity: str, said: tuple[str, str
     sent.update(keys)
 
 
-__all__ = ["MoveError", "Sent", "check_move", "check_once"]
+def made_before(earlier: Sent, info: BranchInfo, said: tuple[str, str]) -> frozenset[str]:
+    """The agents that an activity, which was suspended in between, has sent a message and sends it no more."""
+    if any(item[:2] == said and item[3] for item in info.moves):
+        return frozenset()
+    return frozenset(name for *what, name in earlier if tuple(what) == said)
+
+
+__all__ = ["MoveError", "Sent", "check_move", "check_once", "made_before"]

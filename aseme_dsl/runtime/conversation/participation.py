@@ -31,6 +31,8 @@ class Participation:
     completed: list[tuple[str, str]] = field(default_factory=list)
     """Agents that have completed, each with its participant: lost once no message of them waits."""
     was_full: bool = False
+    suspended: bool = False
+    """Whether the branch was left and may be resumed."""
 
     @property
     def part(self) -> Part:

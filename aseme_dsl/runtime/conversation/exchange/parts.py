@@ -28,9 +28,14 @@ class Parts:
         place = Participation(agent.branch_info(branch))
         desk = self._members.desks[agent.name]
         desk.branches[branch] = place
+        self._offer(agent, place)
+
+    def _offer(self, agent: Receiver, place: Participation) -> None:
+        """A branch is free, and takes the conversation that waits longest."""
+        desk = self._members.desks[agent.name]
         waiting = desk.invitations.take(place.part)
         if not waiting:
-            desk.free.setdefault(place.part, {})[branch] = place
+            desk.free.setdefault(place.part, {})[place.info.label] = place
             return
         name = waiting[0].conversation
         self._members.conversations[name].invitations -= len(waiting)
@@ -41,6 +46,25 @@ class Parts:
             else:
                 self._delivery.unexpected(agent, acl, f"{acl.to} does not receive it")
 
+    def suspended(self, agent: Receiver, branch: str) -> None:
+        """A branch was left that may be resumed: its conversation stays open, and mail waits in it."""
+        desk = self._members.desks[agent.name]
+        place = desk.branches[branch]
+        place.suspended = True
+        if place.conversation is None:
+            desk.free[place.part].pop(branch)
+        else:
+            self._told.takes_part("suspend", agent.name, place, place.conversation)
+
+    def resumed(self, agent: Receiver, branch: str) -> None:
+        """A branch that was suspended goes on."""
+        place = self._members.desks[agent.name].branches[branch]
+        place.suspended = False
+        if place.conversation is None:
+            self._offer(agent, place)
+        else:
+            self._told.takes_part("resume", agent.name, place, place.conversation)
+
     def left(self, agent: Receiver, branch: str, completed: bool = False) -> None:
         """A branch was left: its part in the conversation is over, and what it did not take is given up."""
         desk = self._members.desks[agent.name]
@@ -48,7 +72,7 @@ class Parts:
         if place is None:
             return
         if place.conversation is None:
-            desk.free[place.part].pop(branch)
+            desk.free.get(place.part, {}).pop(branch, None)  # one that is suspended is not free
             return
         name = place.conversation
         conversation = self._members.conversations[name]
@@ -155,7 +179,7 @@ class Parts:
         desk.branches = carried
         desk.free.clear()
         for label, place in carried.items():
-            if place.conversation is None:
+            if place.conversation is None and not place.suspended:
                 desk.free.setdefault(place.part, {})[label] = place
         for acl in desk.invitations.clear():
             self._members.conversations[acl.conversation].invitations -= 1

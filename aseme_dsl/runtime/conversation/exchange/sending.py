@@ -60,11 +60,13 @@ class Sending:
         reply_by: int | None = None,
         *,
         one: bool = False,
-    ) -> None:
+        before: Collection[str] = (),
+    ) -> tuple[str, ...]:
         """Send in the conversation of a branch, which it opens if it has none; `to` may be an agent.
 
         It does not go to the agents in `excepts`, and with `one` to a single agent. An answer is wanted until
-        `reply_by`, if that is said.
+        `reply_by`, if that is said. Those in `before` have got it before the branch was suspended. Gives the
+        agents that it goes to.
         """
         place = self._place_of(agent, branch, performative, message, content)
         if place is not None:
@@ -76,12 +78,18 @@ class Sending:
             if reason:
                 text = f"{performative} {message} is not sent: {reason}"
                 self._told.fault(agent.name, text)
-                return
-            receivers = tuple(name for name in invited if name not in excepts)
+                return ()
+            receivers = tuple(name for name in invited if name not in (*excepts, *before))
+            if before and not receivers:
+                reason = "it was sent before the participant was suspended"
+                self._told.unsent(agent.name, performative, message, content, place.info, reason)
+                return ()
             is_round = place.info.knows(to)
             self._send(
                 agent, place, performative, message, content, receivers, part, reply_by, is_round=is_round
             )
+            return receivers
+        return ()
 
     def send_to_agent(
         self,
