@@ -22,13 +22,13 @@ from aseme_dsl.runtime.chart.inputs import (
     Joined,
     Left,
     MailTaken,
-    Resumed,
-    Suspended,
     Outcome,
     Publication,
+    Resumed,
     Sample,
     Sending,
     Start,
+    Suspended,
     Written,
 )
 from aseme_dsl.runtime.chart.plan import Plan

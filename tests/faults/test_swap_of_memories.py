@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from aseme_dsl.runtime.agent.state_transfer import Carried, carry, same_states
-from aseme_dsl.runtime.chart.inputs import Start
+from aseme_dsl.runtime.chart.inputs import Left, Start
 from tests.behaviour.conftest import PRELUDE
 from tests.behaviour.running import Run
 from tests.support.generated import Generated, generate
@@ -71,3 +71,43 @@ def test_what_is_not_there_any_more_is_said_to_be_lost() -> None:
     assert result.lost == ("where shift was left",)
     other.step(other.done("Charge"))
     assert other.active == ["A", "D"]
+
+
+TALK = """
+aip p {
+  participant a { sends inform Note receives inform Note process = Ask . Give }
+  participant b { sends inform Note receives inform Note process = Hear }
+  control a { enter Give : after(30ms) }
+}
+srm R {
+  plays p.a
+  liveness { R = (shift [> Charge)~  shift = A . a . B }
+  control R { resume shift :  enter Charge : go }
+}
+"""
+
+
+def talking() -> tuple[Run, Generated]:
+    """An agent whose conversation is suspended."""
+    made = generate(PRELUDE + TALK)
+    run = Run(made.chart("R", "me"), made.plan("R"), made).step()
+    run.step(run.done("A"))
+    run.step(run.event("go"), ms=10)
+    assert [line.split()[0] for line in run.did] == ["cancel", "suspend", "start"]
+    return run, made
+
+
+def test_a_suspended_conversation_goes_on_under_the_new_version() -> None:
+    run, made = talking()
+    other, result = carried(run, made, TALK.replace("A . a . B", "Z . A . a . B"))
+    assert (result.lost, result.effects) == ((), ())
+    other.step(other.done("Charge"), ms=50)
+    assert [line.split()[0] for line in other.did] == ["resume", "start"]
+    assert (other.active, other.due) == (["Ask"], 20)
+
+
+def test_a_suspended_conversation_that_cannot_go_on_is_left() -> None:
+    run, made = talking()
+    _, result = carried(run, made, TALK.replace("Ask . Give", "Look . Give"))
+    assert result.lost == ("where shift was left",)
+    assert [type(effect) for effect in result.effects] == [Left]

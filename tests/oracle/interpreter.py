@@ -917,7 +917,7 @@ class Reference:
             del self.regions[label]
 
     def part(self, branch: str, completed: bool = False) -> None:
-        """ "entering/leaving a participation gives Joined/Left"; what waits in its conversation is given up"""
+        """ "entering/leaving a participation gives Joined/Left"; what waits in it is given up"""
         self.mailbox[branch].clear()
         self.forget_rounds(branch)
         self.outcome.effects.append(Left(branch, completed))
@@ -962,9 +962,7 @@ class Reference:
         self.outcome.effects.append(Resumed(label))
         self.be_in(label, again, shifted)
 
-    def be_in(
-        self, label: str, again: tuple[set[str], set[str]], timers: dict[str, dict[str, int]]
-    ) -> None:
+    def be_in(self, label: str, again: tuple[set[str], set[str]], timers: dict[str, dict[str, int]]) -> None:
         """Be in a state of a part that goes on, as it was left; nothing that belongs to an entry is done."""
         self.active.add(label)
         match self.type_of(label):

@@ -44,12 +44,12 @@ class Entering(Part):
             if self.chart.is_region(label):
                 self._enter_one(method, depth, region, label, target, resume)
                 return
-            inner = self.chart.node(label)
-            if not again and self.flat.suspends(inner) and not (label == target and resume):
+            entered = self.chart.node(label)
+            if not again and self.flat.suspends(entered) and not (label == target and resume):
                 but = f", {target!r}" if resume else ""
                 method.add(depth, f"self.discard({label!r}{but})")
-            if label != target or not (resume and self.chart.is_branch(inner)):
-                self.on_entry(method, depth, region, inner)
+            if label != target or not (resume and self.chart.is_branch(entered)):
+                self.on_entry(method, depth, region, entered)
         node = self.chart.node(target)
         number = self.flat.leaf.get(target)
         match node.type:

@@ -106,6 +106,7 @@ class Execution:
         "cancelled",
         "code",
         "dropped",
+        "earlier",
         "error",
         "generator",
         "handle",
@@ -114,12 +115,11 @@ class Execution:
         "info",
         "keeps",
         "kind",
+        "made",
         "number",
         "opens",
         "owner",
         "result",
-        "earlier",
-        "made",
         "sent",
         "start",
         "started",
@@ -161,7 +161,7 @@ class Execution:
         self.made: Sent = set()
         """What has left the agent since its state was entered."""
         self.earlier: Sent = set()
-        """What of that an earlier start has sent, before the participant was suspended: it is not sent again."""
+        """What of that an earlier start has sent, before the participant was suspended: not sent again."""
         self.timer: Timer | None = None
         self.generator: Generator[Any, None, Any] | None = None
         self.keeps = ""

@@ -142,7 +142,7 @@ class Chart(ChartState):
         self.effects.append(Joined(branch))
 
     def part(self, branch: str, completed: bool = False) -> None:
-        """A protocol branch is left, at its END or before; what waits there is given up, unless it is held."""
+        """A protocol branch is left, at its END or before; what waits is given up, unless it is held."""
         timers = self._take_timers(branch)
         if branch in self.held and not completed:
             self.suspended[branch] = self.now, timers

@@ -79,7 +79,7 @@ class ChartState:
     MARKS: ClassVar[Mapping[int, tuple[str, str]]] = {}
     """For each `on` transition the slots of what it saw when it was taken last, and of the time it waited."""
     PART_TIMERS: ClassVar[Mapping[str, tuple[str, tuple[str, ...]]]] = {}
-    """Of each protocol branch that starts timers: the slot of the blackboard that has them, and their names."""
+    """Of each protocol branch that starts timers: the slot of their blackboard, and their names."""
     LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """The labels of each region's leaves by their numbers."""
 

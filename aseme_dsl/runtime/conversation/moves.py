@@ -60,7 +60,7 @@ def check_once(sent: Sent, info: BranchInfo, activity: str, said: tuple[str, str
 
 
 def made_before(earlier: Sent, info: BranchInfo, said: tuple[str, str]) -> frozenset[str]:
-    """The agents that an activity, which was suspended in between, has sent a message and sends it no more."""
+    """The agents that an activity has sent a message before it was suspended, and sends it no more."""
     if any(item[:2] == said and item[3] for item in info.moves):
         return frozenset()
     return frozenset(name for *what, name in earlier if tuple(what) == said)
