@@ -49,7 +49,11 @@ class NamedFormula:
 
 @dataclass(frozen=True, slots=True)
 class Participant:
-    """`[1..*]` is least 1, most None. `formulas[0]` is the process, the rest its helpers."""
+    """`[1..*]` is least 1, most None. `formulas[0]` is the process, the rest its helpers.
+
+    `inputs` (`given`) are supplied by the role that plays it; `results` are those of its variables which the
+    role gets when the part is complete.
+    """
 
     name: str
     least: int
@@ -60,6 +64,8 @@ class Participant:
     receives: tuple[AgentMessage, ...]
     formulas: tuple[NamedFormula, ...]
     span: Span
+    inputs: tuple[DeclaredVariable, ...] = ()
+    results: tuple[str, ...] = ()
 
     @property
     def process(self) -> Formula:

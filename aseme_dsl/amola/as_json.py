@@ -135,6 +135,8 @@ def srm_json(srm: Srm, activities: Iterable[Activity], system: str, folder: Pure
                 "participant": item.participant,
                 "name": item.name,
                 "bindings": dict(item.bindings),
+                **({"given": {n: value_text(v) for n, v in item.inputs}} if item.inputs else {}),
+                **({"results": dict(item.results)} if item.results else {}),
                 "span": _span(item.span, folder),
             }
             for item in srm.plays
@@ -250,7 +252,9 @@ def _participant(item: Participant, folder: PurePath | None) -> Json:
         "least": item.least,
         "most": item.most,
         "engage": list(item.engage),
+        **({"given": _inputs(item.inputs, folder)} if item.inputs else {}),
         "variables": _variables(item.variables, folder),
+        **({"results": list(item.results)} if item.results else {}),
         "sends": [f"{message.performative} {message.message}" for message in item.sends],
         **_senders(item),
         "receives": [f"{message.performative} {message.message}" for message in item.receives],
@@ -283,6 +287,10 @@ def _variables(variables: Iterable[DeclaredVariable], folder: PurePath | None) -
         }
         for item in variables
     ]
+
+
+def _inputs(inputs: Iterable[DeclaredVariable], folder: PurePath | None) -> list[Json]:
+    return [{"name": i.name, "type": str(i.type), "span": _span(i.span, folder)} for i in inputs]
 
 
 def _formulas(formulas: Iterable[NamedFormula], folder: PurePath | None) -> list[Json]:

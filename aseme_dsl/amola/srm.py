@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import DeclaredVariable, NamedFormula
+from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.messages import Channel, Parameter
 from aseme_dsl.source import Span
 
@@ -14,7 +15,8 @@ class Plays:
     """`plays attack.center as striker with WalkTowardsGoal = WalkTowardsOpponentGoal`.
 
     `name` is how the role's formulas call the participant; `bindings` replace the protocol's abstract
-    activities by the role's own.
+    activities by the role's own. `inputs` are the values of what the participant is given, `results` the
+    role's variables that get its results.
     """
 
     protocol: str
@@ -22,6 +24,8 @@ class Plays:
     name: str
     bindings: tuple[tuple[str, str], ...]
     span: Span
+    inputs: tuple[tuple[str, Value], ...] = ()
+    results: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

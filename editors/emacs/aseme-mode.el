@@ -27,11 +27,11 @@
 
 (defconst aseme-entries
   '("abstract" "activities" "actor" "aip" "algorithm" "capability" "clause" "control" "data" "engage"
-    "enter" "enum" "environment" "exit" "finish" "function" "functionality" "goal" "import" "includes"
-    "language" "leave" "let" "liveness" "message" "modules" "on" "optional" "outcome" "participant"
-    "permissions" "plays" "property" "receives" "repeat" "repeated" "resume" "role" "sag" "scenario"
-    "sends" "signal" "skip" "srm" "start" "state" "statechart" "suc" "system" "team" "technology" "topic"
-    "usecase" "var")
+    "enter" "enum" "environment" "exit" "finish" "function" "functionality" "given" "goal" "import"
+    "includes" "language" "leave" "let" "liveness" "message" "modules" "on" "optional" "outcome"
+    "participant" "permissions" "plays" "property" "receives" "repeat" "repeated" "result" "resume" "role"
+    "sag" "scenario" "sends" "signal" "skip" "srm" "start" "state" "statechart" "suc" "system" "team"
+    "technology" "topic" "usecase" "var")
   "Words with which a declaration or an entry begins.")
 
 (defconst aseme-clauses

@@ -533,3 +533,21 @@ def test_a_line_that_stays_in_a_state_of_a_chart_offers_the_states() -> None:
     assert {"0", "0.1", "0.2"} <= set(labels(text))
     beginning = text.replace("on ‸", "\n‸")
     assert {"on", "exit", "state"} <= set(labels(beginning))
+
+
+def test_what_a_participant_is_given_is_offered() -> None:
+    text = """system House
+aip delivery {
+  participant courier { given low : bool  result load : int  process = Consider . [Carry] }
+  control courier { enter Carry : [!low]  skip Carry : else }
+}
+srm robot {
+  var battery : int
+  plays delivery.courier with HERE
+  liveness { robot = courier }
+}
+"""
+    assert {"low", "load", "Consider"} <= set(labels(text.replace("HERE", CURSOR)))
+    assert labels(text.replace("HERE", f"low = {CURSOR}"))[0] == "battery"
+    assert "Consider" in labels(text.replace("HERE", f"Carry = {CURSOR}"))
+    assert "low" in labels(text.replace("[!low]", f"[{CURSOR}]"))

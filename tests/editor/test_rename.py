@@ -319,3 +319,38 @@ aip hiring {
 """
     changed = renamed(text, "var ^best", "first")
     assert "best" not in changed and "inform Task from first" in changed
+
+
+DELIVERY = """system House
+aip delivery {
+  participant courier {
+    given low : bool
+    result load : int
+    process = Consider . [Carry]
+  }
+  control courier {
+    enter Carry : [!low && load == 0] / load = 3
+    skip  Carry : else
+  }
+}
+srm robot {
+  var low : bool
+  plays delivery.courier with low = !low, load = parcels
+  var parcels : int
+  liveness { robot = courier . [Rest] }
+  control robot { enter Rest : [parcels > 1] / low = true  skip Rest : else }
+}
+"""
+
+
+def test_an_input_is_renamed_where_it_is_supplied() -> None:
+    text = renamed(DELIVERY, "given ^low", "weak")
+    assert "given weak : bool" in text and "[!weak && load == 0]" in text
+    assert "with weak = !low, load" in text and "var low : bool" in text
+
+
+def test_a_result_and_the_variable_that_gets_it_have_their_own_names() -> None:
+    text = renamed(DELIVERY, "result ^load", "weight")
+    assert "result weight : int" in text and "weight = parcels" in text and "/ weight = 3" in text
+    text = renamed(DELIVERY, "var ^parcels", "sum")
+    assert "load = sum" in text and "[sum > 1]" in text and "load == 0" in text

@@ -227,10 +227,10 @@ def test_srm_plays() -> None:
             "attack",
             "center_for",
             "striker",
-            (("Binding", "Walk", "WalkFar"), ("Binding", "Kick", "KickHard")),
+            (("Binding", "Walk", "WalkFar", None), ("Binding", "Kick", "KickHard", None)),
         ),
         ("Plays", "relief", "tired", None, ()),
-        ("Plays", "relief", "fresh", None, (("Binding", "A", "B"),)),
+        ("Plays", "relief", "fresh", None, (("Binding", "A", "B", None),)),
         ("Plays", "other", "one", None, ()),
     )
 

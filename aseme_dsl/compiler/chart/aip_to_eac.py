@@ -100,6 +100,8 @@ def read_protocol(
                 (),
                 participant.name.span,
                 _regions(participant),
+                typed[name].inputs,
+                typed[name].results,
             )
     outline = None
     labelled: dict[str, tuple[LabelledLine, ...]] = {}

@@ -7,21 +7,31 @@ from dataclasses import dataclass, replace
 from itertools import chain
 
 from aseme_dsl.amola.aip import DeclaredVariable
+from aseme_dsl.amola.expression import Assign, VariableValue
 from aseme_dsl.amola.liveness import Formula
-from aseme_dsl.amola.srm import Activity, Module
-from aseme_dsl.amola.statechart import Argument, Origin, OriginKind, State, Statechart, Variable
+from aseme_dsl.amola.messages import Type
+from aseme_dsl.amola.srm import Activity, Module, Plays
+from aseme_dsl.amola.statechart import (
+    Argument,
+    Origin,
+    OriginKind,
+    State,
+    Statechart,
+    StateType,
+    Transition,
+    Variable,
+)
 from aseme_dsl.compiler.chart.regions import regions_of
 from aseme_dsl.compiler.control.control import (
     LabelledLine,
     Line,
     Lines,
     Placed,
-    Renames,
-    rename_value,
     transitions,
 )
 from aseme_dsl.compiler.formula.formula_to_statechart import Branch, Outline, Way
 from aseme_dsl.compiler.formula.formulas import Formulas
+from aseme_dsl.compiler.formula.renames import rename_value
 from aseme_dsl.compiler.names.resolve import Symbols
 from aseme_dsl.source import Span
 
@@ -48,9 +58,21 @@ class Part:
     span: Span
     count: int = 1
     """How many regions it has in the protocol's own chart."""
+    inputs: tuple[DeclaredVariable, ...] = ()
+    results: tuple[str, ...] = ()
 
-    def branch(self, bindings: Mapping[str, str] | None = None) -> Branch:
-        return Branch(self.protocol, self.participant, self.formulas, bindings or {})
+    def branch(self, plays: Plays | None = None) -> Branch:
+        """Its process, as it stands where it is played; without `plays` as in the protocol's own chart."""
+        return Branch(
+            self.protocol,
+            self.participant,
+            self.formulas,
+            dict(plays.bindings) if plays is not None else {},
+            tuple(item.name for item in self.variables),
+            self.inputs,
+            dict(plays.inputs) if plays is not None else {},
+            dict(plays.results) if plays is not None else {},
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,38 +106,39 @@ def chart_of(
     origin = Origin(OriginKind.FORMULA, name, "control")
     placed = [Placed(item.source.text, item.target.text, item.line, origin, None) for item in labelled]
     own = [Variable(v.name, v.type, v.initial, None, v.span) for v in variables]
-    renamed: dict[str, Renames] = {}
     for label, branch in outline.branches.items():
         part = parts[branch.protocol, branch.participant]
         by_way.update(part.lines.by_way)
         placed += _placed(label, part, branch.origin)
-        keys = {v.name: f"{v.name}@{label}" for v in part.variables}
-        renamed[label] = Renames(keys, branch.bindings)
-        own += [Variable(keys[v.name], v.type, v.initial, label, v.span) for v in part.variables]
+        free = (item for item in part.inputs if item.name not in branch.supplied)
+        own += [
+            Variable(f"{v.name}@{label}", v.type, v.initial, label, v.span) for v in (*part.variables, *free)
+        ]
     every_line = chain(chain.from_iterable(by_way.values()), (item.line for item in placed))
     if any(line.is_hole for line in every_line):
         return None
     reactive = frozenset[Formula]().union(
         *(part.lines.reactive for part in parts.values()), lines.reactive if lines is not None else ()
     )
-    found = transitions(outline, by_way, placed, renamed, reactive)
-    nodes = _nodes(outline, renamed, world.symbols)
+    found = transitions(outline, by_way, placed, reactive)
+    found = _giving_results(outline, found, {item.name: item.type for item in own})
+    nodes = _nodes(outline, world.symbols)
     modules = world.modules.get(name, ()) if kind == "IAC" else ()
     regions = regions_of(nodes, found, world.activities, modules, world.symbols)
     return Statechart(name, world.system, kind, nodes, found, tuple(own), regions, span, modules)
 
 
-def _nodes(outline: Outline, renamed: Mapping[str, Renames], symbols: Symbols) -> tuple[State, ...]:
+def _nodes(outline: Outline, symbols: Symbols) -> tuple[State, ...]:
     """The states, with what those of branches are given in terms of the chart."""
     nodes = list(outline.nodes)
     inside = ""
     for place, node in enumerate(nodes):
-        if node.label in renamed:
+        if node.label in outline.names:
             inside = node.label
         elif not node.label.startswith(f"{inside}."):
             inside = ""
         if inside and node.arguments:
-            values = [rename_value(item.value, renamed[inside]) for item in node.arguments]
+            values = [rename_value(item.value, outline.names[inside]) for item in node.arguments]
             names = [item.name for item in node.arguments]
             form = symbols.activities.get(node.activity) if node.activity is not None else None
             if form is not None:  # the role's own activity calls its parameters as it likes
@@ -124,6 +147,31 @@ def _nodes(outline: Outline, renamed: Mapping[str, Renames], symbols: Symbols) -
                 node, arguments=tuple(Argument(n, value) for n, value in zip(names, values, strict=False))
             )
     return tuple(nodes)
+
+
+def _giving_results(
+    outline: Outline, found: tuple[Transition, ...], types: Mapping[str, Type]
+) -> tuple[Transition, ...]:
+    """The transitions: those to the END of a branch give its results to the variables around it."""
+    ends = {f"{label}.": results for label, results in outline.results.items() if results}
+    if not ends:
+        return found
+    kinds = {node.label: node.type for node in outline.nodes}
+
+    def given(item: Transition) -> Transition:
+        around, dot, _ = item.target.rpartition(".")
+        results = ends.get(around + dot)
+        if results is None or kinds[item.target] is not StateType.END:
+            return item
+        actions = tuple(
+            Assign(VariableValue(target, kind, item.span), VariableValue(own, kind, item.span), item.span)
+            for own, target in results.items()
+            for kind in (types[own],)
+        )
+        expression = replace(item.expression, actions=(*item.expression.actions, *actions))
+        return replace(item, expression=expression)
+
+    return tuple(map(given, found))
 
 
 def _placed(label: str, part: Part, origin: Origin) -> Iterable[Placed]:

@@ -16,11 +16,12 @@ from aseme_dsl.compiler.control.stopping import stops_of
 from aseme_dsl.compiler.formula import formulas as formula_tables
 from aseme_dsl.compiler.formula.formula_to_statechart import Outline, expand_role, sizes, too_large
 from aseme_dsl.compiler.formula.formulas import Formulas
+from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.missing import Missing
 from aseme_dsl.compiler.read.names import unknown
-from aseme_dsl.compiler.types.given import give
+from aseme_dsl.compiler.types.given import Supplied, give, supplied_names, supply
 from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.diagnostics.problems.absences import (
@@ -34,6 +35,7 @@ from aseme_dsl.diagnostics.problems.control import ControlOfProtocol
 from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, ProcessRestated, RoleWithoutFormula
 from aseme_dsl.diagnostics.problems.missing import ParticipantNotUsed
 from aseme_dsl.diagnostics.problems.names import (
+    BoundToExpression,
     BoundToFormula,
     BoundToParticipant,
     BoundTwice,
@@ -82,7 +84,7 @@ def read_role(
     if formulas is not None and written.includes:
         foreign = (item.name for item in formulas.named.values() if not _stands_in(item.span, written))
         formulas = replace(formulas, taken_over=frozenset(name.text for name in foreign))
-    plays, parts, problems = _plays(written, formulas, protocols, typed.scope.symbols, is_damaged)
+    plays, parts, problems = _plays(written, formulas, protocols, typed.scope, is_damaged)
     found += problems
     played = {item.name: item for item in plays}
     found += _foreign_controls(written, formulas, played, protocols, damaged)
@@ -93,7 +95,7 @@ def read_role(
     formulas, problems = give(formulas, typed.scope, played)
     found += problems
     branches = {
-        item.name: parts[item.protocol, item.participant].branch(dict(item.bindings))
+        item.name: parts[item.protocol, item.participant].branch(item)
         for item in plays
         if (item.protocol, item.participant) in parts
     }
@@ -168,7 +170,7 @@ def _plays(
     written: tree.Srm,
     formulas: Formulas | None,
     protocols: Mapping[str, Protocol],
-    symbols: Symbols,
+    scope: Scope,
     is_damaged: Damaged,
 ) -> tuple[tuple[Plays, ...], dict[tuple[str, str], Part], tuple[Diagnostic, ...]]:
     """What the role plays, by the names that its formulas use: E205, E206, E213, E306."""
@@ -178,7 +180,7 @@ def _plays(
     for item in written.plays:
         protocol = protocols.get(item.protocol.text)
         if protocol is None:
-            if not symbols.is_excused(item.protocol.text):
+            if not scope.symbols.is_excused(item.protocol.text):
                 found.append(unknown(NoProtocol, item.protocol, protocols))
             continue
         participants = {p.name.text: p for p in protocol.written.participants}
@@ -194,13 +196,23 @@ def _plays(
             continue
         part = protocol.parts.get(item.participant.text)
         bindings: dict[str, str] = {}
+        supplied = Supplied()
         if part is not None:
             parts[protocol.name, part.participant] = part
-            bindings, problems = _bindings(item, part, formulas, _played_names(written))
+            party = participants[item.participant.text]
+            bindings, problems = _bindings(item, part, party, formulas, _played_names(written))
             found += problems
-            found += _other_parameters(item, bindings, symbols)
+            found += _other_parameters(item, bindings, scope.symbols)
+            supplied, problems = supply(item, part.inputs, part.results, part.variables, scope)
+            found += problems
         plays[name.text] = Plays(
-            item.protocol.text, item.participant.text, name.text, tuple(bindings.items()), item.span
+            item.protocol.text,
+            item.participant.text,
+            name.text,
+            tuple(bindings.items()),
+            item.span,
+            supplied.inputs,
+            supplied.results,
         )
         restated = formulas.named.get(name.text) if formulas is not None else None
         if restated is not None:
@@ -223,21 +235,33 @@ def _restated(formula: tree.NamedFormula, plays: tree.Plays, participant: tree.P
 
 
 def _bindings(
-    written: tree.Plays, part: Part, formulas: Formulas | None, played: Mapping[str, Span]
+    written: tree.Plays,
+    part: Part,
+    party: tree.Participant,
+    formulas: Formulas | None,
+    played: Mapping[str, Span],
 ) -> tuple[dict[str, str], tuple[Diagnostic, ...]]:
     """The protocol's activities and what the role does instead (E206)."""
     activities = part.formulas.activities
+    others = {name.text for name in supplied_names(party)}
     found: list[Diagnostic] = []
     bindings: dict[str, str] = {}
+    seen: set[str] = set()
     for item in written.bindings:
-        abstract, own = item.abstract.text, item.own.text
-        if abstract in bindings:
+        abstract = item.abstract.text
+        if abstract in seen:
             found.append(Diagnostic(BoundTwice(abstract), item.abstract.span))
+        elif abstract in others:
+            pass  # see `supply`
         elif abstract not in activities:
-            none = unknown(NoActivityToBind, item.abstract, activities, part.protocol, part.participant)
+            pool = (*activities, *others)
+            none = unknown(NoActivityToBind, item.abstract, pool, part.protocol, part.participant)
             related = (Related(part.formulas.named[part.formulas.root].span, "its process"),)
             found.append(replace(none, related=related))
-        elif formulas is not None and own in formulas.named:
+        elif item.own is None:
+            found.append(Diagnostic(BoundToExpression(abstract), item.expression.span))
+        elif formulas is not None and item.own.text in formulas.named:
+            own = item.own.text
             found.append(
                 Diagnostic(
                     BoundToFormula(own, abstract),
@@ -245,12 +269,14 @@ def _bindings(
                     (Related(formulas.named[own].name.span, "the formula"),),
                 )
             )
-        elif own in played:
+        elif item.own.text in played:
+            own = item.own.text
             found.append(
                 Diagnostic(BoundToParticipant(own), item.own.span, (Related(played[own], "played here"),))
             )
         else:
-            bindings[abstract] = own
+            bindings[abstract] = item.own.text
+        seen.add(abstract)
     return bindings, tuple(found)
 
 
@@ -274,7 +300,8 @@ def _other_parameters(
             if known is not None
         )
         given = tuple(str(kind.type) for kind in wanted)
-        yield Diagnostic(BoundToOtherParameters(item.abstract.text, own, given), item.own.span, related)
+        problem = BoundToOtherParameters(item.abstract.text, own, given)
+        yield Diagnostic(problem, item.expression.span, related)
 
 
 def _by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: Formulas) -> dict[str, Plays]:

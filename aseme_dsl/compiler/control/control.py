@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from aseme_dsl.amola import expression
 from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression, substituted_expression
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.statechart import Origin, State, StateType, Transition, TransitionKind
 from aseme_dsl.compiler.formula.formula_to_statechart import Arrow, Outline, Standing, Way
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.reactive import choices_in, no_choice, reconsidered
+from aseme_dsl.compiler.formula.renames import SAME, rename
 from aseme_dsl.compiler.formula.resuming import RESUME, check_resuming
 from aseme_dsl.compiler.formula.staying import STAYING, check_staying
 from aseme_dsl.compiler.formula.terms import Played, terms_of, way
@@ -183,15 +183,12 @@ def transitions(
     outline: Outline,
     lines: Mapping[Way, tuple[Line, ...]],
     placed: Sequence[Placed] = (),
-    renamed: Mapping[str, Renames] | None = None,
     reactive: frozenset[Formula] = frozenset(),
 ) -> tuple[Transition, ...]:
     """The transitions of a chart, in the template's order; several lines of one way are parallel ones.
 
-    `renamed` says for each branch what the names of its participant's expressions mean in the chart. What
-    `placed` lines add to the formula comes last.
+    What `placed` lines add to the formula comes last.
     """
-    renamed = renamed or {}
     by_ends: dict[tuple[str, str], list[Placed]] = {}
     for item in placed:
         by_ends.setdefault((item.source, item.target), []).append(item)
@@ -200,7 +197,7 @@ def transitions(
 
     def typed(line: Line, of: Arrow | Standing | Placed) -> TransitionExpression:
         values = {} if isinstance(of, Placed) else of.values
-        names = renamed.get(of.branch, _SAME) if of.branch is not None else _SAME
+        names = outline.names.get(of.branch, SAME) if of.branch is not None else SAME
         return rename(substituted_expression(line.expression, values), names)
 
     def add(arrow: Arrow | Placed, name: str, line: Line | None, span: Span) -> None:
@@ -274,42 +271,6 @@ def prioritised(drafts: Sequence[Transition], positions: Sequence[int | None]) -
                 if place:
                     found[index] = replace(drafts[index], priority=place)
     return tuple(found)
-
-
-@dataclass(frozen=True, slots=True)
-class Renames:
-    """What the names in a participant's expressions mean in the chart where it is played."""
-
-    variables: Mapping[str, str] = field(default_factory=dict)
-    """The keys of its variables: `bids@0.2.3`."""
-    activities: Mapping[str, str] = field(default_factory=dict)
-    """The role's own activities that stand for the protocol's."""
-
-
-def rename(written: TransitionExpression, names: Renames) -> TransitionExpression:
-    """The expression with the keys of variables and the names of activities replaced as `names` says."""
-    if names == _SAME:
-        return written
-    return expression.rewritten_expression(written, lambda value: _renamed(value, names))
-
-
-def rename_value(value: expression.Value, names: Renames) -> expression.Value:
-    """The same for a value."""
-    return expression.rewritten(value, lambda part: _renamed(part, names))
-
-
-def _renamed(value: expression.Value, names: Renames) -> expression.Value:
-    match value:
-        case expression.VariableValue(name=name) if name in names.variables:
-            return replace(value, name=names.variables[name])
-        case expression.Outcome(activity=activity) if activity in names.activities:
-            return replace(value, activity=names.activities[activity])
-        case expression.StateValue(state=state) if state in names.activities:
-            return replace(value, state=names.activities[state])
-    return value
-
-
-_SAME = Renames()
 
 
 # ---- lines that name labels ---------------------------------------------------------------------
@@ -443,14 +404,11 @@ __all__ = [
     "Line",
     "Lines",
     "Placed",
-    "Renames",
     "check_labels",
     "including_labels",
     "prioritised",
     "read_lines",
     "regions_around",
-    "rename",
-    "rename_value",
     "structure_problem",
     "transitions",
 ]

@@ -11,12 +11,14 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import assert_never
 
-from aseme_dsl.amola.expression import INSTANCE, Literal, Value, substituted, value_text
+from aseme_dsl.amola.aip import DeclaredVariable
+from aseme_dsl.amola.expression import INSTANCE, Literal, Named, Value, VariableValue, substituted, value_text
 from aseme_dsl.amola.liveness import Formula, called, canonical, names, ungrouped, walk
 from aseme_dsl.amola.messages import INT
 from aseme_dsl.amola.operators import Operator, Template
 from aseme_dsl.amola.statechart import Argument, Origin, OriginKind, State, StateType
 from aseme_dsl.compiler.formula.formulas import Formulas, dependencies_first, fold
+from aseme_dsl.compiler.formula.renames import SAME, Renames, rename_value
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.formulas import TooManyStates
 from aseme_dsl.source import Span
@@ -51,17 +53,37 @@ class Arrow:
 class Branch:
     """The process of one participant of a protocol, as it stands in every chart where it is played.
 
-    `bindings` gives the protocol's abstract activities the names of the role's own.
+    `bindings` gives the protocol's abstract activities the names of the role's own, `supplied` the values of
+    its `inputs`, and `results` the variables that get its results.
     """
 
     protocol: str
     participant: str
     formulas: Formulas
     bindings: Mapping[str, str] = field(default_factory=dict)
+    variables: tuple[str, ...] = ()
+    inputs: tuple[DeclaredVariable, ...] = ()
+    supplied: Mapping[str, Value] = field(default_factory=dict)
+    results: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def origin(self) -> Origin:
         return Origin(OriginKind.PROTOCOL, self.protocol, self.participant)
+
+    def names_at(self, label: str, around: _Context) -> Renames:
+        """What the names of the participant mean in the branch `label`, which stands in `around`.
+
+        An input that nobody supplies is a variable: in the protocol's own chart.
+        """
+        inputs: dict[str, Value] = {}
+        for item in self.inputs:
+            value = self.supplied.get(item.name)
+            if value is None:
+                inputs[item.name] = VariableValue(f"{item.name}@{label}", item.type, item.span)
+            else:
+                value = rename_value(substituted(value, around.values), around.names)
+                inputs[item.name] = Named(item.name, value, item.type, value.span)
+        return Renames({name: f"{name}@{label}" for name in self.variables}, self.bindings, inputs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,13 +105,17 @@ class Standing:
 class Outline:
     """States in document order, arrows in the template's order, and the protocol branches by label.
 
-    `standing` are the states of terms: all but the points, the regions and what is around them.
+    `names` says for each branch what its names mean in the chart, `results` which variables of what is around
+    it get those of the branch when it is complete. `standing` are the states of terms: all but the points,
+    the regions and what is around them.
     """
 
     nodes: tuple[State, ...]
     arrows: tuple[Arrow, ...]
     branches: Mapping[str, Branch]
     standing: tuple[Standing, ...]
+    names: Mapping[str, Renames] = field(default_factory=dict)
+    results: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +129,8 @@ class _Context:
     bindings: Mapping[str, str]
     values: Mapping[str, Value] = field(default_factory=dict)
     """What the parameters of the formula stand for."""
+    names: Renames = SAME
+    """What the names of the branch mean in the chart."""
 
     @property
     def instance(self) -> dict[str, Value]:
@@ -197,11 +225,20 @@ class _Builder:
         self.nodes: list[State] = []
         self.arrows: list[Arrow] = []
         self.branches: dict[str, Branch] = {}
+        self.names: dict[str, Renames] = {}
+        self.results: dict[str, dict[str, str]] = {}
         self.standing: list[Standing] = []
         self._spellings: dict[tuple[Formula, int, int], str] = {}
 
     def finish(self) -> Outline:
-        return Outline(tuple(self.nodes), tuple(self.arrows), self.branches, tuple(self.standing))
+        return Outline(
+            tuple(self.nodes),
+            tuple(self.arrows),
+            self.branches,
+            tuple(self.standing),
+            self.names,
+            self.results,
+        )
 
     def arrow(
         self,
@@ -244,15 +281,24 @@ class _Builder:
                 context = context.inside(term)
             elif term.name in context.played:
                 branch = context.played[term.name]
-                self.branches[label] = branch
-                context = _Context(
-                    branch.formulas, branch.origin, {}, label, branch.bindings, context.instance
-                )
+                context = self.enter(label, branch, context)
                 inside = branch.formulas.named[branch.formulas.root].formula
             else:
                 kind, activity = StateType.BASIC, context.bindings.get(term.name, term.name)
         self.nodes.append(State(label, name, kind, parent, activity, context.origin, place.term.span, given))
         return self.template(label, inside, context) if inside is not None else []
+
+    def enter(self, label: str, branch: Branch, around: _Context) -> _Context:
+        """The context of the process of a participant that stands at `label`."""
+        self.branches[label] = branch
+        names = self.names[label] = branch.names_at(label, around)
+        targets = around.names.variables
+        self.results[label] = {
+            names.variables[own]: targets.get(target, target) for own, target in branch.results.items()
+        }
+        return _Context(
+            branch.formulas, branch.origin, {}, label, branch.bindings, around.instance, names=names
+        )
 
     def name_of(self, term: Formula, context: _Context) -> str:
         """A state is called like the formula or activity that it is, or like its term is written."""

@@ -14,6 +14,7 @@ from aseme_dsl.diagnostics import Diagnostic, Related, Severity
 from aseme_dsl.diagnostics.problems import names as problems
 from aseme_dsl.diagnostics.problems.absences import NoRole
 from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, RoleWithoutFormula
+from aseme_dsl.grammar.formulas.expression import spelled
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -238,7 +239,7 @@ def _plain(one: object) -> object:
     """What must agree for two to be the same: plays and functionalities say all of it themselves."""
     match one:
         case tree.Plays():
-            bindings = {(item.abstract.text, item.own.text) for item in one.bindings}
+            bindings = {(item.abstract.text, spelled(item.expression)) for item in one.bindings}
             return one.protocol.text, one.participant.text, frozenset(bindings)
         case tree.Functionality():
             texts = (one.technology, one.permissions, one.environment, one.algorithm)

@@ -80,7 +80,9 @@ def _publishers(collector: Collector) -> set[str]:
         found |= _activities(role.formulas)
         found |= {item.name.text for item in role.activities}
         found |= {item.name.text for item in role.modules}
-        found |= {binding.own.text for item in role.plays for binding in item.bindings}
+        found |= {
+            binding.own.text for item in role.plays for binding in item.bindings if binding.own is not None
+        }
     for protocol in collector.every(tree.Aip):
         for participant in protocol.participants:
             found |= _activities(participant.formulas)

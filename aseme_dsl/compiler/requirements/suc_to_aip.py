@@ -58,6 +58,8 @@ def read_aip(
                     for f in formulas
                 ),
                 item.name.span,
+                own.inputs,
+                own.results,
             )
         )
     outcomes = tuple(item.text for item in written.outcomes)

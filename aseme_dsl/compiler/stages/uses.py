@@ -70,7 +70,7 @@ def check_uses(
     of_blocks = yield from each(_named, [(block,) for block in with_formulas])
     named = set(chain.from_iterable(of_blocks)).difference(item.name.text for item in formulas)
     bindings = (item for block in blocks.srms for play in block.plays for item in play.bindings)
-    named.update(item.own.text for item in bindings)
+    named.update(item.own.text for item in bindings if item.own is not None)
     if charts.are_complete:
         written = (item for block in blocks.roles for item in block.activities)
         found.add(check_described(written, {*used, *named}, formulas, declared.is_damaged))

@@ -1,13 +1,14 @@
-"""Given: what activities and formulas are given where formulas name them, and the types of parameters."""
+"""Given: what activities, formulas and participants are given, and the types of parameters."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from aseme_dsl.amola.expression import Member, Value, walk
+from aseme_dsl.amola.aip import DeclaredVariable
+from aseme_dsl.amola.expression import Member, Random, Value, walk
 from aseme_dsl.amola.liveness import Formula, names
-from aseme_dsl.amola.messages import ChannelKind, Parameter, Type
+from aseme_dsl.amola.messages import DOUBLE, INT, ChannelKind, Parameter, Type
 from aseme_dsl.amola.statechart import Argument
 from aseme_dsl.compiler.formula.formulas import Formulas, cut
 from aseme_dsl.compiler.names.scope import Scope
@@ -15,8 +16,10 @@ from aseme_dsl.compiler.read.builtins import reserved
 from aseme_dsl.compiler.read.names import declared_twice, unknown
 from aseme_dsl.compiler.types.typecheck import type_value
 from aseme_dsl.diagnostics import Diagnostic, Related, surely
+from aseme_dsl.diagnostics.problems import names as of_names
 from aseme_dsl.diagnostics.problems.absences import NoType
 from aseme_dsl.diagnostics.problems.expressions import arguments as problems
+from aseme_dsl.diagnostics.problems.expressions.values import RandomInCondition
 from aseme_dsl.diagnostics.problems.names import ReservedName
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
@@ -52,7 +55,8 @@ def inside_formula(scope: Scope, formulas: Formulas, name: str) -> Scope:
     if not written:
         return scope
     known = {item.name: item.type for item in formulas.parameters.get(name, ())}
-    return replace(scope, parameters={item.name.text: known.get(item.name.text) for item in written})
+    own = {item.name.text: known.get(item.name.text) for item in written}
+    return replace(scope, parameters={**scope.parameters, **own})
 
 
 @dataclass(slots=True)
@@ -247,6 +251,73 @@ class _Work:
         return True
 
 
+# ---- participants ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Supplied:
+    """The values of a participant's inputs, and the variables of the role that get its results."""
+
+    inputs: tuple[tuple[str, Value], ...] = ()
+    results: tuple[tuple[str, str], ...] = ()
+
+
+def supplied_names(party: tree.Participant) -> tuple[tree.Name, ...]:
+    """The inputs and results of a participant, as they are written."""
+    return (*(item.name for item in party.inputs), *(item.name for item in party.results))
+
+
+def supply(
+    written: tree.Plays,
+    inputs: Iterable[DeclaredVariable],
+    results: Collection[str],
+    variables: Iterable[DeclaredVariable],
+    scope: Scope,
+) -> tuple[Supplied, tuple[Diagnostic, ...]]:
+    """What `plays` says of inputs and results, in the scope of the role: E590, E591, E592, E526."""
+    found: list[Diagnostic] = []
+    said = {item.abstract.text: item for item in reversed(written.bindings)}
+    values: list[tuple[str, Value]] = []
+    for wanted in inputs:
+        if wanted.name not in said:
+            missing = of_names.InputNotSupplied(wanted.name, str(wanted.type), written.participant.text)
+            place = written.protocol.span.to((written.alias or written.participant).span)
+            found.append(Diagnostic(missing, place, (Related(wanted.span, "the input"),)))
+            continue
+        value, wrong = type_value(said[wanted.name].expression, scope, wanted.type)
+        found += wrong
+        if value is not None:
+            wrong = tuple(_unsuitable(wanted.name, value))
+            found += wrong
+            if not wrong:
+                values.append((wanted.name, value))
+    targets: list[tuple[str, str]] = []
+    for result in (item for item in variables if item.name in results and item.name in said):
+        binding = said[result.name]
+        target = scope.variables.get(binding.own.text) if binding.own is not None else None
+        if target is None or (binding.own is not None and binding.own.text in scope.parameters):
+            known = tuple(name for name, (_, kind) in scope.variables.items() if kind == result.type)
+            found.append(Diagnostic(of_names.ResultNotVariable(result.name, known), binding.expression.span))
+        elif target[1] != result.type and (target[1], result.type) != (DOUBLE, INT):
+            related = (Related(result.span, "the result"),)
+            problem = of_names.ResultOfOtherType(result.name, str(result.type), str(target[1]))
+            found.append(Diagnostic(problem, binding.expression.span, related))
+        else:
+            targets.append((result.name, target[0]))
+    return Supplied(tuple(values), tuple(targets)), tuple(found)
+
+
+def _unsuitable(name: str, value: Value) -> Iterable[Diagnostic]:
+    """E592 for a signal, which the first look uses up; E526 for chance, which is another at each look."""
+    for part in walk(value):
+        if isinstance(part, Member) and part.channel.comm is ChannelKind.SIGNAL:
+            yield Diagnostic(of_names.InputFromSignal(name, str(part.channel)), part.span)
+            return
+        if isinstance(part, Random):
+            yield Diagnostic(RandomInCondition(), part.span)
+            return
+
+
 def _path(value: object) -> str | None:
     """The single name that an argument is."""
     while isinstance(value, tree.Parenthesised):
@@ -264,4 +335,4 @@ def _in_sequence(node: Formula) -> str:
     return cut(f"{node.name} . {inside if len(node.arguments) == 1 else f'({inside})'}")
 
 
-__all__ = ["give", "inside_formula"]
+__all__ = ["Supplied", "give", "inside_formula", "supplied_names", "supply"]

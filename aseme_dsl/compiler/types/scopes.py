@@ -39,6 +39,8 @@ class TypedParticipant:
     variables: tuple[DeclaredVariable, ...]
     sends: tuple[AgentMessage, ...]
     receives: tuple[AgentMessage, ...]
+    inputs: tuple[DeclaredVariable, ...] = ()
+    results: tuple[str, ...] = ()
 
 
 def global_scope(symbols: Symbols) -> tuple[Scope, tuple[Diagnostic, ...]]:
@@ -72,19 +74,39 @@ def protocol_scopes(
         diagnostics += wrong
         receives, wrong = _messages(item.receives, outer)
         diagnostics += wrong
-        variables = frozenset(variable.name.text for variable in item.variables)
+        variables = frozenset(
+            name.text for name in (*(v.name for v in _variables_of(item)), *(v.name for v in item.inputs))
+        )
         unread = _words(item.sends, sends) | _words(item.receives, receives)
         parties[name] = Party(name, sends, receives, variables, item.name.span, unread)
     scope, wrong_lets = with_lets(replace(outer, parties=parties), protocol.lets)
     diagnostics += wrong_lets
     typed = {}
     for name, item in first.items():
-        own_variables, wrong_variables = type_variables(item.variables, scope)
-        own = replace(scope, participant=name, variables=_keys(own_variables))
+        # An input is typed as a variable, so that both cannot have one name.
+        given = [tree.Var(one.name, one.type, None, one.span) for one in item.inputs]
+        declared, wrong_variables = type_variables((*_variables_of(item), *given), scope)
+        names = {one.name.span for one in item.inputs}
+        own_variables = tuple(one for one in declared if one.span not in names)
+        inputs = tuple(one for one in declared if one.span in names)
+        own = replace(
+            scope,
+            participant=name,
+            variables=_keys(own_variables),
+            parameters={one.name.text: None for one in item.inputs} | {one.name: one.type for one in inputs},
+        )
         own, wrong_lets = with_lets(own, item.lets)
         diagnostics += (*wrong_variables, *wrong_lets)
-        typed[name] = TypedParticipant(own, own_variables, parties[name].sends, parties[name].receives)
+        results = tuple(dict.fromkeys(one.name.text for one in item.results))
+        typed[name] = TypedParticipant(
+            own, own_variables, parties[name].sends, parties[name].receives, inputs, results
+        )
     return typed, tuple(diagnostics)
+
+
+def _variables_of(item: tree.Participant) -> tuple[tree.Var, ...]:
+    """The variables of a participant, its results among them."""
+    return (*item.variables, *item.results)
 
 
 def _keys(variables: Iterable[DeclaredVariable]) -> dict[str, tuple[str, Type]]:
@@ -218,7 +240,7 @@ def with_lets(outer: Scope, lets: Sequence[tree.Let]) -> tuple[Scope, tuple[Diag
             diagnostics.append(declared_twice("let", item.name, first.name.span))
             continue
         reason = reserved(item.name.text)
-        if item.name.text in outer.variables:
+        if item.name.text in outer.variables or item.name.text in outer.parameters:
             reason = "variable"
         if reason is not None:
             diagnostics.append(Diagnostic(ReservedName("let", item.name.text, reason), item.name.span))

@@ -176,11 +176,11 @@ class NoActivityToBind(Absent):
 
     @property
     def message(self) -> str:
-        return f"{self.protocol}.{self.participant} has no activity `{self.name}`"
+        return f"{self.protocol}.{self.participant} has no activity, input or result `{self.name}`"
 
     @property
     def advice(self) -> str:
-        return "its activities are " + ", ".join(self.others)
+        return "it has " + ", ".join(self.others)
 
 
 class NoActivityToSend(Absent):

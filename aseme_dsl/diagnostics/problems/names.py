@@ -187,6 +187,15 @@ class BoundToFormula(Problem):
         return f"bind it to an activity, or say in the protocol what `{self.abstract}` consists of"
 
 
+class BoundToExpression(Problem):
+    code = "E206"
+    abstract: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.abstract}` is an activity: it can only be bound to an activity"
+
+
 class BoundToParticipant(Problem):
     code = "E206"
     own: str
@@ -283,6 +292,64 @@ class TooManyRadioMessages(Problem):
     @property
     def message(self) -> str:
         return f"more than {self.most} kinds of message travel by radio"
+
+
+class InputNotSupplied(Problem):
+    """A role plays a participant without a value for one of its inputs."""
+
+    code = "E590"
+    name: str
+    type: str
+    participant: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.participant}` is given no `{self.name}`"
+
+    @property
+    def hint(self) -> str:
+        return f"add `with {self.name} = …`, of type {self.type}"
+
+
+class ResultNotVariable(Problem):
+    """`known`: the variables that a result of this type could be given to."""
+
+    code = "E591"
+    result: str
+    known: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"the result `{self.result}` needs a variable"
+
+    @property
+    def hint(self) -> str:
+        if self.known:
+            return "variables of its type are " + ", ".join(f"`{name}`" for name in self.known)
+        return "declare one: `var NAME : TYPE`"
+
+
+class ResultOfOtherType(Problem):
+    code = "E591"
+    result: str
+    type: str
+    target: str
+
+    @property
+    def message(self) -> str:
+        return f"the result `{self.result}` is of type {self.type}, and the variable of type {self.target}"
+
+
+class InputFromSignal(Problem):
+    code = "E592"
+    name: str
+    channel: str
+
+    @property
+    def message(self) -> str:
+        return f"the input `{self.name}` reads the signal `{self.channel}`, which is consumed when it is read"
+
+    hint = "store what the signal says in a variable, and give that"
 
 
 class DelayWithoutRadio(Problem):

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
-from aseme_dsl.amola.aip import AgentMessage, Aip, Participant
+from aseme_dsl.amola.aip import AgentMessage, Aip, DeclaredVariable, Participant
 from aseme_dsl.amola.liveness import canonical
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.diagrams.look.dot import Sheet
@@ -42,7 +42,8 @@ def sheet(aip: Aip, name: str) -> Sheet:
     row("Engagement Rules", [person.engage for person in people])
     wide_row("Outcomes (one of)" if len(aip.outcomes) > 1 else "Outcome", aip.outcomes)
     row("Process", [_formulas(person) for person in people])
-    row("Variables", [(item.text for item in person.variables) for person in people])
+    row("Inputs", [(f"{item.name} : {item.type}" for item in person.inputs) for person in people])
+    row("Variables", [map(_variable(person), person.variables) for person in people])
     row("Sends", [map(_message, person.sends) for person in people])
     row("Receives", [map(_message, person.receives) for person in people])
     wide_row("Clauses", (clause.text for clause in aip.clauses))
@@ -68,6 +69,11 @@ def _formulas(person: Participant) -> Iterable[str]:
     for index, item in enumerate(person.formulas):
         text = canonical(item.formula)
         yield f"{item.name} = {text}" if index else text
+
+
+def _variable(person: Participant) -> Callable[[DeclaredVariable], str]:
+    """What a row says of a variable: also whether it is a result."""
+    return lambda item: f"result {item.text}" if item.name in person.results else item.text
 
 
 def _message(message: AgentMessage) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from aseme_dsl.amola.aip import NamedFormula
-from aseme_dsl.amola.expression import duration_text
+from aseme_dsl.amola.expression import duration_text, value_text
 from aseme_dsl.amola.liveness import called, canonical
 from aseme_dsl.amola.srm import Activity, Functionality, Plays, Srm, Subscription
 from aseme_dsl.diagrams.look import style
@@ -76,7 +76,8 @@ def _table(rows: _Rows, titles: Sequence[str], items: Sequence[Sequence[Sequence
 def _plays(plays: Plays) -> str:
     """`attack: center_for as striker with WalkTowardsGoal = WalkTowardsOpponentGoal`."""
     alias = f" as {plays.name}" if plays.name != plays.participant else ""
-    bound = ", ".join(f"{abstract} = {own}" for abstract, own in plays.bindings)
+    pairs = (*plays.bindings, *((n, value_text(v)) for n, v in plays.inputs), *plays.results)
+    bound = ", ".join(f"{name} = {text}" for name, text in pairs)
     return f"{plays.protocol}: {plays.participant}{alias}{f' with {bound}' if bound else ''}"
 
 

@@ -309,6 +309,8 @@ def _variable(program: Program, symbol: Symbol) -> Iterator[str]:
         if isinstance(node, tree.Var):
             initial = f" = {_text(program, node.initial.span)}" if node.initial is not None else ""
             yield _fence(f"var {node.name} : {node.type}{initial}")
+        elif isinstance(node, tree.Given):
+            yield _fence(f"given {node.name} : {node.type}")
     yield f"Variable of `{symbol.owner}`"
 
 
@@ -325,7 +327,8 @@ def type_of(program: Program, symbol: Symbol) -> str | None:
         scope = role.scope if role is not None else known.top
     if symbol.kind is Kind.VARIABLE:
         found = scope.variables.get(symbol.name)
-        return str(found[1]) if found is not None else None
+        kind = found[1] if found is not None else scope.parameters.get(symbol.name)
+        return str(kind) if kind is not None else None
     let = scope.lets.get(symbol.name)
     return str(let.value.type) if let is not None and let.value is not None else None
 

@@ -15,6 +15,7 @@ from aseme_dsl.amola.messages import BUILT_IN
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.names.usecases import folded
 from aseme_dsl.compiler.read.builtins import COMM_TYPES, PERFORMATIVES, ROUND_QUESTIONS
+from aseme_dsl.compiler.types.given import supplied_names
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source, Span
 
@@ -93,6 +94,8 @@ class World:
     """What use cases are in other models: protocols, formulas, capabilities, by their folded names."""
     included: Mapping[str, tuple[tree.Srm, ...]] = field(default_factory=dict)
     """What each role takes over, directly or not."""
+    supplied: frozenset[tuple[str, str]] = frozenset()
+    """The inputs and results of participants: `protocol.participant`, and the name."""
 
 
 def world_of(symbols: Symbols, files: Iterable[tree.File]) -> World:
@@ -110,7 +113,13 @@ def world_of(symbols: Symbols, files: Iterable[tree.File]) -> World:
             name = capability.name.text
             realised.setdefault(folded(name), Symbol(Kind.CAPABILITY, name, role.name.text))
     included = _included([role for role in roles if isinstance(role, tree.Srm)])
-    return World(symbols, frozenset(role.name.text for role in roles), realised, included)
+    supplied = frozenset(
+        (f"{protocol.name}.{party.name}", item.text)
+        for protocol in protocols
+        for party in protocol.participants
+        for item in supplied_names(party)
+    )
+    return World(symbols, frozenset(role.name.text for role in roles), realised, included, supplied)
 
 
 def _included(roles: Iterable[tree.Srm]) -> dict[str, tuple[tree.Srm, ...]]:
@@ -158,6 +167,8 @@ class Around:
     formula: str = ""
     activity: str = ""
     role: str = ""
+    played: str = ""
+    """The participant that a role plays, and gives something here."""
     node: Any = None
     taken: Mapping[str, str] = field(default_factory=dict)
     """The types of the agent messages that have names here."""
@@ -274,6 +285,20 @@ def _participant_played(around: Around, name: tree.Name) -> Symbol | None:
     return Symbol(Kind.PARTICIPANT, name.text, around.node.protocol.text)
 
 
+def _abstract(around: Around, name: tree.Name) -> Symbol | None:
+    """An activity of a participant, or one of its inputs and results."""
+    if (around.played, name.text) in around.world.supplied:
+        return Symbol(Kind.VARIABLE, name.text, around.played)
+    return Symbol(Kind.ACTIVITY, name.text)
+
+
+def _bound(around: Around, name: tree.Name) -> Symbol | None:
+    """What stands for it in the role."""
+    if (around.played, around.node.abstract.text) in around.world.supplied:
+        return around.values.get(name.text)
+    return around.term(name.text)
+
+
 def _formula_named(around: Around, name: tree.Name) -> Symbol | None:
     return Symbol(Kind.FORMULA, name.text, around.owner)
 
@@ -342,8 +367,10 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Plays, "participant"): (Use.READ, _participant_played),
     (tree.Plays, "alias"): (Use.DECLARATION, _is(Kind.ALIAS, _owner)),
     (tree.AgentMessage, "by"): (Use.READ, _is(Kind.ACTIVITY)),
-    (tree.Binding, "abstract"): (Use.READ, _is(Kind.ACTIVITY)),
-    (tree.Binding, "own"): (Use.READ, _is(Kind.ACTIVITY)),
+    (tree.Binding, "abstract"): (Use.READ, _abstract),
+    (tree.Binding, "own"): (Use.READ, _bound),
+    (tree.Given, "name"): (Use.DECLARATION, _is(Kind.VARIABLE, _owner)),
+    (tree.Given, "type"): (Use.READ, _type),
     (tree.Capability, "name"): (Use.DECLARATION, _is(Kind.CAPABILITY, _owner)),
     (tree.Capability, "activities"): (Use.READ, _term),
     (tree.Activity, "name"): (Use.DECLARATION, _is(Kind.ACTIVITY)),
@@ -678,6 +705,8 @@ def _inside(node: Any, around: Around) -> Around:
             return _in_participant(node, around)
         case tree.NamedFormula():
             return _in_formula(node, around)
+        case tree.Plays():
+            return replace(around, played=f"{node.protocol}.{node.participant}")
         case tree.TeamAgents():
             return replace(around, role=node.role.text)
         case tree.Activity():
@@ -747,7 +776,8 @@ def _in_participant(party: tree.Participant, around: Around) -> Around:
     }
     terms.setdefault(party.name.text, around.parties[party.name.text])
     values = dict(around.values)
-    values |= {item.name.text: Symbol(Kind.VARIABLE, item.name.text, owner) for item in party.variables}
+    for item in (*(one.name for one in party.variables), *supplied_names(party)):
+        values[item.text] = Symbol(Kind.VARIABLE, item.text, owner)
     values |= _lets(party.lets, owner)
     lets = {**around.lets, **_meanings(party.lets, owner)}
     return replace(around, owner=owner, values=values, lets=lets, terms=terms)

@@ -73,7 +73,9 @@ class Known:
         found: dict[str, tree.Name | None] = {}
         for role in self.blocks.srms:
             found |= dict.fromkeys(used_names(role.formulas))
-            found |= dict.fromkeys(item.own.text for play in role.plays for item in play.bindings)
+            found |= dict.fromkeys(
+                item.own.text for play in role.plays for item in play.bindings if item.own is not None
+            )
         for protocol in self.blocks.aips:
             for part in protocol.participants:
                 found |= dict.fromkeys(used_names(part.formulas))

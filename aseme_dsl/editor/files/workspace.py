@@ -70,7 +70,13 @@ def _occurrences(declaration: tree.Declaration, *world: *_World) -> tuple[Occurr
     return occurrences(declaration, World(*world))
 
 
-_World = tuple[Symbols, frozenset[str], Mapping[str, Symbol], Mapping[str, tuple[tree.Srm, ...]]]
+_World = tuple[
+    Symbols,
+    frozenset[str],
+    Mapping[str, Symbol],
+    Mapping[str, tuple[tree.Srm, ...]],
+    frozenset[tuple[str, str]],
+]
 
 _MAY_IMPORT = re.compile(r"^[ \t]*(?:import|system)\b[^\n]*(?:\n[^\n]*)?", re.MULTILINE)
 _IMPORT = re.compile(
@@ -288,7 +294,13 @@ class Workspace:
         def indexed(declaration: tree.Declaration, world: World) -> tuple[Occurrence, ...]:
             if memory.is_about("symbols", inspection.symbols):
                 return memory.recall(
-                    _occurrences, declaration, symbols, world.roles, world.realised, world.included
+                    _occurrences,
+                    declaration,
+                    symbols,
+                    world.roles,
+                    world.realised,
+                    world.included,
+                    world.supplied,
                 )
             return occurrences(declaration, world)  # of an earlier moment
 

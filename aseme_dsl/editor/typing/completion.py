@@ -23,7 +23,7 @@ from aseme_dsl.editor.files.place import Place, place_at
 from aseme_dsl.editor.typing.around import Around, around
 from aseme_dsl.editor.typing.ask import Ask
 from aseme_dsl.editor.typing.items import Item, ItemKind
-from aseme_dsl.editor.typing.names import PLACES, formula_names, performatives
+from aseme_dsl.editor.typing.names import PLACES, activities, formula_names, performatives
 from aseme_dsl.editor.typing.slots import (
     Slot,
     SlotKind,
@@ -235,6 +235,22 @@ def _expression(ask: Ask) -> Iterator[Item]:
     yield from _in_slot(ask, slot)
 
 
+def _binding(ask: Ask) -> Iterator[Item]:
+    """What stands for an activity of the participant, or the value of an input."""
+    tokens = [str(item) for item in ask.tokens("Part")]
+    protocol = ask.known.protocols.get(tokens[0]) if tokens else None
+    parts = protocol.participants if protocol is not None else ()
+    part = next((item for item in parts if item.name.text in tokens[2:3]), None)
+    supplied: set[str] = set()
+    if part is not None:
+        supplied = {item.name.text for item in part.inputs} | {item.name.text for item in part.results}
+    said = [str(item) for item in ask.tokens("Binding")]
+    if not supplied.isdisjoint(said[:1]):
+        yield from _expression(ask)
+    elif said[1:] == ["="]:
+        yield from activities(ask)
+
+
 def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
     scope = ask.scope
     party = scope.parties.get(scope.participant) if scope.participant is not None else None
@@ -385,7 +401,7 @@ def _slot(place: Place, expected: Expected) -> Slot | None:
     if expected.terminal in ("FormulaToken", "ProcessToken"):
         tokens = _behind(place, expected, "=")
         return value_slot(tokens) if tokens is not None else None
-    if expected.terminal not in ("ControlToken", "ExpressionToken", "SettingToken"):
+    if expected.terminal not in ("ControlToken", "ExpressionToken", "SettingToken", "BindingToken"):
         return None
     is_transition = expected.terminal == "ControlToken"
     tokens = _behind(place, expected, ":" if is_transition else "=")
@@ -431,6 +447,7 @@ _FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
     "ExpressionToken": _expression,
     "ControlToken": _expression,
     "SettingToken": _expression,
+    "BindingToken": _binding,
     "Word": _stated,
 }
 """What is offered inside of what is a list of tokens for the grammar."""

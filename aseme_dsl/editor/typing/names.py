@@ -123,7 +123,7 @@ def _upper_topics(ask: Ask) -> Iterator[Item]:
 
 def _sources(ask: Ask) -> Iterator[Item]:
     yield from _agents(ask)
-    yield from _activities(ask)
+    yield from activities(ask)
     yield from _roles(ask)
 
 
@@ -183,7 +183,7 @@ def _realised(ask: Ask) -> Iterator[Item]:
             yield Item(formula.name.text, ItemKind.FORMULA, f"formula of {role.name}", rank=3)
         for item in role.capabilities:
             yield Item(item.name.text, ItemKind.NAME, f"capability of {role.name}", rank=3)
-    yield from _activities(ask)
+    yield from activities(ask)
 
 
 def _roles_to_write(ask: Ask) -> Iterator[Item]:
@@ -302,6 +302,11 @@ def _abstract_activities(ask: Ask) -> Iterator[Item]:
         for name in used_names(part.formulas):
             rank = 7 if name in tokens else 2
             yield Item(name, ItemKind.ACTIVITY, f"of {part.name}", "", f"{name} = ", rank=rank)
+        supplied = [(item.name.text, f"given {item.type}") for item in part.inputs]
+        supplied += [(item.name.text, f"result {item.type}") for item in part.results]
+        for name, detail in supplied:
+            rank = 7 if name in tokens else 1
+            yield Item(name, ItemKind.VARIABLE, detail, "", f"{name} = ", rank=rank)
 
 
 def _activities_that_send(ask: Ask) -> Iterator[Item]:
@@ -312,7 +317,8 @@ def _activities_that_send(ask: Ask) -> Iterator[Item]:
         yield Item(activity, ItemKind.ACTIVITY, f"of {name}", rank=2)
 
 
-def _activities(ask: Ask) -> Iterator[Item]:
+def activities(ask: Ask) -> Iterator[Item]:
+    """The activities of all roles and protocols."""
     for name, described in ask.known.activities.items():
         said = ask.known.documentation(described.span) if described is not None else ""
         yield Item(name, ItemKind.ACTIVITY, "activity", said, rank=3)
@@ -343,7 +349,7 @@ def formula_names(ask: Ask) -> Iterator[Item]:
             name = formula.name.text
             text = " ".join(formula.formula.span.text.split())
             yield Item(name, ItemKind.FORMULA, text, rank=3 if name in used else 1)
-    for item in _activities(ask):
+    for item in activities(ask):
         if item.label not in written and item.label != own:
             yield replace(item, rank=2) if item.label in used else item
 
@@ -390,7 +396,7 @@ def _activities_to_describe(ask: Ask) -> Iterator[Item]:
         item.name.text for item in (*declaration.activities, *(m.activity for m in declaration.modules))
     }
     used = used_names(declaration.formulas)
-    used += [item.own.text for play in declaration.plays for item in play.bindings]
+    used += [item.own.text for play in declaration.plays for item in play.bindings if item.own is not None]
     for part in ask.around.played.values():
         used += used_names(part.formulas) if part is not None else []
     for name in dict.fromkeys(used):
@@ -474,6 +480,8 @@ PLACES: Mapping[tuple[str, str], Provider] = {
     ("ActivityParameter", "type"): _types,
     ("FormulaParameter", "type"): _types,
     ("Var", "type"): _variable_types,
+    ("Given", "type"): _variable_types,
+    ("Result", "type"): _variable_types,
     ("Topic", "under"): _upper_topics,
     ("TopicMessages", "messages"): _messages,
     ("TopicFrom", "sources"): _sources,
@@ -497,7 +505,6 @@ PLACES: Mapping[tuple[str, str], Provider] = {
     ("Part", "protocol"): _protocols,
     ("Part", "participant"): _played_participants,
     ("Binding", "abstract"): _abstract_activities,
-    ("Binding", "own"): _activities,
     ("Capability", "activities"): _capable,
     ("Formula", "name"): _formula_names,
     ("Activity", "name"): _activities_to_describe,
@@ -510,8 +517,8 @@ PLACES: Mapping[tuple[str, str], Provider] = {
     ("LabelledWay", "source"): _labels,
     ("LabelledWay", "target"): _labels,
     ("StandingWay", "state"): _labels,
-    ("ChartNode", "name"): _activities,
-    ("ChartNode", "activity"): _activities,
+    ("ChartNode", "name"): activities,
+    ("ChartNode", "activity"): activities,
     ("Agents", "role"): _roles,
     ("Setting", "name"): _settings,
 }
@@ -530,6 +537,8 @@ NEW = frozenset(
         ("Parameter", "name"),
         ("Let", "name"),
         ("Var", "name"),
+        ("Given", "name"),
+        ("Result", "name"),
         ("Actor", "name"),
         ("Goal", "name"),
         ("Requirements", "text"),
@@ -554,4 +563,4 @@ NEW = frozenset(
 )
 """Where the author makes up a name or a text."""
 
-__all__ = ["NEW", "PLACES", "formula_names", "performatives"]
+__all__ = ["NEW", "PLACES", "activities", "formula_names", "performatives"]

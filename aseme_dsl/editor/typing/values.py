@@ -37,6 +37,8 @@ def values(scope: Scope, known: Known, slot: Slot, text: str, wanted: Type | Non
         yield from _channels(scope, known, lambda rules: rules.channel.message == wanted.name)
     for name, (_, kind) in scope.variables.items():
         yield Item(name, ItemKind.VARIABLE, str(kind), rank=_rank(kind, wanted, 2))
+    for name, given in scope.parameters.items():
+        yield Item(name, ItemKind.VARIABLE, str(given or ""), rank=_rank(given, wanted, 2))
     for let in scope.lets.values():
         found = let.value.type if let.value is not None else None
         detail = str(found) if found is not None else ""

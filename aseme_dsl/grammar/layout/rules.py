@@ -114,6 +114,8 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "Outcome": Line(),
         "Participant": Braces(),
         "Engage": Line({"text": 1}, "participant"),
+        "Given": Line({":": 1}),
+        "Result": Line({":": 1, "=": 2}),
         "Sends": Line({"messages": 1}, "participant"),
         "Receives": Line({"messages": 1}, "participant"),
         "SentMessage": Part(),
@@ -177,7 +179,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
 )
 
 FORMULAS = frozenset(("FormulaToken", "ProcessToken", "TermToken"))
-EXPRESSIONS = frozenset(("ExpressionToken", "ControlToken", "SettingToken"))
+EXPRESSIONS = frozenset(("ExpressionToken", "ControlToken", "SettingToken", "BindingToken"))
 """The terminals whose lists have operators of their own (spacing.py)."""
 
 DROPPED = frozenset(("Separator",))

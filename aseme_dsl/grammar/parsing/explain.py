@@ -64,6 +64,7 @@ _TERMINALS = {
     "TermToken": Wanted.TERM,
     "ExpressionToken": Wanted.EXPRESSION,
     "SettingToken": Wanted.VALUE,
+    "BindingToken": Wanted.VALUE,
 }
 """What a terminal is, by the name of its rule."""
 

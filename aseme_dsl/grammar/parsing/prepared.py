@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 1453857897
+CHECKSUM = 2027620336
 
 RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'File': (
@@ -449,12 +449,40 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'ParticipantEntry': (
         'abstract',
         {},
-        ('choice', 'Engage', 'Var', 'Let', 'Sends', 'Receives', 'Process', 'JunkParticipant'),
+        (
+            'choice',
+            'Engage',
+            'Var',
+            'Given',
+            'Result',
+            'Let',
+            'Sends',
+            'Receives',
+            'Process',
+            'JunkParticipant',
+        ),
     ),
     'Engage': (
         'common',
         {'text': 'one'},
         ('series', ('word', 'engage'), ('=', 'text', 'Text')),
+    ),
+    'Given': (
+        'common',
+        {'name': 'one', 'type': 'one'},
+        ('series', ('word', 'given'), ('=', 'name', 'Name'), ('sign', ':'), ('=', 'type', 'Name')),
+    ),
+    'Result': (
+        'common',
+        {'name': 'one', 'type': 'one', 'tokens': 'many'},
+        (
+            'series',
+            ('word', 'result'),
+            ('=', 'name', 'Name'),
+            ('sign', ':'),
+            ('=', 'type', 'Name'),
+            ('?', ('series', ('sign', '='), ('+=', 'tokens', 'ExpressionToken'))),
+        ),
     ),
     'Sends': (
         'common',
@@ -492,7 +520,7 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'ActName': (
         'match',
         {},
-        ('pattern', '(?!(?:engage|var|let|sends|receives|process)\\b)[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*=|\\s*\\([\\w\\s,:]*\\)\\s*=)'),
+        ('pattern', '(?!(?:engage|var|let|sends|receives|process)\\b|(?:given|result)\\s+\\w+\\s*:)[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*=|\\s*\\([\\w\\s,:]*\\)\\s*=)'),
     ),
     'Process': (
         'common',
@@ -602,7 +630,7 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'ProcessToken': (
         'match',
         {},
-        ('pattern', '(?x)\n    \\|\\| | \\[> | \\^?ω | && | -> | \\?\\w*\\?\n  | (?! (?:engage|var|let|sends|receives|process|participant|outcome|clause|control)\\b )\n    [A-Za-z_][A-Za-z0-9_]*\\b (?! \\s*=(?!=) | \\s*\\([\\w\\s,:]*\\)\\s*=(?!=) | \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n  | [0-9]\\w*\n  | "(?:[^"\\\\\\n]|\\\\.)*"\n  | [^\\s{}"\\w]\n'),
+        ('pattern', '(?x)\n    \\|\\| | \\[> | \\^?ω | && | -> | \\?\\w*\\?\n  | (?! (?:engage|var|let|sends|receives|process|participant|outcome|clause|control)\\b\n    | (?:given|result)\\s+\\w+\\s*: )\n    [A-Za-z_][A-Za-z0-9_]*\\b (?! \\s*=(?!=) | \\s*\\([\\w\\s,:]*\\)\\s*=(?!=) | \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n  | [0-9]\\w*\n  | "(?:[^"\\\\\\n]|\\\\.)*"\n  | [^\\s{}"\\w]\n'),
     ),
     'Control': (
         'common',
@@ -698,7 +726,7 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'ExpressionToken': (
         'match',
         {},
-        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | (?:state|language|on|exit)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | [^\\s{}"\\w:] )\n'),
+        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | (?:given|result)\\s+\\w+\\s*:\n    | (?:state|language|on|exit)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | [^\\s{}"\\w:] )\n'),
     ),
     'Srm': (
         'common',
@@ -765,8 +793,13 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     ),
     'Binding': (
         'common',
-        {'abstract': 'one', 'own': 'one'},
-        ('series', ('=', 'abstract', 'Name'), ('sign', '='), ('=', 'own', 'Name')),
+        {'abstract': 'one', 'tokens': 'many'},
+        ('series', ('=', 'abstract', 'Name'), ('sign', '='), ('+=', 'tokens', 'BindingToken')),
+    ),
+    'BindingToken': (
+        'match',
+        {},
+        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | (?:given|result)\\s+\\w+\\s*:\n    | (?:state|language|on|exit)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | , (?= [^(){}"]* (?: \\( [^(){}]* (?: \\( [^(){}]* \\) [^(){}]* )* \\) [^(){}"]* )* \\) | [^\\[\\]{}]* \\] )\n    | [^\\s{}"\\w:,] )\n'),
     ),
     'Capability': (
         'common',

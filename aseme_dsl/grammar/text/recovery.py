@@ -72,7 +72,9 @@ BLOCKS: dict[str, Block] = {
     "JunkGoal": _block("goal", clauses="depends on", around="JunkActor"),
     "JunkSuc": _block("role usecase", clauses="by includes realises"),
     "JunkAip": _block("participant outcome clause let control"),
-    "JunkParticipant": _block("engage var let sends receives process", _FORMULA, around="JunkAip"),
+    "JunkParticipant": _block(
+        "engage var given result let sends receives process", _FORMULA, around="JunkAip"
+    ),
     "JunkControl": _block(
         "enter skip repeat leave start finish on exit resume", _LABELS, around="JunkAip JunkSrm"
     ),

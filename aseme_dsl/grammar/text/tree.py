@@ -536,6 +536,15 @@ class Multiplicity:
 
 
 @dataclass(frozen=True, slots=True)
+class Given:
+    """`given low : bool`: an input of a participant."""
+
+    name: Name
+    type: Name
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Participant:
     """`formulas` holds `process` and the helper formulas in the order in which they are written."""
 
@@ -548,6 +557,8 @@ class Participant:
     receives: tuple[AgentMessage, ...]
     formulas: tuple[NamedFormula, ...]
     span: Span
+    inputs: tuple[Given, ...] = ()
+    results: tuple[Var, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -584,11 +595,20 @@ class Aip:
 
 @dataclass(frozen=True, slots=True)
 class Binding:
-    """`WalkTowardsGoal = WalkTowardsOpponentGoal`"""
+    """`WalkTowardsGoal = WalkTowardsOpponentGoal`; what is more than a name is in `value`."""
 
     abstract: Name
-    own: Name
+    own: Name | None
+    value: Expression | None
     span: Span
+
+    @property
+    def expression(self) -> Expression:
+        """What stands behind the `=`."""
+        if self.value is not None:
+            return self.value
+        assert self.own is not None
+        return Path((self.own,), self.own.span)
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,9 @@ from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.recovery import BLOCKS
 from aseme_dsl.source import Span
 
+_ALSO_NAMES = ("given", "result")
+"""Words that begin an entry only before a name and `:`; so names may be called so, too."""
+
 _COUNTS = {"one": 1, "two": 2, "three": 3}
 
 
@@ -32,7 +35,7 @@ def aip(pieces: Pieces, node: Any) -> tree.Aip:
 
 
 def _participant(pieces: Pieces, node: Any) -> tree.Participant:
-    words = BLOCKS["JunkParticipant"].words
+    words = tuple(word for word in BLOCKS["JunkParticipant"].words if word not in _ALSO_NAMES)
     kinds = by_kind(node.entries)
     helpers = tuple(word for word in words if word != "process")
     return tree.Participant(
@@ -45,7 +48,13 @@ def _participant(pieces: Pieces, node: Any) -> tree.Participant:
         _agent_messages(pieces, kinds["Receives"]),
         pieces.all(lambda pieces, entry: formula(pieces, entry, helpers), kinds["Process"]),
         pieces.span(node),
+        pieces.all(_given, kinds["Given"]),
+        pieces.all(lambda pieces, entry: var(pieces, entry, words), kinds["Result"]),
     )
+
+
+def _given(pieces: Pieces, node: Any) -> tree.Given:
+    return tree.Given(pieces.new_name(node.name, "input"), pieces.name(node.type), pieces.span(node))
 
 
 def _multiplicity(pieces: Pieces, node: Any) -> tree.Multiplicity | None:

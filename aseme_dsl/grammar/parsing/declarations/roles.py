@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from aseme_dsl.grammar.formulas.expression import read_expression
 from aseme_dsl.grammar.parsing.declarations.activities import activity, module
 from aseme_dsl.grammar.parsing.declarations.control import control
 from aseme_dsl.grammar.parsing.declarations.formulas import formula, let, var
@@ -38,12 +39,17 @@ def _plays(pieces: Pieces, node: Any) -> tree.Plays:
         pieces.name(node.protocol),
         pieces.name(node.participant),
         pieces.new_name(node.alias, "participant", ("with",)) if node.alias else None,
-        tuple(
-            tree.Binding(pieces.name(item.abstract), pieces.name(item.own), pieces.span(item))
-            for item in node.bindings
-        ),
+        pieces.all(_binding, node.bindings),
         pieces.span(node),
     )
+
+
+def _binding(pieces: Pieces, node: Any) -> tree.Binding | None:
+    value = pieces.tried(lambda: read_expression(pieces.source, node.tokens))
+    if value is None:
+        return None
+    name = value.segments[0] if isinstance(value, tree.Path) and len(value.segments) == 1 else None
+    return tree.Binding(pieces.name(node.abstract), name, None if name else value, pieces.span(node))
 
 
 def _capability(pieces: Pieces, node: Any) -> tree.Capability:

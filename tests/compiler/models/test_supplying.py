@@ -1,0 +1,102 @@
+"""`given` and `result` in the models, and what is wrong with them."""
+
+from __future__ import annotations
+
+import pytest
+
+from aseme_dsl.amola.expression import expression_text
+from tests.support.compiling import codes, system
+
+DELIVERY = """system House
+enum Ending { NONE DONE }
+message Job { string id }
+topic t { state Job  signal Job }
+aip delivery {
+  participant courier {
+    given low : bool
+    given load : double
+    result ending : Ending
+    process = Consider . [Carry]
+  }
+  control courier {
+    enter Carry : [!low && load < 3] / ending = Ending.DONE
+    skip  Carry : else
+  }
+}
+srm robot {
+  plays delivery.courier WITH
+  var last : Ending
+  var other : int
+  liveness { robot = courier . [Rest] }
+  control robot { enter Rest : [last == Ending.DONE && other < 1] / other = other + 1  skip Rest : else }
+}
+"""
+SOUND = "with low = has(t.state.Job), load = max(other, 2) / 4, ending = last"
+
+
+def test_the_models_have_what_is_supplied() -> None:
+    found = system(DELIVERY.replace("WITH", SOUND))
+    plays = found.srms[0].plays[0]
+    assert [name for name, _ in plays.inputs] == ["low", "load"]
+    assert plays.results == (("ending", "last"),)
+    chart = found.iac("robot")
+    assert chart is not None
+    texts = [expression_text(item.expression) for item in chart.transitions]
+    assert "[!low && load < 3] / ending = Ending.DONE" in texts
+    assert [text for text in texts if "last = ending" in text] == ["/ last = ending"]
+    assert [item.name for item in chart.variables if item.scope] == ["ending@0.2"]
+    eac = found.eac("delivery")
+    assert eac is not None
+    names = {item.name.partition("@")[0] for item in eac.variables}
+    assert names == {"low", "load", "ending"}
+
+
+@pytest.mark.parametrize(
+    ("said", "code"),
+    [
+        ("with load = 1, ending = last", "E590"),
+        ("", "E590"),
+        ("with low = has(t.signal.Job), load = 1", "E592"),
+        ("with low = random() < 1, load = 1", "E526"),
+        ("with low = 3, load = 1", "E500"),
+        ("with low = true, load = 1, ending = other", "E591"),
+        ("with low = true, load = 1, ending = Ending.DONE", "E591"),
+        ("with low = true, load = 1, ending = Last", "E591"),
+        ("with low = true, load = 1, ending = last, low = false", "E206"),
+        ("with low = true, load = 1, Carry = 3 + 4", "E206"),
+        ("with low = true, load = 1, lows = true", "E206"),
+        ("with low = nothing, load = 1", "E200"),
+    ],
+)
+def test_what_is_wrong_with_what_is_supplied(said: str, code: str) -> None:
+    found = codes(DELIVERY.replace("WITH", said))
+    assert code in found
+    assert len(set(found) - {"N437", "W410", "N727"}) <= 2, found
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code"),
+    [
+        ("given low : bool", "given low : Job", "E500"),
+        ("given load : double", "given ending : double", "E201"),
+        ("/ ending = Ending.DONE", "/ low = true", "E5"),
+        ("given low : bool", "given true : bool", "E106"),
+    ],
+)
+def test_what_is_wrong_with_an_input(old: str, new: str, code: str) -> None:
+    assert any(item.startswith(code) for item in codes(DELIVERY.replace("WITH", SOUND).replace(old, new)))
+
+
+def test_the_new_words_may_be_names() -> None:
+    text = """system S
+aip p {
+  participant a { var given : int = 1  var result : int  process = result . given_up  result = A . given }
+}
+srm r { plays p.a  liveness { r = a } }
+"""
+    assert not [code for code in codes(text) if code.startswith("E")]
+
+
+def test_one_wrong_input_is_said_once() -> None:
+    text = DELIVERY.replace("WITH", SOUND).replace("given low : bool", "given low : Job")
+    assert [code for code in codes(text) if code.startswith("E")] == ["E500"]
