@@ -423,7 +423,9 @@ class WithoutCode:
 
 def without_code(system: System, folder: Path, look: Look = stamp_of) -> WithoutCode:
     """Which activities of a system have no code in `folder`, as far as the texts of the files show."""
-    activities = [item for item in wanted_files(system, folder) if item.what == "activity"]
+    called = _callbacks(folder)
+    wanted = (item for item in wanted_files(system, folder) if item.what == "activity")
+    activities = [item for item in wanted if item.said.name not in called]
     simulated = [item for item in activities if item.said.simulated]
     others = [item for item in activities if not item.said.simulated]
     missing = [item for item in others if look(item.path) is None]
@@ -433,6 +435,27 @@ def without_code(system: System, folder: Path, look: Look = stamp_of) -> Without
         if item not in missing and class_name(item.said.name) in empty_classes(_parsed(item.path))
     ]
     return WithoutCode(*(tuple(item.said.name for item in items) for items in (simulated, missing, empty)))
+
+
+def _callbacks(folder: Path) -> frozenset[str]:
+    """The activities that are methods of behaviours, in the files of JADE-like agents."""
+    from aseme_dsl.runtime.agent.fipa_callbacks import CALLBACKS
+
+    methods = {
+        item.name
+        for path in sorted(folder.glob("*_agent.py"))
+        for node in _parsed(str(path)).body
+        if isinstance(node, ast.ClassDef)
+        for item in node.body
+        if isinstance(item, ast.FunctionDef)
+    }
+    return frozenset(
+        activity
+        for table in CALLBACKS.values()
+        if any(item.method in methods for item in table.values())
+        for activity, item in table.items()
+        if item.method in methods or item.does not in ("content", "decide", "result", "condition")
+    )
 
 
 def _parsed(path: str) -> ast.Module:

@@ -276,7 +276,10 @@ class CompositeBehaviour(Behaviour):
             raise TypeError(f"{behaviour!r} is not a behaviour")
         if self._runs_in is not None:
             raise RuntimeError(f"{self.name} runs: add what is in it before you add it to the agent")
-        if behaviour.parent is not None or behaviour._runs_in is not None or behaviour is self:
+        around: Behaviour | None = self
+        while around is not None and around is not behaviour:
+            around = around.parent
+        if behaviour.parent is not None or behaviour._runs_in is not None or around is not None:
             raise TypeError(f"{behaviour.name} is in use: make another object for {self.name}")
         behaviour.parent = self
         self._sub = (*self._sub, behaviour)

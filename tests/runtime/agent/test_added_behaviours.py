@@ -310,6 +310,14 @@ class Machine(FSMBehaviour):
         self.log(f"over with {self.exit_value}")
 
 
+def test_a_behaviour_is_in_one_place_only() -> None:
+    outer, inner = SequentialBehaviour(), SequentialBehaviour()
+    outer.add_sub_behaviour(inner)
+    for around, item in ((inner, outer), (inner, inner), (SequentialBehaviour(), inner)):
+        with pytest.raises(TypeError, match="SequentialBehaviour is in use: make another object"):
+            around.add_sub_behaviour(item)
+
+
 def test_an_fsm_goes_where_its_states_end(pair: Generated) -> None:
     played = talk(pair, one=lambda agent: agent.add_behaviour(Machine()))
     assert logs(played) == [
