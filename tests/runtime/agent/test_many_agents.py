@@ -56,7 +56,7 @@ def test_a_thousand_small_agents_run_in_one_process(clock: str) -> None:
     result = team.run()
     assert result.reason == "finished" and not result.failed
     assert all(agent.finished for agent in result.agents)
-    assert most <= before + 2  # the timers and the event loop
+    assert most <= before + 3  # the timers, the event loop, and one that goes on stepping on a slow machine
 
 
 @pytest.mark.parametrize("clock", ["virtual", "real"])
