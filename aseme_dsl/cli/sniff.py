@@ -6,9 +6,8 @@ import json
 import re
 import sys
 import time
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict
-from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -137,12 +136,14 @@ def _format(given: str | None, output: Path | None) -> str:
 def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -> int:
     """Until all runs have ended, or somebody ends it."""
     from aseme_dsl.project.playing.following import TraceFollower
+    from aseme_dsl.project.playing.merging import Beginning, shifts
     from aseme_dsl.project.playing.sniff import Sniffer, line_of
     from aseme_dsl.project.settings.target import traces_of
 
     followers = [TraceFollower(path) for path in paths]
     sniffer = Sniffer(wanted)
-    began: dict[Path, datetime | None] = {}
+    began: dict[Path, Beginning] = {}
+    shift: dict[Path, int] = {}
     width = 5
     try:
         while not all(item.finished for item in followers):
@@ -150,12 +151,13 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -
                 if item.path.is_dir():  # whoever begins before the first run cannot know it
                     item = followers[number] = TraceFollower(*traces_of(item.path, following=True)[0])
                 for record in item.poll():
+                    if record["kind"] in ("header", "peer"):
+                        began.setdefault(item.path, Beginning()).add(record)
+                        shift = dict(zip(began, shifts(list(began.values())), strict=True))
                     if record["kind"] == "header":
-                        began[item.path] = _start(record)
                         sniffer.header(record)
                         width = max([width, *(len(agent["name"]) for agent in record["agents"])])
-                    shifted = _shifted(record, began.get(item.path), began.values())
-                    for row in sniffer.rows(shifted):
+                    for row in sniffer.rows(_shifted(record, shift.get(item.path, 0))):
                         text = json.dumps(_row(row), ensure_ascii=False) if as_json else line_of(row, width)
                         sys.stdout.write(f"{text}\n")
             sys.stdout.flush()
@@ -185,21 +187,25 @@ def _show(
     as_json: bool,
     colour: str,
 ) -> int:
+    from aseme_dsl.project.playing.merging import Beginning, shifts
     from aseme_dsl.project.playing.sniff import Sniffer, line_of
     from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
     sniffer = Sniffer(wanted)
     readers = [TraceReader(path) for path in paths]
     records: list[Record] = []
-    began: dict[Path, datetime | None] = {}
-    for reader in readers:
+    began = [Beginning() for _ in readers]
+    ends: list[int] = []
+    for reader, beginning in zip(readers, began, strict=True):
         for line in reader:
+            beginning.add(line.record)
             if line.number == 1:
-                began[reader.path] = _start(line.record)
                 sniffer.header(line.record)
-            records.append(line.record | {"trace": reader.path} if len(readers) > 1 else line.record)
+            records.append(line.record)
+        ends.append(len(records))
     if len(readers) > 1:
-        records = [_shifted(item, began[item["trace"]], began.values()) for item in records]
+        parts = zip([0, *ends], ends, shifts(began), strict=False)
+        records = [_shifted(item, shift) for start, end, shift in parts for item in records[start:end]]
         records.sort(key=lambda item: int(item["time"]))
     rows = [row for record in records for row in sniffer.rows(record)]
     if unknown := not_in_traces(sniffer.unknown(), sniffer.team, paths):
@@ -281,13 +287,6 @@ def _row(row: Row) -> dict[str, Any]:
 # ---- the times of several processes ----------------------------------------------------------------
 
 
-def _start(header: Record) -> datetime | None:
-    return datetime.fromisoformat(header["start"]) if isinstance(header.get("start"), str) else None
-
-
-def _shifted(record: Record, began: datetime | None, all_of_them: Collection[datetime | None]) -> Record:
+def _shifted(record: Record, shift: int) -> Record:
     """A line with the time since the first of the processes began; they count from their own begin."""
-    first = min((item for item in all_of_them if item is not None), default=None)
-    if began is None or first is None or began == first:
-        return record
-    return record | {"time": record["time"] + int((began - first).total_seconds() * 1e9)}
+    return record | {"time": record["time"] + shift} if shift else record

@@ -12,6 +12,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
@@ -394,6 +395,33 @@ def test_the_processes_of_a_run_are_put_together(folder: Path, here: Here) -> No
     ]
     # without the other trace, the sender is somebody else
     assert lines(here("sniff", "b.jsonl").out)[0] == "1.1 s one -- inform Note (n 1) --> two [talk-one-2]"
+
+
+@pytest.mark.parametrize("knows", ["both", "one", "two", "machine"])
+def test_the_clocks_of_two_machines_are_compared_by_what_was_measured(
+    folder: Path, here: Here, knows: str
+) -> None:
+    """The dates are 10 s wrong: by them, the answer stands before the question."""
+    own = {"clock": 7, "origin": 5 * 10**9}
+    theirs = {"clock": 8 if knows != "machine" else 7, "origin": 107 * 10**9}
+    start = "2026-01-01T10:00:00.000000"
+    one = header("one", clock="real", start=start, elsewhere=["two"], machine=own)
+    two = header("two", clock="real", start="2026-01-01T09:59:50.000000", elsewhere=["one"], machine=theirs)
+    if knows == "machine":
+        two["machine"]["origin"] = 7 * 10**9
+
+    def measured(agent: str, peer: str, difference: int) -> dict[str, Any]:
+        what = {"difference": difference * 10**9, "uncertainty": 1000}
+        return {"kind": "peer", "time": 9 * 10**9, "agent": agent, "peer": peer, "what": "count", **what}
+
+    of_one = [measured("one", "two", -100)] if knows in ("both", "one") else []
+    of_two = [measured("two", "one", 100)] if knows in ("both", "two") else []
+    write(Path("a.jsonl"), one, mail(3, "one", ["two"], 1), *of_one, FINISH)
+    write(Path("b.jsonl"), two, mail(1.5, "two", ["one"], 2), *of_two, FINISH)
+    assert [line.partition(" [")[0] for line in lines(here("sniff", "a.jsonl", "b.jsonl").out)] == [
+        "3 s one -- inform Note (n 1) --> two",
+        "3.5 s two -- inform Note (n 2) --> one",
+    ]
 
 
 def test_a_folder_stands_for_its_last_run(folder: Path, here: Here) -> None:

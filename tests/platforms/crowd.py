@@ -121,8 +121,8 @@ def main() -> None:
     )
     leave = team.conversations.left
 
-    def counted(agent: Any, branch: str) -> None:
-        leave(agent, branch)
+    def counted(agent: Any, branch: str, completed: bool = False) -> None:
+        leave(agent, branch, completed)
         if next(left) == 2 * each * len(mine):
             over.set()
 

@@ -103,6 +103,9 @@ class AgentMessage:
     """Until when its sender wants an answer, in ns of the run, if it says so."""
     in_reply_to: str = ""
     """What the message that it answers is called, if its sender says so."""
+    sent: int | None = None
+    """When it was sent, in ns of the run, never later than it has come; None for one of an external agent, or
+    while the clock of another machine is not known."""
 
 
 @_made_often

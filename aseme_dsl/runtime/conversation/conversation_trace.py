@@ -72,6 +72,7 @@ class ConversationTrace:
                 **_said(acl),
                 in_reply_to=acl.in_reply_to or None,
                 reply_by=acl.reply_by,
+                sent=acl.sent,
             )
 
     def unexpected(self, agent: str, acl: AclMessage, reason: str) -> None:

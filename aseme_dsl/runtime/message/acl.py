@@ -61,7 +61,7 @@ REGISTERED = {
     "request_when": "fipa-request-when",  # SC00028
     "contract_net": "fipa-contract-net",  # SC00029
     "iterated_contract_net": "fipa-iterated-contract-net",  # SC00030
-    "english_auction": "fipa-auction-english",  # XC00031
+    "auction": "fipa-auction-english",  # XC00031
     "dutch_auction": "fipa-auction-dutch",  # XC00032
     "brokering": "fipa-brokering",  # SC00033
     "recruiting": "fipa-recruiting",  # SC00034
@@ -122,6 +122,8 @@ class AclMessage:
     """Who is to get the answers, if not the sender."""
     language: str = JSON
     encoding: str = ""
+    sent: int | None = None
+    """When it was sent, in ns of the run of who has it; None: that is not known."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -492,6 +492,7 @@ class Team:
             schema,
             queue,
             words_of(self._faults),
+            self.transport.machine(driver.clock),
         )
         self.trace.begun = True
         try:

@@ -186,11 +186,13 @@ class Trace:
         schema: Schema | None = None,
         queue: int | None = None,
         network: str | None = None,
+        machine: Mapping[str, int] | None = None,
     ) -> None:
         """The first line: which agents run which models, under which clock, and who runs elsewhere.
 
         With `schema`, it also says what the messages are; with `queue`, how many signals that queue wait in a
-        region, if it is not the usual number; with `network`, the words of the simulated network.
+        region, if it is not the usual number; with `network`, the words of the simulated network;
+        with `machine`, which clock the machine has, and when the run began by it.
         """
         messages = None
         if schema is not None:
@@ -213,6 +215,7 @@ class Trace:
             messages=messages,
             queue=queue,
             network=network,
+            machine=machine,
         )
 
     def message(

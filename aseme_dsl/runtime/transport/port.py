@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
 from aseme_dsl.runtime.chart.inputs import Identity, Reason
+from aseme_dsl.runtime.time.clock import Clock
 from aseme_dsl.runtime.time.timers import Scheduler
 
 if TYPE_CHECKING:
@@ -115,6 +116,10 @@ class Transport:
     """What tells this process's conversations from those of an earlier life; empty without others."""
     behind = 0
     """Behind this number the identities of agents begin: those of an earlier life are not used again."""
+
+    def machine(self, clock: Clock) -> dict[str, int] | None:
+        """Which clock the machine has, and its time when the run began, if other traces need that."""
+        return None
 
     def begin(self, team: Connected) -> None:
         """Connect. What comes waits for `go`. Raises TransportError if that cannot be."""

@@ -26,7 +26,7 @@ from aseme_dsl import outside
 from aseme_dsl.runtime.chart.inputs import LOST, Identity
 from aseme_dsl.runtime.message.acl import JSON, AclMessage, AgentIdentifier, FipaMessage, name_of
 from aseme_dsl.runtime.message.wire import Schema, WireError
-from aseme_dsl.runtime.time.clock import RealClock
+from aseme_dsl.runtime.time.clock import Clock, RealClock
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.delivery.clocks import clock_identity, clock_record, difference_to, moment_of
 from aseme_dsl.runtime.transport.delivery.codec import Codec
@@ -80,6 +80,9 @@ class Post(Transport):
     def incarnation(self) -> int:
         """What tells this life of our agents from earlier ones."""
         return self.state.incarnation
+
+    def machine(self, clock: Clock) -> dict[str, int] | None:
+        return {"clock": self.state.clock, "origin": clock.origin} if isinstance(clock, RealClock) else None
 
     def begin(self, team: Connected) -> None:
         state = self.state

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+import aseme_dsl
 from aseme_dsl.runtime.conversation import external_agents
 from aseme_dsl.runtime.message.acl import REGISTERED, FipaMessage, Span, protocol_of, registered_name
 from aseme_dsl.runtime.trace.trace import Record
@@ -130,10 +133,12 @@ class Talk:
 
 def test_the_names_of_fipas_protocols_go_both_ways() -> None:
     assert {protocol_of(registered_name(name)) for name in REGISTERED} == set(REGISTERED)
-    assert registered_name("english_auction") == "fipa-auction-english"
+    assert registered_name("auction") == "fipa-auction-english"
     assert protocol_of("FIPA-Contract-Net") == "contract_net"
     assert registered_name("ordering") == protocol_of("ordering") == "ordering"
     assert all("-" in name for name in REGISTERED.values())
+    library = (Path(aseme_dsl.__file__).parents[1] / "stdlib" / "protocols.aseme").read_text("utf-8")
+    assert set(re.findall(r"^aip (\w+)", library, re.MULTILINE)) <= set(REGISTERED)
 
 
 @pytest.mark.parametrize("name", ["fipa-request", "FIPA-Request", "request", "fipa_request"])

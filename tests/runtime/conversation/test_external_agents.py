@@ -430,6 +430,23 @@ def test_until_when_an_answer_is_wanted() -> None:
     assert of(records, "received")[0]["reply_by"] == 2510 * MS
 
 
+def test_when_a_message_was_sent() -> None:
+    """FIPA has no parameter for it: of an external agent that is not known."""
+    seen: list[Any] = []
+
+    class Think:
+        def execute(self, context: Context) -> None:
+            mail = context.last_received("request")
+            assert mail is not None
+            seen.append((mail.sender, mail.sent, context.now_ns))
+
+    alice, records = outside(generate(ASK.replace("TEAM", " ann : boss")), activities={"Think": Think})
+    alice.say(10, "request", {}, conversation="c1")
+    run(alice, records)
+    (sent,) = [r["time"] for r in of(records, "agent_message") if r["agent"] == "ann"]
+    assert seen == [("alice@elsewhere", None, 10 * MS), ("ann", sent, sent)]
+
+
 def test_an_activity_says_until_when_it_wants_an_answer() -> None:
     """To an agent of the team and to one that is not."""
     seen: list[Any] = []
@@ -454,3 +471,37 @@ def test_an_activity_says_until_when_it_wants_an_answer() -> None:
     assert (asked["to"], asked["reply_by"]) == (["bob", "alice@elsewhere"], asked["time"] + 1500 * MS)
     assert seen == [asked["reply_by"]]
     assert [message.reply_by for message in alice.heard[1:]] == [Span(milliseconds=1500)]
+
+
+@pytest.mark.parametrize("by", ["transition", "activity"])
+def test_one_that_has_registered_is_addressed_by_its_name(by: str) -> None:
+    """As a broker does that has found it in the directory; who has not registered is none."""
+    text = ASK.replace("TEAM", " ann : boss").replace("participant helper {", "participant helper [1..*] {")
+    if by == "transition":
+        text = text.replace("participant asker {", "participant asker {\n    var found : agent")
+        text = text.replace("process = Ask . Wait", "process = Look . Ask . Wait")
+        text = text.replace("send request Question to helper", "send request Question { n = 1 } to found")
+        text = text.replace("Ask takes 1ms", "Look takes 1ms  Ask takes 1ms")
+    else:
+        text = text.replace("    enter Ask : / send request Question to helper\n", "")
+    generated = generate(text)
+    refused: list[str] = []
+
+    class Look:
+        def execute(self, context: Context) -> None:
+            (found,) = context.directory.search("ask.helper", properties={"quick": "yes"})
+            if by == "transition":
+                context.set_variable("found", found.name)
+            else:
+                with pytest.raises(LookupError, match="carol@elsewhere is neither an agent nor") as problem:
+                    context.send("request", generated.message("Question", n=1), "carol@elsewhere")
+                refused.append(str(problem.value))
+                context.send("request", generated.message("Question", n=1), found.name)
+
+    alice, records = outside(generated, activities={"Look" if by == "transition" else "Ask": Look})
+    services = {"services": [{"type": "ask.helper", "properties": {"quick": "yes"}}]}
+    alice.say(10, "request", {"action": "register", "description": services}, to="df")
+    run(alice, records)
+    asked = [message.content for message in alice.heard if message.performative == "request"]
+    assert asked == ['{"n": 1}']
+    assert len(refused) == (by == "activity")

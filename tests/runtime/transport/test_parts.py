@@ -297,6 +297,40 @@ def test_the_clock_of_another_machine_is_measured(talk: Generated, box: Box) -> 
     assert abs(line["measured"] - sent) <= max(uncertainty, 1_000_000) and line["measured"] <= line["time"]
 
 
+def test_an_agent_message_has_the_time_at_which_it_was_sent() -> None:
+    """By the clock of the receiver's machine, once that of the sender's is known."""
+    text = NET.replace("process = Announce", "process = Hold . Announce")
+    net = generate(text.replace("Announce takes 1ms", "Hold takes 1ms  Announce takes 1ms"))
+    air = Air()
+    began = time.monotonic_ns()
+    known, seen = threading.Event(), []
+
+    class Hold:
+        def execute(self, context: Context) -> None:
+            known.wait(LONG)
+
+    class Offer:
+        def execute(self, context: Context) -> None:
+            mail = context.last_received("cfp")
+            assert mail is not None and mail.sent is not None
+            seen.append((mail.sent, context.now_ns))
+
+    ann = part(net, ["ann"], {"Hold": Hold}, OtherMachine(air.link()), origin=began).start()
+    bob = part(net, ["bob"], {"Offer": Offer}, air.link(), origin=began).start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    wait_until(lambda: bob.team.peers()["ann"].uncertainty)
+    known.set()
+    wait_until(lambda: seen)
+    uncertainty = max(bob.team.peers()["ann"].uncertainty or 0, 1_000_000)
+    ann.stop()
+    bob.stop()
+    (said,) = [r["time"] for r in ann.of("agent_message", performative="cfp")]
+    (heard,) = [r for r in bob.of("received", performative="cfp")]
+    assert abs(heard["sent"] - said) <= uncertainty and heard["sent"] <= heard["time"]
+    assert seen[0][0] == heard["sent"] <= seen[0][1]
+    assert {part.of("header")[0]["machine"]["origin"] for part in (ann, bob)} == {began}
+
+
 def test_another_model_is_refused_and_said_once(talk: Generated, box: Box) -> None:
     air = Air()
     ann = part(talk, ["ann"], box.activities, air.link()).start()

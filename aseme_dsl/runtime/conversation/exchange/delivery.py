@@ -167,6 +167,7 @@ class Delivery:
             acl.reply_with,
             acl.reply_by,
             acl.in_reply_to,
+            acl.sent,
         )
         place.waiting[acl.identity] = mail
         agent.post(acl.identity, mail, conversation=acl.conversation)
@@ -204,6 +205,7 @@ class Delivery:
             acl.ontology,
             name_of(identity),
             acl.reply_with,
+            sent=self._members.directory.clock.now(),
         )
         self._told.sent(answer, [acl.identity])
         if acl.sender in self._members.plans:

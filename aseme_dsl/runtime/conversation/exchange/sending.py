@@ -44,7 +44,8 @@ class Sending:
             return tuple(members[to])
         if players := self._members.players(protocol, to):
             return players
-        if to not in self._members.plans and not any(to in names for names in members.values()):
+        is_member = any(to in names for names in members.values())
+        if to not in self._members.plans and not is_member and self._registered(agent, branch, to) is None:
             raise LookupError(f"{to} is neither an agent nor a participant of {protocol} that somebody plays")
         return (to,)
 
@@ -126,9 +127,17 @@ class Sending:
         conversation = self._members.of(place)
         members = conversation.members if conversation is not None else {}
         if plan is None:
-            return next((part for part, names in members.items() if to in names), None)
+            known = next((part for part, names in members.items() if to in names), None)
+            return known or self._registered(agent, branch, to)
         parts = plan.receivers.get((protocol, performative, message), ())
         return next((part for part in parts if to in members.get(part, ())), next(iter(parts), None))
+
+    def _registered(self, agent: Receiver, branch: str, name: str) -> str | None:
+        """The participant of a branch's protocol that an external agent has registered to play, if any."""
+        info = agent.branch_info(branch)
+        directory = self._members.directory
+        parts = (part for part, _, _ in info.participants if part != info.participant)
+        return next((part for part in parts if name in directory.players(info.protocol, part)), None)
 
     def _place_of(
         self, agent: Receiver, branch: str, performative: str, message: str, content: Any
@@ -176,6 +185,7 @@ class Sending:
             name_of(identity),
             "" if first is None else first.reply_with,
             reply_by,
+            sent=self._members.directory.clock.now(),
         )
         place.said[message] = content
         self._told.sent(acl, [answered[name].identity for name in receivers if name in answered])

@@ -22,6 +22,14 @@ def moment_of(state: Delivery, other: Other, envelope: Envelope) -> int:
     return now if difference is None else min(now, envelope.time + difference - state.origin)
 
 
+def sent_at(state: Delivery, other: Other, envelope: Envelope) -> int | None:
+    """When an agent message was sent, in our run's time; None while the clocks cannot be compared."""
+    if not envelope.time:
+        return None
+    known = envelope.clock == state.clock or difference_to(state, other) is not None
+    return moment_of(state, other, envelope) if known else None
+
+
 def deadline_of(state: Delivery, other: Other, envelope: Envelope) -> int | None:
     """Until when an answer is wanted, in our run's time; None while the clocks cannot be compared."""
     if not envelope.reply_by:

@@ -11,7 +11,7 @@ from aseme_dsl.runtime.message.acl import JSON, AclMessage, name_of
 from aseme_dsl.runtime.message.free import Text
 from aseme_dsl.runtime.message.wire import WireError
 from aseme_dsl.runtime.transport import envelope as envelopes
-from aseme_dsl.runtime.transport.delivery.clocks import deadline_of, moment_of
+from aseme_dsl.runtime.transport.delivery.clocks import deadline_of, moment_of, sent_at
 from aseme_dsl.runtime.transport.delivery.presence import (
     come_back,
 )
@@ -168,6 +168,7 @@ def hand_on(state: Delivery, to: str, other: Other, envelope: Envelope, message:
                 reply_to=envelope.reply_to,
                 language=envelope.language or JSON,
                 encoding=envelope.encoding,
+                sent=sent_at(state, other, envelope),
             )
             team.conversations.arrived(agent, acl, dict(envelope.parts))
         else:

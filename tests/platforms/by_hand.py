@@ -1,0 +1,207 @@
+"""What an agent does that somebody else has written: each role of FIPA's protocols, by message.
+
+It knows FIPA's parameters of messages and the fields of the contents, and nothing of ours. `by_hand_spade.py`
+and `by_hand_mango.py` are such agents on their platforms.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+from dataclasses import dataclass, field
+from typing import Any
+
+Headers = dict[str, str]
+Sent = tuple[str, Headers, str]
+"""Whom to send what: an address, headers and a content."""
+
+SENDER = ""
+ORDER = {"id": "1", "what": "soup"}
+DONE = {"id": "1", "detail": "hot"}
+ABOUT = {"id": "1", "about": "the soup"}
+WHEN = {"id": "1", "what": "serve", "condition": "it is hot"}
+CONTRACT = {"job": "1", "contractor": "bob"}
+LOT, OFFER = {"id": "fish", "price": 10.0}, {"lot": "fish", "price": 10.0}
+SALE = {"lot": "fish", "winner": "me", "price": 10.0}
+ERRAND = {"id": "1", "what": "soup", "wanted": "cook"}
+
+
+@dataclass(frozen=True)
+class Does:
+    """What is sent: the performative and content, to whom (a part, or whoever has said it), and then done."""
+
+    act: str
+    content: dict[str, Any]
+    to: str = SENDER
+    last: bool = False
+
+
+def end() -> Does:
+    return Does("", {}, last=True)
+
+
+Role = dict[tuple[str, int], list[Does]]
+"""What is done when a performative is heard for the n-th time; with "", at the beginning."""
+
+ROLES: dict[str, Role] = {
+    "request.initiator": {("", 1): [Does("request", ORDER, "responder")], ("inform", 1): [end()]},
+    "request.responder": {("request", 1): [Does("agree", ORDER), Does("inform", DONE, last=True)]},
+    "query.initiator": {("", 1): [Does("query-ref", ABOUT, "responder")], ("inform", 1): [end()]},
+    "query.responder": {
+        ("query-ref", 1): [
+            Does("agree", ABOUT),
+            Does("inform", {"id": "1", "holds": True, "value": "hot"}, last=True),
+        ]
+    },
+    "request_when.initiator": {
+        ("", 1): [Does("request-when", WHEN, "responder")],
+        ("inform", 1): [end()],
+    },
+    "request_when.responder": {("request-when", 1): [Does("agree", WHEN), Does("inform", DONE, last=True)]},
+    "contract_net.manager": {
+        ("", 1): [Does("cfp", ORDER, "contractor")],
+        ("propose", 1): [Does("accept-proposal", CONTRACT)],
+        ("inform", 1): [end()],
+    },
+    "contract_net.contractor": {
+        ("cfp", 1): [Does("propose", {"job": "1", "cost": 7.0})],
+        ("accept-proposal", 1): [Does("inform", DONE, last=True)],
+    },
+    "iterated_contract_net.manager": {
+        ("", 1): [Does("cfp", ORDER, "contractor")],
+        ("propose", 1): [Does("cfp", {"id": "1", "what": "cheaper"})],
+        ("propose", 2): [Does("accept-proposal", CONTRACT)],
+        ("inform", 1): [end()],
+    },
+    "iterated_contract_net.contractor": {
+        ("cfp", 1): [Does("propose", {"job": "1", "cost": 7.0})],
+        ("cfp", 2): [Does("propose", {"job": "1", "cost": 5.0})],
+        ("accept-proposal", 1): [Does("inform", DONE, last=True)],
+    },
+    "subscribe.initiator": {
+        ("", 1): [Does("subscribe", ABOUT, "responder")],
+        ("inform", 2): [Does("cancel", ABOUT)],
+        ("inform", 3): [end()],
+    },
+    "subscribe.responder": {
+        ("subscribe", 1): [
+            Does("agree", ABOUT),
+            *(Does("inform", {"id": "1", "value": value}) for value in ("cold", "warm", "hot")),
+        ],
+        ("cancel", 1): [Does("inform", ABOUT, last=True)],
+    },
+    "auction.auctioneer": {
+        ("", 1): [Does("inform", LOT, "bidder"), Does("cfp", LOT, "bidder")],
+        ("propose", 1): [Does("accept-proposal", OFFER), Does("request", SALE)],
+        ("confirm", 1): [end()],
+    },
+    "auction.bidder": {
+        ("cfp", 1): [Does("propose", OFFER)],
+        ("request", 1): [Does("confirm", SALE, last=True)],
+    },
+    "dutch_auction.auctioneer": {
+        ("", 1): [Does("inform", LOT, "bidder"), Does("cfp", LOT, "bidder")],
+        ("propose", 1): [Does("accept-proposal", OFFER), Does("request", SALE)],
+        ("confirm", 1): [end()],
+    },
+    "dutch_auction.bidder": {
+        ("cfp", 1): [Does("propose", OFFER)],
+        ("request", 1): [Does("confirm", SALE, last=True)],
+    },
+    "propose.initiator": {
+        ("", 1): [Does("propose", ORDER, "responder")],
+        ("accept-proposal", 1): [end()],
+    },
+    "propose.responder": {("propose", 1): [Does("accept-proposal", ORDER, last=True)]},
+    "brokering.client": {("", 1): [Does("proxy", ERRAND, "broker")], ("inform", 1): [end()]},
+    "brokering.broker": {
+        ("proxy", 1): [Does("agree", ERRAND), Does("request", ERRAND, "provider")],
+        ("inform", 1): [Does("inform", DONE, "client", last=True)],
+    },
+    "brokering.provider": {("request", 1): [Does("agree", ERRAND), Does("inform", DONE, last=True)]},
+    "recruiting.client": {("", 1): [Does("proxy", ERRAND, "recruiter")], ("inform", 1): [end()]},
+    "recruiting.recruiter": {
+        ("proxy", 1): [Does("agree", ERRAND), Does("request", ERRAND, "provider")],
+        ("agree", 1): [end()],
+    },
+    "recruiting.provider": {
+        ("request", 1): [
+            Does("agree", ERRAND),
+            Does("agree", ERRAND, "client"),
+            Does("inform", DONE, "client", last=True),
+        ]
+    },
+}
+NAMES = {"auction": "fipa-auction-english", "dutch_auction": "fipa-auction-dutch"}
+"""The registered names that are not `fipa-` and the protocol's."""
+
+
+@dataclass
+class Hand:
+    """An agent that plays one role once."""
+
+    role: str
+    partners: dict[str, str]
+    """The address of each other part."""
+    directory: str
+    """Who is told by agent management that this one offers its role."""
+    heard: list[str] = field(default_factory=list)
+    over: bool = False
+    refused: str = ""
+    """What it was told that it has done wrong."""
+
+    def __post_init__(self) -> None:
+        self._numbers = itertools.count(1)
+        self._seen: dict[str, int] = {}
+        self._conversation = f"by-hand-{self.role}"
+        protocol = self.role.partition(".")[0]
+        self._protocol = NAMES.get(protocol) or "fipa-" + protocol.replace("_", "-")
+
+    def begin(self) -> list[Sent]:
+        """Say what the role begins with, or else register in FIPA's language."""
+        if ("", 1) in ROLES[self.role]:
+            return self._do(("", 1), "", "")
+        service = f"(service-description :type {self.role} :protocols (set {self._protocol}))"
+        content = (
+            "((action (agent-identifier :name df) (register (df-agent-description"
+            f" :services (set {service})))))"
+        )
+        headers = {
+            "performative": "request",
+            "language": "fipa-sl0",
+            "ontology": "fipa-agent-management",
+            "protocol": "fipa-request",
+            "conversation-id": "registration",
+            "reply-with": "registration-1",
+        }
+        return [(self.directory, headers, content)]
+
+    def hear(self, sender: str, headers: Headers, content: str) -> list[Sent]:
+        """What is answered to a message."""
+        act = headers.get("performative", "")
+        self.heard.append(act)
+        if act == "not-understood":
+            self.refused = content
+        if headers.get("ontology") == "fipa-agent-management":
+            return []
+        assert headers.get("protocol") == self._protocol, headers
+        self._conversation = headers["conversation-id"]
+        number = self._seen[act] = self._seen.get(act, 0) + 1
+        return self._do((act, number), sender, headers.get("reply-with", ""))
+
+    def _do(self, when: tuple[str, int], sender: str, reply_with: str) -> list[Sent]:
+        sent: list[Sent] = []
+        for does in ROLES[self.role].get(when, []):
+            if does.act:
+                headers = {
+                    "performative": does.act,
+                    "protocol": self._protocol,
+                    "conversation-id": self._conversation,
+                    "reply-with": f"{self.role}-{next(self._numbers)}",
+                }
+                if does.to == SENDER:
+                    headers["in-reply-to"] = reply_with
+                to = sender if does.to == SENDER else self.partners[does.to]
+                sent.append((to, headers, json.dumps(does.content)))
+            self.over = self.over or does.last
+        return sent
