@@ -355,6 +355,8 @@ class JadeLikeAgent:
         self._since: dict[str, int] = {}
         self._kinds: dict[type[Behaviour], type[Behaviour]] = {}
         self._added = BehaviourScheduler(shell, self)
+        self._parts: dict[str, Behaviour] = {}
+        """What stands for a participant, by the labels of its states."""
         self._told: dict[str, str | None] = {}
         """The conversation of each branch in which all responses were told last."""
         self._at: dict[str, list[Behaviour]] = {}
@@ -625,7 +627,7 @@ class JadeLikeAgent:
 
     def _part(self, branch: str) -> Behaviour | None:
         """The behaviour that stands for a participant, by its branch."""
-        return next((item for item in self.behaviours if item.participant and branch in item.states), None)
+        return self._parts.get(branch)
 
     def hear(self, identity: Identity, message: ACLMessage, refuse: Callable[[str], None]) -> None:
         """A message outside of every protocol has come."""
@@ -706,6 +708,7 @@ class JadeLikeAgent:
                 found += self._grow_wakers(made, numbers)
                 stack += [(inside, made) for inside in reversed(made._kinds)]
         self.behaviours = tuple(found)
+        self._parts = {label: item for item in found if item.participant for label in item.states}
 
     def _grow_wakers(
         self, around: CompositeBehaviour, numbers: Mapping[tuple[str, str, str], list[int]]

@@ -181,6 +181,8 @@ class FreeMessages:
 
     def is_known(self, message: FipaMessage) -> bool:
         """Whether an external agent answers a free message, or goes on with one's conversation."""
+        if message.conversation in self._conversations:
+            return False
         return ("said", message.in_reply_to) in self._known or ("in", message.conversation) in self._known
 
     def hear(

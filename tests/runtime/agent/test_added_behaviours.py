@@ -809,6 +809,30 @@ def test_an_external_agent_talks_with_behaviours_and_participants_come_first(coo
     assert by["c2"].performative == "inform"  # the cook has taken it
 
 
+def test_an_external_agent_cannot_turn_a_conversation_of_a_protocol_into_a_free_one(
+    cooking: Generated,
+) -> None:
+    team, records = make(
+        cooking, own(cooking, chef=lambda agent: agent.add_behaviour(Listen())), until=10 * SECOND
+    )
+    team.conversations.add_external_agent("eve", lambda message: None)
+    eve, bob = AgentIdentifier("eve"), AgentIdentifier("bob")
+
+    def say(moment: int, performative: str, content: str, protocol: str = "") -> None:
+        message = FipaMessage(
+            performative, eve, (bob,), content, conversation="cooking-eve-1", protocol=protocol
+        )
+        team.driver.at(moment, lambda: team.conversations.receive_external("bob", message))
+
+    say(4000 * MS, "inform", "hello")
+    say(5000 * MS, "request", '{"what": "eggs"}', "cooking")
+    say(5100 * MS, "request", '{"what": "more"}')
+    team.run()
+    played = Played(team, None, records)  # type: ignore[arg-type]
+    assert logs(played, "bob") == ["4000 Listen: inform hello from eve"]
+    assert played.of("conversation", what="join", conversation="cooking-eve-1")
+
+
 # ---- another version -----------------------------------------------------------------------------
 
 VERSION = """\
