@@ -332,7 +332,7 @@ def _tell_change(change: Changed) -> None:
     sys.stdout.flush()
 
 
-def _tell_end(end: dict[str, Any]) -> None:
+def _tell_end(end: dict[str, object]) -> None:
     """Say what our run has left open, which our supervisor shows when all have ended."""
     from aseme_dsl.project.playing.supervisor import ENDED
 

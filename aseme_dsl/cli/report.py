@@ -103,7 +103,7 @@ def text_of(report: Report, form: str) -> str:
     return text + ("\n" if text and report.closing else "") + report.closing
 
 
-def _json_text(value: Any) -> str:
+def _json_text(value: object) -> str:
     import json
 
     return json.dumps(value, indent=2, ensure_ascii=False) + "\n"

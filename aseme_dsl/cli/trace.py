@@ -289,7 +289,7 @@ def _table(head: Sequence[str], rows: Sequence[Sequence[Any]]) -> Iterator[str]:
         yield "  ".join(cells).rstrip()
 
 
-def _is_number(cell: Any) -> bool:
+def _is_number(cell: object) -> bool:
     return isinstance(cell, int) or (isinstance(cell, str) and cell[:1].isdigit() and cell[-1:] in "s%")
 
 

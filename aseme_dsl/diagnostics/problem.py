@@ -9,10 +9,10 @@ from typing import Any, ClassVar, Literal, NamedTuple, Self, dataclass_transform
 class _ByName(NamedTuple):
     """A field that is given by its name only, or left out."""
 
-    default: Any
+    default: object
 
 
-def by_name(*, default: Any, kw_only: Literal[True]) -> Any:
+def by_name(*, default: object, kw_only: Literal[True]) -> Any:
     """A field that is given by its name only, or left out: subclasses may have fields without a default."""
     return _ByName(default)
 
@@ -43,7 +43,7 @@ class Problem:
                 cls._named = (*cls._named, name)
         cls._fields = (*cls._fields, *(name for name in fields if name not in cls._named))
 
-    def __init__(self, *values: Any, **named: Any) -> None:
+    def __init__(self, *values: object, **named: object) -> None:
         given = dict(zip(self._fields, values, strict=False)) | named
         if len(given) != len(values) + len(named) or not given.keys() <= {*self._fields, *self._named}:
             raise TypeError(f"{type(self).__name__} has the fields {', '.join(self._fields)}")
@@ -62,7 +62,7 @@ class Problem:
         """What to do about it."""
         return None
 
-    def but(self, **changes: Any) -> Self:
+    def but(self, **changes: object) -> Self:
         """The same with other values of some fields."""
         return type(self)(**(vars(self) | changes))
 

@@ -10,7 +10,6 @@ import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 try:
     from mkdocs.config import base
@@ -85,7 +84,7 @@ class AsemePlugin(BasePlugin[AsemeConfig]):  # type: ignore[no-untyped-call]
             html = html.replace(f"<p>{word}</p>", figure).replace(word, figure)
         return html
 
-    def on_serve(self, server: LiveReloadServer, **more: Any) -> LiveReloadServer:
+    def on_serve(self, server: LiveReloadServer, **more: object) -> LiveReloadServer:
         """Build again when a file changes that something was drawn from."""
         self._watch = server.watch
         for path in sorted(self._files):

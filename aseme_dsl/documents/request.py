@@ -109,7 +109,7 @@ def _embed(name: str, text: str) -> bool:
     return _one_of("inline", "file")(name, text) == "file"
 
 
-_READERS: dict[str, tuple[str, Callable[[str, str], Any]]] = {
+_READERS: dict[str, tuple[str, Callable[[str, str], object]]] = {
     "model": ("models", _models),
     "at": ("at", _label),
     "depth": ("depth", _depth),

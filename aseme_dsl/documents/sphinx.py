@@ -188,7 +188,7 @@ def _write(path: Path, content: bytes) -> None:
         path.write_bytes(content)
 
 
-_VISITORS: dict[str, tuple[Callable[[Any, aseme_picture], None], None]] = {
+_VISITORS: dict[str, tuple[Callable[[object, aseme_picture], None], None]] = {
     "html": (_html, None),
     "latex": (_latex, None),
     "text": (_text, None),

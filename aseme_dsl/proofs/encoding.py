@@ -110,7 +110,7 @@ class Encoder:
 
     def _relate_histories(self) -> None:
         """A history that reaches back has a newest value, and a longer window has what a shorter one has."""
-        extents: dict[Key, list[tuple[int, Any]]] = {}
+        extents: dict[Key, list[tuple[int, object]]] = {}
         for key in self.symbols:
             if key[0] != THERE:
                 continue
@@ -317,7 +317,7 @@ class Encoder:
     def _is_whole_number(self, value: Any) -> bool:
         return bool(self._z3.is_int(value))
 
-    def _equal(self, left: Any, right: Any) -> Any:
+    def _equal(self, left: object, right: object) -> Any:
         left, right = self._same_sort(left, right)
         return left == right
 

@@ -111,7 +111,7 @@ class Snapshot:
         self,
         conditions: Sequence[e.Value],
         vocabulary: Vocabulary,
-        context: Any,
+        context: object,
         facts: Sequence[e.Value] = (),
     ) -> None:
         """`facts` hold always; they read nothing that the conditions do not read."""
@@ -284,7 +284,7 @@ class Snapshot:
             return Fraction(value.numerator_as_long(), value.denominator_as_long())
         raise Undecided
 
-    def _as_they_run(self, values: dict[Key, Any]) -> dict[Key, Any]:
+    def _as_they_run(self, values: dict[Key, object]) -> dict[Key, Any]:
         """Real numbers as floats; places among the texts as texts."""
         between: dict[int, set[Fraction]] = {}
         for key, value in values.items():
@@ -322,7 +322,7 @@ class Snapshot:
 
     # ---- what of it decides --------------------------------------------------------------------
 
-    def _least(self, claim: Claim, values: dict[Key, Any], assumptions: Assumptions) -> Witness:
+    def _least(self, claim: Claim, values: dict[Key, object], assumptions: Assumptions) -> Witness:
         """Leave out what does not matter: what is written last, and what functions return, goes first."""
         known = dict(values)
         given = {RAISES} if not assumptions.raising else set()
@@ -345,17 +345,17 @@ class Snapshot:
         facts = tuple(self._fact(unknown, values[unknown.key]) for unknown in said)
         return Witness(values, tuple(said), facts)
 
-    def _is_assumed(self, key: Key, value: Any, assumptions: Assumptions) -> bool:
+    def _is_assumed(self, key: Key, value: object, assumptions: Assumptions) -> bool:
         """Whether it goes without saying: that a message is there, in a question about messages that are."""
         return (
             assumptions.present and value is True and key[0] in (HAS, SET, THERE) and key not in self._asked
         )
 
-    def _follows(self, key: Key, known: dict[Key, Any]) -> bool:
+    def _follows(self, key: Key, known: dict[Key, object]) -> bool:
         """Whether a presence follows from a value that is said."""
         return any(key in self._encoder.unknowns[other].needs for other in known)
 
-    def _fact(self, unknown: Unknown, value: Any) -> str:
+    def _fact(self, unknown: Unknown, value: object) -> str:
         word, text = unknown.key[0], unknown.text
         if word in (HAS, THERE):
             return f"{text} is there" if value else f"no {text}"
@@ -391,7 +391,7 @@ class Snapshot:
                 assert_never(unknown.type.kind)
 
 
-def _few(candidates: Iterable[Any]) -> list[Any]:
+def _few(candidates: Iterable[object]) -> list[Any]:
     return list(dict.fromkeys(candidates))[:_MOST_CANDIDATES]
 
 

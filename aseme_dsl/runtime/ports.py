@@ -42,7 +42,7 @@ class Receiver(Protocol):
         execution: Writer | None = None,
         conversation: str | None = None,
     ) -> None: ...
-    def understood(self, content: Any) -> Any: ...
+    def understood(self, content: object) -> Any: ...
     @property
     def listens(self) -> bool:
         """Whether it has behaviours that may receive messages outside of every protocol."""
@@ -116,6 +116,6 @@ class Links(Protocol):
 class Speaker(Protocol):
     """A robot's end of the radio, as who publishes sees it."""
 
-    def send(self, channel: str, message: Any, host: str | None, identity: Identity) -> None:
+    def send(self, channel: str, message: object, host: str | None, identity: Identity) -> None:
         """Say a message, now or as soon as the radio takes it."""
         ...

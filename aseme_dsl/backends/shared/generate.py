@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path, PurePath
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.messages import Kind, Type
@@ -169,7 +169,7 @@ def _step(seen: System) -> StepCode:
 
 
 def rendered(
-    templates: Environment, name: str, path: str, known: Mapping[str, Any], *, kept: bool = False
+    templates: Environment, name: str, path: str, known: Mapping[str, object], *, kept: bool = False
 ) -> Artefact:
     """A template, filled, as a file."""
     return Artefact(path, templates.get_template(name).render(known), kept)

@@ -43,7 +43,7 @@ class _Entry:
     this `age`.
     """
 
-    inputs: tuple[Any, ...]
+    inputs: tuple[object, ...]
     asked: dict[_Question, object]
     shared: dict[_Question, object]
     result: object
@@ -59,9 +59,9 @@ class _Batch:
     """
 
     items: tuple[tuple[Any, ...], ...]
-    common: tuple[Any, ...]
+    common: tuple[object, ...]
     entries: dict[tuple[int, ...], _Entry]
-    results: tuple[Any, ...]
+    results: tuple[object, ...]
 
 
 class Recall(Protocol):
@@ -75,7 +75,7 @@ class Memory:
 
     def __init__(self, kept: int = KEPT) -> None:
         self._kept = kept
-        self._entries: dict[tuple[Any, ...], list[_Entry]] = {}
+        self._entries: dict[tuple[object, ...], list[_Entry]] = {}
         self._values: dict[object, list[Any]] = {}
         self._mappings: dict[object, dict[Any, Any]] = {}
         self._batches: dict[object, _Batch] = {}
@@ -149,7 +149,7 @@ class Memory:
             return False
         return entry.age == self._age or self._changed.isdisjoint(entry.shared)
 
-    def _entry(self, function: Callable[..., Any], inputs: tuple[Any, ...]) -> _Entry:
+    def _entry(self, function: Callable[..., object], inputs: tuple[object, ...]) -> _Entry:
         if self._is_older:
             self._ask_again()
         entries = self._entries.setdefault((function, *map(_key, inputs)), [])
@@ -255,7 +255,7 @@ class Memory:
         if self._asked is not None:
             self._asked[question] = answer
 
-    def _is_same(self, entry: _Entry, inputs: tuple[Any, ...]) -> bool:
+    def _is_same(self, entry: _Entry, inputs: tuple[object, ...]) -> bool:
         for before, now in zip(entry.inputs, inputs, strict=True):
             if before is not now and _kind(now) is _OTHER:
                 return False
@@ -289,12 +289,12 @@ def _kind(item: object) -> int:
     return kind
 
 
-def _key(item: Any) -> object:
+def _key(item: object) -> object:
     kind = _kind(item)
     return id(item) if kind is _OTHER else item if kind is _IS_PLAIN else None
 
 
-def _difference(before: tuple[Any, ...], now: tuple[Any, ...], first: int) -> set[_Question] | None:
+def _difference(before: tuple[object, ...], now: tuple[object, ...], first: int) -> set[_Question] | None:
     """What has another answer than before, of inputs that have numbers from `first` on; None if that cannot
     be said, since there is something else altogether."""
     found: set[_Question] = set()

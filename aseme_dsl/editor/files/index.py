@@ -594,7 +594,7 @@ def _dotted(word: tree.Name) -> tree.Path:
     return tree.Path(tuple(segments), word.span)
 
 
-def _path(node: Any, name: str, path: tree.Path, around: Around) -> Iterator[Occurrence]:
+def _path(node: object, name: str, path: tree.Path, around: Around) -> Iterator[Occurrence]:
     match node:
         case tree.Call() if name == "function":
             return _called(around, path)
@@ -667,7 +667,7 @@ def _parts(node: Any) -> Iterator[tuple[str, Any]]:
         yield name, getattr(node, name)
 
 
-def _names_in(value: Any) -> Iterator[tree.Name]:
+def _names_in(value: object) -> Iterator[tree.Name]:
     if isinstance(value, tree.Name):
         yield value
     elif isinstance(value, tuple):
@@ -675,7 +675,7 @@ def _names_in(value: Any) -> Iterator[tree.Name]:
             yield from _names_in(item)
 
 
-def _inside(node: Any, around: Around) -> Around:
+def _inside(node: object, around: Around) -> Around:
     """What is visible inside a node."""
     match node:
         case tree.Enum() | tree.Message() | tree.Function():

@@ -111,7 +111,7 @@ class Reader:
                 _keep(self._slow, job.beginning, None)
         raise NotYet(job)
 
-    def at_once(self, function: Callable[..., _T], *arguments: Any) -> _T:
+    def at_once(self, function: Callable[..., _T], *arguments: object) -> _T:
         """The result of something that is of no use later.
 
         Raises:
@@ -211,7 +211,7 @@ def _read(work: str, source: Source) -> object:
     return WORK[work](source) if own is None else own.do(work, source, WORK[work])
 
 
-def at_once(function: Callable[..., _T], *arguments: Any) -> _T:
+def at_once(function: Callable[..., _T], *arguments: object) -> _T:
     """`function(*arguments)`, for an answer that nobody wants late; may raise `TooSlow`."""
     own = reader.get()
     return function(*arguments) if own is None else own.at_once(function, *arguments)

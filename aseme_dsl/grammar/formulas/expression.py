@@ -33,7 +33,6 @@ _PRODUCT = ("*", "/", "%")
 BINDING = (
     {"||": 1, "&&": 2} | dict.fromkeys(_COMPARISON, 3) | dict.fromkeys(_SUM, 4) | dict.fromkeys(_PRODUCT, 5)
 )
-_TIGHTEST = 6
 
 _PATH = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _NUMBER = re.compile(r"([0-9]+)(?:\.([0-9]+))?([a-z]*)")

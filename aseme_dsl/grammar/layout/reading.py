@@ -33,7 +33,7 @@ _TIGHT_BEFORE = frozenset((")", "]", ",", "..", "@", "#", "."))
 _LIST, _BREAK = 0, 1
 
 
-def read_blocks(source: Source, tree: Any, comments: Sequence[Comment]) -> Block:
+def read_blocks(source: Source, tree: object, comments: Sequence[Comment]) -> Block:
     """The whole file as one block, whose braces are not written."""
     return _Reader(source, comments).file(tree)
 

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics import NO_POLICY, Diagnostic, Policy, has_errors, in_order
@@ -273,7 +273,7 @@ def _made(known: Known, name: object, make: Callable[..., _T], inputs: Iterable[
 
 
 @cache
-def _model_text(make: Callable[..., dict[str, Any]]) -> Callable[..., str]:
+def _model_text(make: Callable[..., dict[str, object]]) -> Callable[..., str]:
     from aseme_dsl.amola.as_json import json_text
 
     return lambda *inputs: json_text(make(*inputs))

@@ -578,7 +578,7 @@ class Progress:
         self._tell = tell
         self._told = 0
 
-    def look(self, doing: Callable[[], Mapping[str, Any]]) -> None:
+    def look(self, doing: Callable[[], Mapping[str, object]]) -> None:
         """Tell what is new; `doing` gives what each agent is doing. Raises PlayError if the project fails."""
         if self._progress is not None:
             further = (doing(),) if self._wants_doing else ()
@@ -607,7 +607,7 @@ def _names(states: Mapping[str, State], label: str) -> tuple[str, ...]:
     return tuple(states[item].name for item in around if states[item].name != item)
 
 
-def _takes_two(function: Callable[..., Any]) -> bool:
+def _takes_two(function: Callable[..., object]) -> bool:
     try:
         parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):  # written in C
@@ -735,7 +735,7 @@ def users_mistakes(*generated: Path) -> Iterator[None]:
 
 
 @contextmanager
-def _users_own(function: Callable[..., Any]) -> Iterator[None]:
+def _users_own(function: Callable[..., object]) -> Iterator[None]:
     """A function of the project that raises: said with the place in the project's code."""
     import traceback
 

@@ -34,7 +34,7 @@ class Robot:
     def __str__(self) -> str:
         return self.name
 
-    def ask(self, request: dict[str, Any], timeout: float) -> dict[str, Any]:
+    def ask(self, request: dict[str, object], timeout: float) -> dict[str, Any]:
         """Its reply, if it proves that it knows the key. Raises RemoteError if there is none."""
         from aseme_dsl.runtime.control.operator_gate import GateError, ask
         from aseme_dsl.runtime.transport import TransportError

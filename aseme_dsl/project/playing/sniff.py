@@ -9,7 +9,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
 from fnmatch import fnmatchcase
-from typing import Any
 
 from aseme_dsl.diagrams.sequence.sequence import Arrow, Lifeline, Mark, Row, SequenceDiagram, seconds
 from aseme_dsl.project.files.duration import duration
@@ -316,7 +315,7 @@ def _fits(name: str, patterns: tuple[str, ...]) -> bool:
     return not patterns or any(fnmatchcase(name, pattern) for pattern in patterns)
 
 
-def _short(content: Any) -> str:
+def _short(content: object) -> str:
     """The members of a content that say something, in a short text."""
     if not isinstance(content, Mapping):
         text = str(content)

@@ -164,7 +164,7 @@ class _Run:
         self._options = options
         self._say = say
         self._key = secrets.token_bytes(32)
-        self._news: SimpleQueue[tuple[str, str, Any]] = SimpleQueue()
+        self._news: SimpleQueue[tuple[str, str, object]] = SimpleQueue()
         self._robots = {name: _Child(name) for name, _ in loaded.team}
         self._world: _Child | None = None
         self._address: str | None = None

@@ -196,7 +196,7 @@ class _Policy:
 class _Table:
     """A table inside: its keys, what is made of them, and which of them it cannot do without."""
 
-    make: Callable[..., Any]
+    make: Callable[..., object]
     keys: Mapping[str, _Convert | _Table]
     needs: tuple[str, ...] = ()
 
@@ -213,7 +213,7 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
             raise _Wrong(Fitting.PATH)
         return folder / value
 
-    def paths(value: Any) -> tuple[Path, ...]:
+    def paths(value: object) -> tuple[Path, ...]:
         if not isinstance(value, list) or not all(map(_is_path, value)):
             raise _Wrong(Fitting.PATHS)
         return tuple(folder / item for item in value)
@@ -289,7 +289,7 @@ def _names(value: Any) -> tuple[str, ...]:
     return tuple(value)
 
 
-def _roles(value: Any) -> dict[str, str]:
+def _roles(value: object) -> dict[str, str]:
     if not isinstance(value, dict) or not all(isinstance(name, str) and name for name in value.values()):
         raise _Wrong(Fitting.BACKENDS)
     return dict(value)
@@ -324,25 +324,25 @@ def places_of_run(configuration: Configuration, keys: Iterable[str]) -> dict[str
     return {key: place for key in keys if (place := _place(source, RUN_TABLE, key)) is not None}
 
 
-def _count(value: Any) -> int:
+def _count(value: object) -> int:
     if not isinstance(value, int) or isinstance(value, bool) or value < 1:
         raise _Wrong(Fitting.COUNT)
     return value
 
 
-def _seed(value: Any) -> int:
+def _seed(value: object) -> int:
     if not isinstance(value, int) or isinstance(value, bool):
         raise _Wrong(Fitting.NUMBER)
     return value
 
 
-def _function(value: Any) -> str:
+def _function(value: object) -> str:
     if not isinstance(value, str) or not re.fullmatch(r"[\w.]+:\w+", value):
         raise _Wrong(Fitting.FUNCTION)
     return value
 
 
-def _duration(value: Any) -> int:
+def _duration(value: object) -> int:
     try:
         nanoseconds = duration(value) if isinstance(value, str) else 0
     except ValueError:
@@ -352,7 +352,7 @@ def _duration(value: Any) -> int:
     return nanoseconds
 
 
-def _network(value: Any) -> Network:
+def _network(value: object) -> Network:
     from aseme_dsl.grammar.text.network_words import NetworkWordsError, read_network
 
     if not isinstance(value, str):
@@ -363,14 +363,14 @@ def _network(value: Any) -> Network:
         raise _Wrong(problem=error.problem) from error
 
 
-def _memory(value: Any) -> int:
+def _memory(value: object) -> int:
     written = re.fullmatch(r"(\d+)\s*(MB|GB)", value) if isinstance(value, str) else None
     if written is None or int(written[1]) == 0:
         raise _Wrong(Fitting.MEMORY)
     return int(written[1]) * (1_000_000 if written[2] == "MB" else 1_000_000_000)
 
 
-def _hosts(value: Any) -> dict[str, str]:
+def _hosts(value: object) -> dict[str, str]:
     if not isinstance(value, dict) or not all(
         isinstance(host, str) and re.fullmatch(r"(\[[0-9A-Fa-f:.%\w]+\]|[\w.-]+)(:\d{1,5})?", host)
         for host in value.values()
@@ -379,14 +379,14 @@ def _hosts(value: Any) -> dict[str, str]:
     return dict(value)
 
 
-def _hosts_with_ports(value: Any) -> dict[str, str]:
+def _hosts_with_ports(value: object) -> dict[str, str]:
     hosts = _hosts(value)
     if not all(re.search(r":\d{1,5}$", host) for host in hosts.values()):
         raise _Wrong(Fitting.ADDRESSES_WITH_PORTS)
     return hosts
 
 
-def _host(value: Any) -> str:
+def _host(value: object) -> str:
     if not isinstance(value, str) or not re.fullmatch(r"[\w.:-]+", value):
         raise _Wrong(Fitting.HOST)
     return value
@@ -398,25 +398,25 @@ def _port(value: Any) -> int:
     return value
 
 
-def _account(value: Any) -> str:
+def _account(value: object) -> str:
     if not isinstance(value, str) or not re.fullmatch(r"[\w.-]*ROBOT[\w.-]*", value):
         raise _Wrong(Fitting.ACCOUNT)
     return value
 
 
-def _flag(value: Any) -> bool:
+def _flag(value: object) -> bool:
     if not isinstance(value, bool):
         raise _Wrong(Fitting.FLAG)
     return value
 
 
-def _interface(value: Any) -> str:
+def _interface(value: object) -> str:
     if not isinstance(value, str) or not re.fullmatch(r"[\w.:-]+", value):
         raise _Wrong(Fitting.INTERFACE)
     return value
 
 
-def _endpoints(value: Any) -> tuple[str, ...]:
+def _endpoints(value: object) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(
         isinstance(item, str) and re.fullmatch(r"(tcp|tls|udp|quic)/\S+:\d{1,5}(#\S+)?", item)
         for item in value
@@ -426,7 +426,7 @@ def _endpoints(value: Any) -> tuple[str, ...]:
 
 
 def _one_of(*choices: str) -> _Convert:
-    def convert(value: Any) -> str:
+    def convert(value: object) -> str:
         if value not in choices:
             raise _Wrong(choices)
         return str(value)
@@ -441,7 +441,9 @@ class _Reader:
     source: Source
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
-    def table(self, table: Any, name: str, keys: Mapping[str, _Convert | _Table | _Policy]) -> dict[str, Any]:
+    def table(
+        self, table: object, name: str, keys: Mapping[str, _Convert | _Table | _Policy]
+    ) -> dict[str, Any]:
         """The values of a table, converted; each mistake becomes a diagnostic and is left out."""
         if not isinstance(table, dict):
             self.report(name, None, problems.NotTable(name))

@@ -167,7 +167,7 @@ def recordings_of(
     traces: Sequence[Path],
     system: str,
     kinds: Mapping[str, type[Chart]],
-    messages: Mapping[str, Any],
+    messages: Mapping[str, object],
     most: int | None = None,
 ) -> list[Recording]:
     """What the agents of these roles got, by the traces of one run or of several.
@@ -287,7 +287,7 @@ def compare(plain: type[Plain], kind: type[Chart], course: Course) -> int:
     return sum(len(doing.calls) for doing in doing_all) - 1
 
 
-def _about(item: Any) -> str:
+def _about(item: object) -> str:
     """What an input is about."""
     return next(
         str(getattr(item, name))

@@ -56,7 +56,7 @@ def recorded(
     path: Path,
     system: str,
     kinds: Mapping[str, type[Chart]],
-    messages: Mapping[str, Any],
+    messages: Mapping[str, object],
     most: int | None = None,
 ) -> Recording:
     """The courses of all agents of these roles, each of `most` steps after its first one at the most.
@@ -108,7 +108,7 @@ class _Reading:
         path: Path,
         system: str,
         kinds: Mapping[str, type[Chart]],
-        messages: Mapping[str, Any],
+        messages: Mapping[str, object],
         most: int | None,
     ) -> None:
         self.path = path

@@ -260,7 +260,7 @@ class _Faults:
     def wants(self, kind: str, what: str | None) -> bool:
         return kind == "fault"
 
-    def __call__(self, record: Mapping[str, Any]) -> None:
+    def __call__(self, record: Mapping[str, object]) -> None:
         if record["kind"] != "fault":
             return
         if len(self.reasons) < _MOST_FAULTS:
@@ -334,7 +334,7 @@ def _run(package: Path, seed: int, plan: Plan) -> Run:
     )
 
 
-def _check_bodies(world: Any, agents: Sequence[str]) -> None:
+def _check_bodies(world: object, agents: Sequence[str]) -> None:
     """A world that is made for a team of one size may have no place for more."""
     bodies = getattr(world, "bodies", {})
     without = [name for name in agents if name not in bodies]

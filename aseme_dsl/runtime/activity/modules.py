@@ -58,7 +58,7 @@ def code_of(info: ModuleInfo, find: ActivityFinder) -> type[Any] | None:
 class _Code:
     """Makes the object of a module once, and gives it each time; a worker process makes its own."""
 
-    def __init__(self, kind: type[Any]) -> None:
+    def __init__(self, kind: type[object]) -> None:
         self.kind = kind
         self.made: Any = None
         self.__module__ = kind.__module__
@@ -84,7 +84,7 @@ class _Module:
     resumes: int = 0
     """Until this moment it pauses, because it has failed."""
     current: Execution | None = None
-    generator: Generator[Any, None, Any] | None = None
+    generator: Generator[object, None, object] | None = None
     timer: Timer | None = None
     was_reported: bool = False
 
@@ -316,7 +316,7 @@ class Modules:
         if takes is not None and lasted > takes:
             self._trace(module, "overrun", takes=takes, lasted=lasted)
 
-    def _trace(self, module: _Module, what: str, **members: Any) -> None:
+    def _trace(self, module: _Module, what: str, **members: object) -> None:
         agent = self.agent
         now = agent.driver.clock.now()
         agent.trace.write("module", now, agent=agent.name, what=what, module=module.info.name, **members)

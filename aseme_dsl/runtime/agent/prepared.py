@@ -30,7 +30,7 @@ class Prepared:
 
     def __init__(self) -> None:
         self._drafts: dict[Branch, list[_Draft]] = {}
-        self._sent: dict[tuple[str, str], Any] = {}
+        self._sent: dict[tuple[str, str], object] = {}
         self._codeless: set[Branch] = set()
         """The branches of which an activity without code has begun: it prepares what it has no code for."""
         self._cancelled: list[tuple[Branch, str]] = []
@@ -106,7 +106,7 @@ class Prepared:
         """Nothing was prepared."""
         self.__init__()  # type: ignore[misc]
 
-    def renew(self, labels: Mapping[str, str], understood: Callable[[Any], Any]) -> None:
+    def renew(self, labels: Mapping[str, str], understood: Callable[[object], object]) -> None:
         """Let it fit another version of the model, with other labels and messages."""
 
         def new(branch: Branch) -> Branch:

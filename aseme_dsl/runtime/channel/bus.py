@@ -47,7 +47,7 @@ class _Held:
 
     def __init__(self) -> None:
         self.last: int | None = None
-        self.waiting: list[tuple[Any, str | None, str | None]] = []
+        self.waiting: list[tuple[object, str | None, str | None]] = []
         self.timer: Timer | None = None
         self.was_full = False
 
@@ -127,7 +127,7 @@ class Bus:
         self,
         agent: Receiver,
         channel: str,
-        message: Any,
+        message: object,
         host: str | None = None,
         *,
         region: str | None = None,
@@ -154,7 +154,7 @@ class Bus:
         self,
         agent: Receiver,
         rules: ChannelInfo,
-        message: Any,
+        message: object,
         host: str | None,
         region: str | None,
         activity: str | None,
@@ -206,7 +206,7 @@ class Bus:
         self,
         agent: Receiver,
         channel: str,
-        message: Any,
+        message: object,
         host: str | None,
         region: str | None,
         activity: str | None,
@@ -285,7 +285,7 @@ class Bus:
         agent: Receiver,
         identity: Identity,
         channel: str,
-        message: Any,
+        message: object,
         moment: int,
         host: str | None = None,
     ) -> None:
@@ -360,7 +360,7 @@ class Bus:
         self._given += 1
         return "input", self._given
 
-    def heard(self, agent: Receiver, channel: str, message: Any, sender: str) -> None:
+    def heard(self, agent: Receiver, channel: str, message: object, sender: str) -> None:
         """An agent has heard a message by radio; a simulated network delays or loses it first."""
         with self._driver.holding(), self._lock:
             if self.links is None:
@@ -375,7 +375,7 @@ class Bus:
                 lambda: self._hear(agent, channel, message, sender),
             )
 
-    def _hear(self, agent: Receiver, channel: str, message: Any, sender: str) -> None:
+    def _hear(self, agent: Receiver, channel: str, message: object, sender: str) -> None:
         with self._driver.holding(), self._lock:
             identity = agent.identity()
             now = self._driver.clock.now()
@@ -398,7 +398,7 @@ class Bus:
         self,
         agent: Receiver,
         channel: str,
-        message: Any,
+        message: object,
         sender: str,
         identity: Identity,
         moment: int,
@@ -433,7 +433,7 @@ class Bus:
             return f"only {', '.join(sorted(sources))} may publish on {channel}, not {sender}"
         return None
 
-    def restore(self, messages: dict[str, Any]) -> None:
+    def restore(self, messages: dict[str, object]) -> None:
         """Give the agents the states that were kept; `messages` are the classes by name.
 
         A kept state that is not of its message's type any more is told in the trace and left out.
@@ -480,7 +480,7 @@ class Bus:
         self.trace.fault(self._driver.clock.now(), name, error)
 
     def _refused(
-        self, kind: str, agent: Receiver, channel: str, message: Any, reason: str, until: int | None = None
+        self, kind: str, agent: Receiver, channel: str, message: object, reason: str, until: int | None = None
     ) -> None:
         if self.trace.active:
             self.trace.write(

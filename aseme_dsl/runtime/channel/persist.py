@@ -30,7 +30,7 @@ class Kept:
 
     def __init__(self, directory: Path) -> None:
         self._directory = directory
-        self._states: dict[str, dict[tuple[str, str | None], Any]] = {}
+        self._states: dict[str, dict[tuple[str, str | None], object]] = {}
         self._changed: set[str] = set()
         self._told: dict[str, str] = {}
         self._saving = threading.Lock()

@@ -57,7 +57,7 @@ def results_of(declared: str) -> tuple[type, ...]:
     return TYPES.get(declared, (object,))
 
 
-def checked(name: str, value: Any, expected: tuple[type, ...]) -> Any:
+def checked(name: str, value: object, expected: tuple[type, ...]) -> Any:
     """What a function has given, if it is of the expected types.
 
     Raises:

@@ -134,7 +134,7 @@ def interpolated(items: Sequence[Sample], moment: int, member: str) -> float | N
     return None
 
 
-def value_of(message: Any, path: Sequence[str]) -> Any:
+def value_of(message: object, path: Sequence[str]) -> Any:
     """A member of a member …, or None where one on the way is absent."""
     for step in path:
         if message is None:

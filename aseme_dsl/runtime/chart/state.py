@@ -103,7 +103,7 @@ class ChartState:
         """The branches that are suspended where they are left now, while a state is being left."""
         self.suspended: dict[str, tuple[int, dict[str, int]]] = {}
         """The branches that may go on: when each was left, and its timers then."""
-        self.writes: list[tuple[int, str, Any]] = []
+        self.writes: list[tuple[int, str, object]] = []
         self.drains = False
         """Whether a step has dropped a signal behind which another one waits; reset like `woken`."""
         self.woken = False
@@ -112,7 +112,7 @@ class ChartState:
         self.queue = QUEUE
         """How many signals of a queued channel may wait in a region."""
         self._faults: set[int] = set()
-        self._functions: dict[str, tuple[Callable[..., Any], tuple[type, ...]]] = {}
+        self._functions: dict[str, tuple[Callable[..., object], tuple[type, ...]]] = {}
         self.index = dict(self.PLAN.numbers).get(agent, 1)
         """The agent's number, in the range of agents of which it is one."""
         self.seed = 1
@@ -166,7 +166,7 @@ class ChartState:
         """The blackboard of the region around a BASIC state."""
         return getattr(self, "b" + self.RUNNING[label][0][1:])  # type: ignore[no-any-return]
 
-    def set_variable(self, name: str, value: Any) -> None:
+    def set_variable(self, name: str, value: object) -> None:
         """Set every copy of a variable."""
         for slot in self.VARIABLES[name]:
             setattr(self, slot, value)

@@ -139,7 +139,7 @@ def _spread_writes(chart: ChartState) -> bool:
     return wakes
 
 
-def _reads_anew(chart: ChartState, copy: tuple[str, str, tuple[tuple[int, int], ...]], value: Any) -> bool:
+def _reads_anew(chart: ChartState, copy: tuple[str, str, tuple[tuple[int, int], ...]], value: object) -> bool:
     """Whether a transition of an active state reads a copy of a variable that has another value yet."""
     slot, region, leaves = copy
     return getattr(chart, slot) != value and _is_at(getattr(chart, region), leaves)

@@ -109,7 +109,7 @@ def endpoints(output: Path) -> list[Path]:
     return found
 
 
-def ask(path: Path, request: dict[str, Any], timeout: float = 5.0) -> dict[str, Any]:
+def ask(path: Path, request: dict[str, object], timeout: float = 5.0) -> dict[str, Any]:
     """The reply to a request (without its `version`, which is put in).
 
     Raises:

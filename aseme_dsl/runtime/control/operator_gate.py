@@ -96,7 +96,7 @@ class Gate:
         is_ours = hmac.compare_digest(made[_TAG:], self._tag(agent, made[:_TAG]))
         return is_ours and nonce not in self._spent
 
-    def _request(self, agent: str, said: Any) -> Reply:
+    def _request(self, agent: str, said: object) -> Reply:
         """Raises ValueError for what is no such request."""
         origin = Origin("bus", agent=agent)
         if not isinstance(said, dict) or set(said) != _REQUEST or said["control"] != "request":
@@ -141,7 +141,7 @@ def _proof(what: str, key: bytes, about: Iterable[str], *contents: bytes) -> str
 
 
 def ask(
-    send: Callable[[bytes], Iterable[bytes]], system: str, agent: str, key: Key, request: dict[str, Any]
+    send: Callable[[bytes], Iterable[bytes]], system: str, agent: str, key: Key, request: dict[str, object]
 ) -> Reply:
     """The proven reply of an agent to a request (without its `version`, which is put in).
 
@@ -193,7 +193,7 @@ def _objects(answers: Iterable[bytes]) -> Iterable[dict[str, Any]]:
             yield found
 
 
-def _reasons(answer: dict[str, Any]) -> list[str]:
+def _reasons(answer: dict[str, object]) -> list[str]:
     """Why somebody says to refuse, who has proven nothing: safe to print."""
     given = answer.get("reasons", [answer.get("error")])
     texts = [text for text in given if isinstance(text, str)] if isinstance(given, list) else []

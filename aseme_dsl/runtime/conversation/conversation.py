@@ -18,7 +18,6 @@ import threading
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from typing import Any
 
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity, Reason
@@ -113,7 +112,7 @@ class Conversations:
         branch: str,
         performative: str,
         message: str,
-        content: Any,
+        content: object,
         to: str,
         excepts: Collection[str] = (),
         reply_by: int | None = None,
@@ -138,7 +137,7 @@ class Conversations:
         branch: str,
         performative: str,
         message: str,
-        content: Any,
+        content: object,
         to: str,
         reply_by: int | None = None,
     ) -> None:

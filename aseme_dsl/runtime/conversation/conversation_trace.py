@@ -45,7 +45,7 @@ class ConversationTrace:
             )
 
     def unsent(
-        self, agent: str, performative: str, message: str, content: Any, info: BranchInfo, reason: str
+        self, agent: str, performative: str, message: str, content: object, info: BranchInfo, reason: str
     ) -> None:
         """A message could not be sent."""
         if self._trace.active:

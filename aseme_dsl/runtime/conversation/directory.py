@@ -104,7 +104,7 @@ class Entry:
         )
 
 
-def _has_all(there: Iterable[Any], wanted: Iterable[Any]) -> bool:
+def _has_all(there: Iterable[object], wanted: Iterable[object]) -> bool:
     return set(wanted) <= set(there)
 
 
@@ -427,7 +427,7 @@ class Window(Protocol):
 
     @property
     def directory(self) -> Directory: ...
-    def do(self, doing: Any) -> None: ...
+    def do(self, doing: Offer | Withdraw) -> None: ...
 
 
 class Subscription:

@@ -137,7 +137,7 @@ def understood(message: FipaMessage, plan: Plan, context: Context, kinds: Messag
 def _candidates(
     performative: str,
     named: str,
-    content: Any,
+    content: object,
     infos: Iterable[BranchInfo],
     kinds: Messages,
     problems: list[str],

@@ -166,7 +166,7 @@ def _message(
     theirs: str,
     performative: str,
     message: str,
-    content: Any,
+    content: object,
 ) -> AclMessage:
     identity = agent.identity()
     heard = place.answered.get(to)

@@ -258,7 +258,7 @@ class Management:
         self._directory.deregister(name)
         return []
 
-    def _residents(self, given: dict[str, Any], most: int | None) -> list[dict[str, str]]:
+    def _residents(self, given: dict[str, object], most: int | None) -> list[dict[str, str]]:
         """The white pages."""
         found = [
             {"name": item.name, "state": item.state, **({"ownership": item.role} if item.role else {})}
@@ -285,7 +285,7 @@ class Management:
         self._answer(question.to, message, "agree", text)
         self._inform(question, {"result": found}, found)
 
-    def _inform(self, question: _Question, content: Any, found: Any) -> None:
+    def _inform(self, question: _Question, content: object, found: object) -> None:
         """Tell a subscriber something: as JSON, or these descriptions in SL."""
         sl = question.sl
         text = _json(content) if sl is None else management_sl.result(sl, "subscribe", DF, found)
@@ -337,17 +337,17 @@ def _content(message: FipaMessage) -> Any:
     return found
 
 
-def _object(value: Any, what: str) -> dict[str, Any]:
+def _object(value: object, what: str) -> dict[str, Any]:
     if not isinstance(value, dict):
         raise _Refused("not-understood", "unrecognised-value", f"{what} is no JSON object")
     return value
 
 
-def _json(content: Any) -> str:
+def _json(content: object) -> str:
     return json.dumps(content, ensure_ascii=False)
 
 
-def _only(given: dict[str, Any], known: Iterable[str], what: str, name: str) -> None:
+def _only(given: dict[str, object], known: Iterable[str], what: str, name: str) -> None:
     """Refuse what an object does not have; it is called so in words, and so by FIPA."""
     strangers = [item for item in given if item not in known]
     if strangers:
@@ -360,7 +360,7 @@ def _value_of(name: str, parameter: str, reason: str) -> tuple[str, str, tuple[s
     return "unrecognised-parameter-value", reason, (name, parameter[:100])
 
 
-def _most(content: dict[str, Any]) -> int | None:
+def _most(content: dict[str, object]) -> int | None:
     most = content.get("max-results")
     if most is None or (type(most) is int and most < 0):  # FIPA: a negative number is any
         return None
@@ -409,14 +409,14 @@ def _text(given: dict[str, Any], name: str, what: str) -> str:
     return str(value)
 
 
-def _texts(given: dict[str, Any], name: str, what: str) -> tuple[str, ...]:
+def _texts(given: dict[str, object], name: str, what: str) -> tuple[str, ...]:
     value = given.get(name, [])
     if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
         raise _Refused("refuse", *_value_of(what, name, f"{name} is a list of strings"))
     return tuple(map(str, value))
 
 
-def _lists(given: dict[str, Any], what: str) -> tuple[tuple[str, ...], ...]:
+def _lists(given: dict[str, object], what: str) -> tuple[tuple[str, ...], ...]:
     """Protocols, by their names in documents; ontologies; languages."""
     protocols, *others = (_texts(given, name, what) for name in _LISTS)
     return tuple(map(protocol_of, protocols)), *others

@@ -16,7 +16,6 @@ from aseme_dsl.runtime.message.sl import LANGUAGES, Form, Term, Variable, dumps,
 FUNCTIONS = ("register", "modify", "deregister", "search", "get-description")
 DESCRIPTIONS = {"df": "df-agent-description", "ams": "ams-agent-description"}
 _SETS = ("services", "protocols", "ontologies", "languages", "properties")
-_ABOUT_PARAMETER = ("missing-parameter", "unexpected-parameter", "unrecognised-parameter-value")
 _ALONE = ("unauthorised", "already-registered", "not-registered", "unexpected-argument-count")
 """Errors without an argument."""
 MOST = 1000
@@ -89,7 +88,7 @@ def _subscribed(whole: Term) -> Term:
             return ""
 
 
-def _take_arguments(content: dict[str, Any], function: Form, manager: str, act: str) -> None:
+def _take_arguments(content: dict[str, object], function: Form, manager: str, act: str) -> None:
     wanted = DESCRIPTIONS[manager]
     arguments = list(function.terms)
     if function.parameters:

@@ -89,14 +89,14 @@ class Desk:
     invitations: Invitations = field(default_factory=Invitations)
     leaving: Reason | None = "left"
     """Why a part of the agent ends now, if it has not reached its END; None: the run is over."""
-    heard: dict[tuple[Any, ...], None] = field(default_factory=dict)
+    heard: dict[tuple[object, ...], None] = field(default_factory=dict)
     """The messages from elsewhere that came last."""
 
     def first_free(self, part: Part) -> Participation | None:
         """The branch of a participant that was free first."""
         return next(iter(self.free.get(part, {}).values()), None)
 
-    def was_heard(self, message: tuple[Any, ...]) -> bool:
+    def was_heard(self, message: tuple[object, ...]) -> bool:
         """Whether a message has come before; from now on it has."""
         if message in self.heard:
             return True

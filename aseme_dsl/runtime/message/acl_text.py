@@ -347,7 +347,7 @@ def shown(token: str) -> str:
     return token if len(token) <= 40 else token[:40] + "…"
 
 
-_PARAMETERS: dict[str, tuple[str, Callable[[Reader], Any]]] = {
+_PARAMETERS: dict[str, tuple[str, Callable[[Reader], object]]] = {
     "sender": ("sender", Reader.agent),
     "receiver": ("receivers", Reader.agents),
     "content": ("content", Reader.content),
@@ -424,7 +424,7 @@ def _agent(agent: AgentIdentifier, depth: int = 0) -> bytes:
     return b" ".join(parts) + b")"
 
 
-def _named(parameters: Iterable[tuple[str, Any]], known: Iterable[str]) -> Iterator[tuple[str, Any]]:
+def _named(parameters: Iterable[tuple[str, object]], known: Iterable[str]) -> Iterator[tuple[str, Any]]:
     taken = set(known)
     for name, value in parameters:
         if not _PARAMETER.fullmatch(name) or name.lower() in taken:
@@ -437,7 +437,7 @@ def _list(keyword: str, items: Iterable[bytes]) -> bytes:
     return b"(" + b" ".join((keyword.encode(), *items)) + b")"
 
 
-def _expression(value: Any, depth: int = 0) -> bytes:
+def _expression(value: object, depth: int = 0) -> bytes:
     if depth > DEEPEST // 2:
         raise AclTextError(f"a value is nested more than {DEEPEST // 2} deep")
     if isinstance(value, Word):

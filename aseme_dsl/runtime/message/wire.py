@@ -162,7 +162,7 @@ class Schema:
         else:
             setattr(proto, member.field, value)
 
-    def _from_proto(self, kind: type[M], proto: Any) -> M:
+    def _from_proto(self, kind: type[M], proto: object) -> M:
         return kind(**{member.name: self._get(kind, proto, member) for member in self._members[kind]})
 
     def _get(self, owner: type[object], proto: Any, member: _Member) -> Any:
@@ -181,7 +181,7 @@ class Schema:
             return None
         return one(getattr(proto, member.field))
 
-    def _entry(self, kind: type[object], parts: Mapping[str, _Member], key: Any, value: Any) -> object:
+    def _entry(self, kind: type[object], parts: Mapping[str, _Member], key: object, value: object) -> object:
         part = parts["value"]
         if part.kind in self._protos:
             value = self._from_proto(part.kind, value)
@@ -223,7 +223,7 @@ class Schema:
         return channel, message
 
 
-def _hints(kind: Any) -> dict[str, Any]:
+def _hints(kind: object) -> dict[str, Any]:
     """The types of the members of a message's class."""
     return member_types(kind)
 
@@ -259,7 +259,7 @@ _OPTIONAL = "o"
 _MILLISECOND = 1_000_000
 
 
-def _packed(message: Any, letters: Iterator[str], where: str) -> Iterator[bytes]:
+def _packed(message: object, letters: Iterator[str], where: str) -> Iterator[bytes]:
     for name, hint in _hints(type(message)).items():
         value = getattr(message, name)
         if is_dataclass(hint):

@@ -49,7 +49,7 @@ _READABLE = {
 }
 """Which fields of an envelope are headers of their own."""
 _NOT_OURS = {*_READABLE, "performative", "ontology", "language"}
-_REST: tuple[tuple[str, Any], ...] = tuple(
+_REST: tuple[tuple[str, object], ...] = tuple(
     (name, Envelope._field_defaults.get(name))
     for name in Envelope._fields
     if name not in _NOT_OURS and name not in Stamp._fields
@@ -62,7 +62,7 @@ _compact = json.JSONEncoder(separators=(",", ":")).encode
 
 def letter(envelope: Envelope, stamp: Stamp, payload: bytes, sender: str, system: str) -> dict[str, str]:
     """The headers of an envelope; the text is its payload."""
-    rest: dict[str, Any] = {"check": zlib.crc32(payload)}
+    rest: dict[str, object] = {"check": zlib.crc32(payload)}
     for name, default in _REST:
         value = getattr(envelope, name)
         if value != default:
@@ -153,7 +153,7 @@ def read_letter(said: Mapping[str, Any], headers: Headers, payload: bytes, syste
     return Envelope(**values)
 
 
-def _tuple(name: str, value: Any) -> tuple[Any, ...]:
+def _tuple(name: str, value: object) -> tuple[Any, ...]:
     if not isinstance(value, list):
         raise EnvelopeError(f"its {name} is no list")
     if name == _PAIRS:

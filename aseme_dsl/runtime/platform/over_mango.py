@@ -247,7 +247,7 @@ def _key(header: str) -> str:
     return header if header.startswith(_FURTHER) else header.replace("-", "_")
 
 
-def _name(key: Any) -> str:
+def _name(key: object) -> str:
     text = str(key)
     return text if text.startswith(_FURTHER) else text.replace("_", "-")
 
@@ -259,7 +259,7 @@ def _text(key: str, value: Any) -> str:
     return str(value) if isinstance(value, str) else _json(value)
 
 
-def _json(value: Any) -> str:
+def _json(value: object) -> str:
     return "" if value is None else json.dumps(value)
 
 
@@ -274,7 +274,7 @@ def _agent_class() -> Any:
             self.platform = platform
             self.called = name
 
-        def handle_message(self, content: Any, meta: dict[str, Any]) -> None:
+        def handle_message(self, content: object, meta: dict[str, object]) -> None:
             self.platform.heard(self.called, content, meta)
 
     return Ours

@@ -187,7 +187,7 @@ class PlatformLink:
         for address in self._processes().values():
             self._note(address, self._here())
 
-    def _here(self, **members: Any) -> dict[str, Any]:
+    def _here(self, **members: object) -> dict[str, Any]:
         return {"here": self._platform.here(), "life": self._life, **members}
 
     def _ask_for_others(self, now: float) -> None:
@@ -201,7 +201,9 @@ class PlatformLink:
         with self._lock:
             return {known.life: known.address for known in reversed(tuple(self._known.values()))}
 
-    def _note(self, address: str, said: Mapping[str, Any], body: str = "", sender: str | None = None) -> None:
+    def _note(
+        self, address: str, said: Mapping[str, object], body: str = "", sender: str | None = None
+    ) -> None:
         headers = {"performative": "inform", "protocol": acl_headers.PROTOCOL, OURS: json.dumps(said)}
         self._platform.send(sender or self._agents[0], address, headers, body, kept=False)
 

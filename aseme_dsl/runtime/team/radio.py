@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.message.as_json import to_json
@@ -43,7 +43,7 @@ class Radio:
         self._schema = schema
         self._team = list(team)
         self._rules = {info.name: info for info in agent.plan.channels}
-        self._waiting: list[tuple[str, str | None, Any, Identity]] = []
+        self._waiting: list[tuple[str, str | None, object, Identity]] = []
         self._every = LISTEN
         self._lost = False
         self._lock = threading.RLock()
@@ -86,7 +86,7 @@ class Radio:
 
     # ---- sending -----------------------------------------------------------------------------
 
-    def send(self, channel: str, message: Any, host: str | None, identity: Identity) -> None:
+    def send(self, channel: str, message: object, host: str | None, identity: Identity) -> None:
         """Say a message, now or as soon as the radio takes it."""
         with self._lock:
             if self._lost:
@@ -101,7 +101,7 @@ class Radio:
             if self._waiting and self._waiting[-1][3] == identity:
                 self._tell("delayed", channel, message, identity, "the radio takes no more at the moment")
 
-    def _wait(self, channel: str, message: Any, host: str | None, identity: Identity) -> None:
+    def _wait(self, channel: str, message: object, host: str | None, identity: Identity) -> None:
         """Put a message at the end of those to be said; it replaces one of its kind that waits."""
         queued = channel.split(".", 2)[1] == "signal" and self._rules[channel].queued
         if not queued:
@@ -128,7 +128,7 @@ class Radio:
                 return
             self._waiting.pop(0)
 
-    def _packed(self, channel: str, host: str | None, message: Any) -> bytes:
+    def _packed(self, channel: str, host: str | None, message: object) -> bytes:
         payload = self._schema.pack(channel, self._agent.understood(message))
         place = 0 if host is None else self._team.index(host) + 1
         number = place * len(self._schema.radio) + payload[0]
@@ -168,7 +168,7 @@ class Radio:
                 self._tell("radio_failed", channel, message, identity, "the body is lost")
             self._waiting.clear()
 
-    def _tell(self, kind: str, channel: str, message: Any, identity: Identity, reason: str) -> None:
+    def _tell(self, kind: str, channel: str, message: object, identity: Identity, reason: str) -> None:
         agent = self._agent
         if agent.trace.active:
             agent.trace.write(

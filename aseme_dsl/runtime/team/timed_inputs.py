@@ -53,7 +53,7 @@ def duration(text: str) -> int:
     return int(Decimal(match[1]) * _UNITS[match[2]])
 
 
-def read_inputs(lines: Iterable[str], messages: Mapping[str, Any]) -> tuple[TimedInput, ...]:
+def read_inputs(lines: Iterable[str], messages: Mapping[str, object]) -> tuple[TimedInput, ...]:
     """The inputs of a script; `messages` are the classes by name. Empty lines are passed over.
 
     Raises:
@@ -72,7 +72,7 @@ def read_inputs(lines: Iterable[str], messages: Mapping[str, Any]) -> tuple[Time
     return tuple(found)
 
 
-def _read(line: str, messages: Mapping[str, Any]) -> TimedInput:
+def _read(line: str, messages: Mapping[str, object]) -> TimedInput:
     try:
         data = outside.loads(line)
     except json.JSONDecodeError as error:

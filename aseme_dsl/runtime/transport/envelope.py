@@ -201,7 +201,7 @@ def _begun(secret: bytes) -> tuple[Any, Any]:
 
 _LISTS = ("parts", "receivers", "missing", "reply_to")
 _SIMPLE = Envelope._fields[: -len(_LISTS)]
-_DEFAULTS: tuple[Any, ...] = (None, *Envelope._field_defaults.values())
+_DEFAULTS: tuple[object, ...] = (None, *Envelope._field_defaults.values())
 _simple = attrgetter(*_SIMPLE)
 
 

@@ -71,7 +71,7 @@ class BusPort(Protocol):
         self,
         agent: Receiver,
         channel: str,
-        message: Any,
+        message: object,
         sender: str,
         identity: Identity,
         moment: int,
@@ -135,7 +135,7 @@ class Transport:
         identity: Identity,
         rules: ChannelInfo | None,
         channel: str,
-        message: Any,
+        message: object,
         to: Sequence[str],
         moment: int,
         host: str | None,
@@ -172,7 +172,7 @@ class Transport:
         """
         raise TransportError(f"{sender} does not run in another process")
 
-    def ask(self, name: str, request: dict[str, Any], timeout: float = 1.0) -> dict[str, Any]:
+    def ask(self, name: str, request: dict[str, object], timeout: float = 1.0) -> dict[str, Any]:
         """Put a control request to an agent elsewhere. Raises TransportError if no answer comes."""
         raise TransportError(f"{name} does not run in another process")
 

@@ -163,7 +163,7 @@ class Post(Transport):
         identity: Identity,
         rules: ChannelInfo | None,
         channel: str,
-        message: Any,
+        message: object,
         to: Sequence[str],
         moment: int,
         host: str | None,
@@ -281,7 +281,7 @@ class Post(Transport):
             raise TransportError(f"{sender} does not answer")
         return sorted(found, key=lambda item: item[0])
 
-    def ask(self, name: str, request: dict[str, Any], timeout: float = 1.0) -> dict[str, Any]:
+    def ask(self, name: str, request: dict[str, object], timeout: float = 1.0) -> dict[str, Any]:
         for _, payload in self.state.link.ask(name, "control", json.dumps(request).encode(), timeout):
             with contextlib.suppress(ValueError):
                 answer = outside.loads(payload)

@@ -36,7 +36,7 @@ _Job = tuple["Execution", Snapshot]
 class ReportedError(Exception):
     """What an activity has raised in another process: its text is the whole reason."""
 
-    def __init__(self, reason: str, frames: list[dict[str, Any]] | None = None) -> None:
+    def __init__(self, reason: str, frames: list[dict[str, object]] | None = None) -> None:
         super().__init__(reason)
         self.frames = frames
 
@@ -190,7 +190,7 @@ class _Process:
             child.kill()
         return child
 
-    def _put(self, item: tuple[Any, ...]) -> None:
+    def _put(self, item: tuple[object, ...]) -> None:
         child = self.child
         if child is not None and child.stdin is not None:
             put(child.stdin, item)
@@ -222,7 +222,7 @@ def _is_spent(error: BaseException | None) -> bool:
     return isinstance(error, ReportedError) and str(error).startswith("MemoryError")
 
 
-def _error_of(kind: str | None, reason: str, frames: list[dict[str, Any]] | None) -> BaseException | None:
+def _error_of(kind: str | None, reason: str, frames: list[dict[str, object]] | None) -> BaseException | None:
     if kind is None:
         return None
     return Cancelled() if kind == "Cancelled" else ReportedError(reason, frames)

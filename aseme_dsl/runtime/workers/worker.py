@@ -36,7 +36,7 @@ class _Worker:
         """Whether the other end has said that nothing more comes. It says nothing if it is killed."""
         self.jobs: SimpleQueue[bytes | None] = SimpleQueue()
         self.cancelled = threading.Event()
-        self.kept: dict[str, Any] = {}
+        self.kept: dict[str, object] = {}
         """What runs again and again: the object of a module, by who keeps it."""
 
     def listen(self) -> None:

@@ -60,7 +60,7 @@ def _is_alive(process: str) -> bool:
 class WorldServer:
     """Lets a world pass in real time, and lends its bodies to other processes."""
 
-    def __init__(self, world: World[Any, Any], key: bytes) -> None:
+    def __init__(self, world: World[object, object], key: bytes) -> None:
         """Raises OSError if nobody could connect."""
         self.world = world
         self.doing: dict[str, tuple[tuple[str, ...], ...]] = {}
@@ -185,7 +185,7 @@ class FarBody:
         with contextlib.suppress(OSError):
             self._connection.close()
 
-    def _ask(self, what: str, argument: Any = None) -> Any:
+    def _ask(self, what: str, argument: object = None) -> Any:
         with self._lock:
             if self._lost is not None:
                 raise BodyConnectionError(self._lost)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import replace
-from typing import Any
 
 from aseme_dsl.runtime.conversation.choosing import Choosing
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
@@ -55,7 +54,7 @@ class Sending:
         branch: str,
         performative: str,
         message: str,
-        content: Any,
+        content: object,
         to: str,
         excepts: Collection[str] = (),
         reply_by: int | None = None,
@@ -98,7 +97,7 @@ class Sending:
         branch: str,
         performative: str,
         message: str,
-        content: Any,
+        content: object,
         to: str,
         reply_by: int | None = None,
     ) -> None:
@@ -140,7 +139,7 @@ class Sending:
         return next((part for part in parts if name in directory.players(info.protocol, part)), None)
 
     def _place_of(
-        self, agent: Receiver, branch: str, performative: str, message: str, content: Any
+        self, agent: Receiver, branch: str, performative: str, message: str, content: object
     ) -> Participation | None:
         """The branch in a conversation, which is opened if there is none; None, told, if it was left."""
         place = self._members.desks[agent.name].branches.get(branch)
@@ -158,7 +157,7 @@ class Sending:
         place: Participation,
         performative: str,
         message: str,
-        content: Any,
+        content: object,
         receivers: tuple[str, ...],
         part: str,
         reply_by: int | None = None,

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Iterable
-from typing import Any
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.message.acl import FipaMessage
@@ -123,12 +122,12 @@ class Inbox:
         return []
 
 
-def _json_answer(state: Delivery, answer: dict[str, Any], further: int = 0) -> tuple[Envelope, bytes]:
+def _json_answer(state: Delivery, answer: dict[str, object], further: int = 0) -> tuple[Envelope, bytes]:
     """The first piece of an answer, after which `further` ones come."""
     return state.envelope(envelopes.ACKNOWLEDGE, upto=1 + further), json.dumps(answer).encode()
 
 
-def _history_of(state: Delivery, mine: str, request: dict[str, Any]) -> list[tuple[Envelope, bytes]]:
+def _history_of(state: Delivery, mine: str, request: dict[str, object]) -> list[tuple[Envelope, bytes]]:
     channel, since, until = request.get("channel"), request.get("since"), request.get("until")
     if not isinstance(channel, str) or not isinstance(since, int) or not isinstance(until, int):
         return [_json_answer(state, {})]

@@ -142,7 +142,7 @@ def sampled(state: Delivery, other: Other, way: Way, envelope: Envelope, payload
     return [(envelope, payload)]
 
 
-def hand_on(state: Delivery, to: str, other: Other, envelope: Envelope, message: Any) -> None:
+def hand_on(state: Delivery, to: str, other: Other, envelope: Envelope, message: object) -> None:
     """Give a message to the agent that it is for. Called without the lock."""
     agent = state.here[to]
     team = state.team

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.message.wire import WireError
 from aseme_dsl.runtime.transport import envelope as envelopes
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.chart.plan import ChannelInfo
 
 
-def encoded(state: Delivery, sender: str, what: str, message: Any) -> bytes | None:
+def encoded(state: Delivery, sender: str, what: str, message: object) -> bytes | None:
     """The payload of a message; None, after telling why, if it cannot travel."""
     try:
         return state.codec.encode(message)
