@@ -351,8 +351,8 @@ def test_a_deadline_that_passes_just_as_a_process_returns_is_not_that_of_the_nex
     def hear(file: IO[bytes]) -> bytes | None:
         data = get(file)
         if data is not None and pickle.loads(data)[0] == "end" and not late:
-            (execution,) = driver._live
-            late.append(driver._elsewhere().kill(execution, "it was late"))
+            (execution,) = driver.activities._live
+            late.append(driver.activities._worker_processes().kill(execution, "it was late"))
         return data
 
     monkeypatch.setattr("aseme_dsl.runtime.workers.processes.get", hear)
