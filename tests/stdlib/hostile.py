@@ -142,10 +142,15 @@ def against(item: Protocol, agent: str, moves: Iterable[Move], acts: Mapping[str
 
 def endings(run: Played) -> dict[str, str]:
     """How each agent says that its part has ended, the last word counts."""
+    return ended(run.records)
+
+
+def ended(records: Iterable[Mapping[str, Any]]) -> dict[str, str]:
+    """The same of the records of a trace."""
     return {
         record["agent"]: record["text"].removeprefix("ended ")
-        for record in run.of("log")
-        if record["text"].startswith("ended ")
+        for record in records
+        if record["kind"] == "log" and record["text"].startswith("ended ")
     }
 
 

@@ -311,15 +311,17 @@ def disagreement(item: Protocol, said: Mapping[str, str]) -> str:
     others = {
         ending for agent, ending in said.items() if agent != first and item.parts.get(agent) != "recruiter"
     }
+    if item.name == "brokering" and mine == "DONE":  # the broker may have asked another provider before
+        others = {said.get("bob", "")}
     match mine:
         case "" | "UNKNOWN" | "LOST":
             return ""
         case "DONE":
-            wrong = "DONE" not in others or "LATE" in others
+            wrong = not others & {"DONE", "UNCONFIRMED"} or "LATE" in others
         case "LATE":
-            wrong = "LATE" not in others
+            wrong = not others & {"LATE", "UNCONFIRMED"}
         case "FAILED" if item.name == "contract_net":
             return ""
         case _:
-            wrong = bool(others & {"DONE", "LATE"})
+            wrong = bool(others & {"DONE", "LATE", "UNCONFIRMED"})
     return f"{mine}, but {', '.join(sorted(others)) or 'nothing'}" if wrong else ""

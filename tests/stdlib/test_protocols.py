@@ -283,6 +283,7 @@ def test_it_ends(end: End) -> None:
     assert "NONE" not in said.values()
     broken = "lost" in end.name
     assert bool(run.of("error")) == broken
+    assert "UNCONFIRMED" not in said.values()  # on a network without faults
     left = [agent for agent in protocol(end.protocol).parts if not _is_over(run, agent)]
     assert left == [], f"{left} still wait"
 

@@ -17,6 +17,8 @@ from aseme_dsl.runtime.transport.port import Transport
 
 FAREWELLS = ("cancel", "failure", "refuse", "reject_proposal")
 """What an external agent is sent when a part ends early: the first of these that the protocol has for it."""
+ASKING = frozenset("cfp propose proxy query_if query_ref request request_when subscribe".split())
+"""What is to be answered."""
 
 
 class Losses:
@@ -56,7 +58,7 @@ class Losses:
                 if reason != "completed" or self._awaits(to, place.info.protocol, theirs, part):
                     loss = _message(agent, place, name, to, theirs, LOST, reason, None)
                     self._transport.carry(loss, to, conversation.members)
-            elif reason != "completed":
+            elif reason != "completed" or _owes_an_answer(place, conversation, to):
                 self._bid_farewell(agent, place, name, to, theirs)
 
     def over(self, conversation: Conversation, name: str, who: str, part: str, reason: Reason) -> None:
@@ -146,6 +148,19 @@ class Losses:
 
 def _waits_from(place: Participation, who: str) -> bool:
     return any(mail.sender == who and mail.performative != LOST for mail in place.waiting.values())
+
+
+def _owes_an_answer(place: Participation, conversation: Conversation, to: str) -> bool:
+    """Whether this part has sent an external agent a question last, and has never taken anything of it."""
+    if to in place.answered:
+        return False
+    said = (item for item in reversed(conversation.said_outside.values()) if to in item.receivers)
+    last = next(said, None)
+    return (
+        last is not None
+        and last.performative in ASKING
+        and (last.performative, last.message) in {move[:2] for move in place.info.sends}
+    )
 
 
 def _others(conversation: Conversation, name: str) -> list[tuple[str, str]]:
