@@ -195,6 +195,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E590": ("error", "input of a participant without a value"),
     "E591": ("error", "unsuitable variable for a result"),
     "E592": ("error", "signal as an input of a participant"),
+    "E593": ("error", "unsuitable formula for an activity of a protocol"),
     "E595": ("error", "`delay` of a topic without `radio`"),
     "W500": ("warning", "action without effect"),
     "W501": ("warning", "timer never started"),

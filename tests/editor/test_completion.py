@@ -544,9 +544,10 @@ aip delivery {
 srm robot {
   var battery : int
   plays delivery.courier with HERE
-  liveness { robot = courier }
+  liveness { robot = courier  carry = Lift . Walk }
 }
 """
+    assert "carry" in labels(text.replace("HERE", f"Carry = {CURSOR}"))
     assert {"low", "load", "Consider"} <= set(labels(text.replace("HERE", CURSOR)))
     assert labels(text.replace("HERE", f"low = {CURSOR}"))[0] == "battery"
     assert "Consider" in labels(text.replace("HERE", f"Carry = {CURSOR}"))

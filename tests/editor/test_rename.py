@@ -354,3 +354,11 @@ def test_a_result_and_the_variable_that_gets_it_have_their_own_names() -> None:
     assert "result weight : int" in text and "weight = parcels" in text and "/ weight = 3" in text
     text = renamed(DELIVERY, "var ^parcels", "sum")
     assert "load = sum" in text and "[sum > 1]" in text and "load == 0" in text
+
+
+def test_a_formula_is_renamed_where_it_is_bound() -> None:
+    text = DELIVERY.replace("with low", "with Carry = carry, low").replace(
+        "robot = courier . [Rest]", "robot = courier . [Rest]  carry = Lift . Walk"
+    )
+    text = renamed(text, "^carry = Lift", "bring")
+    assert "with Carry = bring, low" in text and "bring = Lift . Walk" in text

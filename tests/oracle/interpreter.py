@@ -965,6 +965,12 @@ class Reference:
     def be_in(self, label: str, again: tuple[set[str], set[str]], timers: dict[str, dict[str, int]]) -> None:
         """Be in a state of a part that goes on, as it was left; nothing that belongs to an entry is done."""
         self.active.add(label)
+        if label in self.suspended:  # a part inside: its time stood still with that of the part around it
+            moment, kept = self.suspended.pop(label)
+            own = self.region_of(label)
+            due_then = {n: due + self.now - moment for n, due in kept.get(own, {}).items()}
+            self.regions[own].timers |= due_then
+            self.outcome.effects.append(Resumed(label))
         match self.type_of(label):
             case "BASIC" if label in again[1]:
                 self.complete.add(label)

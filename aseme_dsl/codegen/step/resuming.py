@@ -65,6 +65,11 @@ class Resuming(Part):
     def _inside(self, method: Method, region: int, label: str) -> None:
         """Be at the leaf `n` again, without an entry: what ran starts anew."""
         method.add(2, f"self.r{region} = n")
+        for branch in self.flat.branches:  # parts inside the part that goes on
+            if branch.label.startswith(f"{label}.") and self.flat.region_number[branch.label] == region:
+                first, last = self.flat.range[branch.label]
+                method.add(2, f"if {first} <= n <= {last}:")
+                method.add(3, f"self.proceed_inside({branch.label!r})")
         word = "if"
         for leaf in self.flat.leaves(region):
             if not leaf.label.startswith(f"{label}.") or leaf.type not in (StateType.BASIC, StateType.AND):

@@ -31,7 +31,6 @@ from aseme_dsl.compiler.control.control import (
 )
 from aseme_dsl.compiler.formula.formula_to_statechart import Branch, Outline, Way
 from aseme_dsl.compiler.formula.formulas import Formulas
-from aseme_dsl.compiler.formula.renames import rename_value
 from aseme_dsl.compiler.names.resolve import Symbols
 from aseme_dsl.source import Span
 
@@ -129,23 +128,14 @@ def chart_of(
 
 
 def _nodes(outline: Outline, symbols: Symbols) -> tuple[State, ...]:
-    """The states, with what those of branches are given in terms of the chart."""
+    """The states: the role's own activity in a branch calls its parameters as it likes."""
     nodes = list(outline.nodes)
-    inside = ""
     for place, node in enumerate(nodes):
-        if node.label in outline.names:
-            inside = node.label
-        elif not node.label.startswith(f"{inside}."):
-            inside = ""
-        if inside and node.arguments:
-            values = [rename_value(item.value, outline.names[inside]) for item in node.arguments]
-            names = [item.name for item in node.arguments]
-            form = symbols.activities.get(node.activity) if node.activity is not None else None
-            if form is not None:  # the role's own activity calls its parameters as it likes
-                names = [parameter.name for parameter in form.parameters]
-            nodes[place] = replace(
-                node, arguments=tuple(Argument(n, value) for n, value in zip(names, values, strict=False))
-            )
+        form = symbols.activities.get(node.activity) if node.activity is not None else None
+        if node.arguments and form is not None:
+            pairs = zip(form.parameters, node.arguments, strict=False)
+            arguments = tuple(Argument(parameter.name, item.value) for parameter, item in pairs)
+            nodes[place] = replace(node, arguments=arguments)
     return tuple(nodes)
 
 

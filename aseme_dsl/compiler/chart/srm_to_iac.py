@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
+from aseme_dsl.amola.expression import Outcome, values_of
 from aseme_dsl.amola.liveness import called, names
 from aseme_dsl.amola.srm import Plays
 from aseme_dsl.amola.statechart import Statechart
@@ -14,7 +15,7 @@ from aseme_dsl.compiler.control.choices import check_formulas, undecided_formula
 from aseme_dsl.compiler.control.control import LabelledLine, Lines, check_labels, including_labels, read_lines
 from aseme_dsl.compiler.control.stopping import stops_of
 from aseme_dsl.compiler.formula import formulas as formula_tables
-from aseme_dsl.compiler.formula.formula_to_statechart import Outline, expand_role, sizes, too_large
+from aseme_dsl.compiler.formula.formula_to_statechart import Branch, Outline, expand_role, too_large
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.names.symbols import Symbols
@@ -36,9 +37,10 @@ from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, ProcessResta
 from aseme_dsl.diagnostics.problems.missing import ParticipantNotUsed
 from aseme_dsl.diagnostics.problems.names import (
     BoundToExpression,
-    BoundToFormula,
     BoundToParticipant,
     BoundTwice,
+    EmptyFormulaInLoop,
+    OutcomeOfFormula,
     ParticipantNameTaken,
 )
 from aseme_dsl.grammar.text import tree
@@ -92,8 +94,14 @@ def read_role(
         if not damaged:
             found.append(_no_formula(written))
         return Role(written, typed, None, plays, parts, Lines(), (), None, (), ()), tuple(found)
-    formulas, problems = give(formulas, typed.scope, played)
+    through = {
+        item.name: tuple(own for _, own in item.bindings if own in formulas.named)
+        for item in (*plays, *_by_own_name(plays, played, formulas).values())
+    }
+    through |= {name: through[item.name] for name, item in _by_own_name(plays, played, formulas).items()}
+    formulas, problems = give(replace(formulas, through=through), typed.scope, played)
     found += problems
+    found += _other_parameters(written, plays, formulas, typed.scope.symbols)
     branches = {
         item.name: parts[item.protocol, item.participant].branch(item)
         for item in plays
@@ -101,26 +109,20 @@ def read_role(
     }
     played |= _by_own_name(plays, played, formulas)
     branches = {name: branches[item.name] for name, item in played.items() if item.name in branches}
-    empty = frozenset(
-        alias
-        for alias, branch in branches.items()
-        if formula_tables.may_be_empty(
-            branch.formulas, stops_of(parts[branch.protocol, branch.participant].lines.by_way)
-        )
-    )
+    is_empty, empty_bound = _emptiness(branches, parts)
     own = [
         (control, control.name.text) for control in written.controls if control.name.text in formulas.named
     ]
     inside = {owner: part.formulas for owner, part in parts.items()}
     lines, problems = read_lines(formulas, own, typed.scope, inside, played)
     found += problems
-    expandable, problems = formula_tables.check(formulas, empty, frozenset(played), stops_of(lines.by_way))
+    expandable, problems = formula_tables.check(formulas, is_empty, frozenset(played), stops_of(lines.by_way))
     found += [item for item in problems if not (damaged and isinstance(item.problem, FormulaNotUsed))]
     outline, labelled = None, tuple[LabelledLine, ...]()
     # A played participant whose process could not be read would stand as an activity: no chart then.
     if expandable and len(plays) == len(written.plays) and len(branches) == len(played):
-        branch_sizes = {alias: sizes(b.formulas, {})[b.formulas.root] for alias, b in branches.items()}
-        problem = too_large(formulas, branch_sizes, largest, written.name.span)
+        found += _unfit_formulas(written, plays, branches, parts, empty_bound)
+        problem = too_large(formulas, branches, largest, written.name.span)
         if problem is not None:
             found.append(problem)
         else:
@@ -200,9 +202,8 @@ def _plays(
         if part is not None:
             parts[protocol.name, part.participant] = part
             party = participants[item.participant.text]
-            bindings, problems = _bindings(item, part, party, formulas, _played_names(written))
+            bindings, problems = _bindings(item, part, party, _played_names(written))
             found += problems
-            found += _other_parameters(item, bindings, scope.symbols)
             supplied, problems = supply(item, part.inputs, part.results, part.variables, scope)
             found += problems
         plays[name.text] = Plays(
@@ -238,10 +239,9 @@ def _bindings(
     written: tree.Plays,
     part: Part,
     party: tree.Participant,
-    formulas: Formulas | None,
     played: Mapping[str, Span],
 ) -> tuple[dict[str, str], tuple[Diagnostic, ...]]:
-    """The protocol's activities and what the role does instead (E206)."""
+    """The protocol's activities, and the activities or formulas of the role that stand for them (E206)."""
     activities = part.formulas.activities
     others = {name.text for name in supplied_names(party)}
     found: list[Diagnostic] = []
@@ -260,15 +260,6 @@ def _bindings(
             found.append(replace(none, related=related))
         elif item.own is None:
             found.append(Diagnostic(BoundToExpression(abstract), item.expression.span))
-        elif formulas is not None and item.own.text in formulas.named:
-            own = item.own.text
-            found.append(
-                Diagnostic(
-                    BoundToFormula(own, abstract),
-                    item.own.span,
-                    (Related(formulas.named[own].name.span, "the formula"),),
-                )
-            )
         elif item.own.text in played:
             own = item.own.text
             found.append(
@@ -281,27 +272,97 @@ def _bindings(
 
 
 def _other_parameters(
-    written: tree.Plays, bindings: Mapping[str, str], symbols: Symbols
+    written: tree.Srm, plays: Iterable[Plays], formulas: Formulas, symbols: Symbols
 ) -> Iterable[Diagnostic]:
-    """E525 for a binding to an activity that is given something else than the protocol gives it."""
-    for item in written.bindings:
-        own = bindings.get(item.abstract.text)
-        abstract = symbols.activities.get(item.abstract.text)
-        wanted = abstract.parameters if abstract is not None else ()
-        form = symbols.activities.get(own) if own is not None else None
-        has = form.parameters if form is not None else ()
-        if own is None or [kind.type for kind in wanted] == [kind.type for kind in has]:
+    """E525 for a binding to what is given something else than the protocol gives it."""
+    for _, binding, own in _bound(written, plays):
+        abstract = symbols.activities.get(binding.abstract.text)
+        wanted = [kind.type for kind in abstract.parameters] if abstract is not None else []
+        form = symbols.activities.get(own)
+        known = [] if abstract is None else [abstract]
+        if own in formulas.named:
+            has = formulas.parameters.get(own, ())
+            if len(has) != len(formulas.named[own].parameters):
+                continue  # that is said
+            related = [Related(formulas.named[own].name.span, "the formula")]
+        else:
+            has = form.parameters if form is not None else ()
+            known += [] if form is None else [form]
+            related = []
+        if wanted == [kind.type for kind in has]:
             continue
-        if symbols.is_excused(own) or symbols.is_excused(item.abstract.text):
+        if symbols.is_excused(own) or symbols.is_excused(binding.abstract.text):
             continue
-        related = tuple(
-            Related(known.span, f"`{called(known.name, map(str, known.parameters))}`")
-            for known in (abstract, form)
-            if known is not None
-        )
-        given = tuple(str(kind.type) for kind in wanted)
-        problem = BoundToOtherParameters(item.abstract.text, own, given)
-        yield Diagnostic(problem, item.expression.span, related)
+        related += [Related(one.span, f"`{called(one.name, map(str, one.parameters))}`") for one in known]
+        problem = BoundToOtherParameters(binding.abstract.text, own, tuple(map(str, wanted)))
+        yield Diagnostic(problem, binding.expression.span, tuple(related))
+
+
+def _bound(written: tree.Srm, plays: Iterable[Plays]) -> Iterator[tuple[Plays, tree.Binding, str]]:
+    """The sound bindings of a role, each with what stands for the protocol's activity."""
+    by_span = {item.span: item for item in plays}
+    for play in written.plays:
+        item = by_span.get(play.span)
+        bindings = dict(item.bindings) if item is not None else {}
+        for binding in play.bindings:
+            own = bindings.get(binding.abstract.text)
+            if item is not None and own is not None and binding.own is not None and binding.own.text == own:
+                yield item, binding, own
+
+
+def _emptiness(
+    branches: Mapping[str, Branch], parts: Mapping[tuple[str, str], Part]
+) -> tuple[formula_tables.IsEmpty, dict[tuple[str, str], tuple[Diagnostic, ...]]]:
+    """Whether a participant may do nothing at all; and, filled meanwhile, loops over bound formulas that may.
+
+    The loops are known by the name of the participant and that of the formula.
+    """
+    known: dict[str, bool] = {}
+    loops: dict[tuple[str, str], tuple[Diagnostic, ...]] = {}
+
+    def is_empty(name: str, formulas: Set[str]) -> bool:
+        branch = branches.get(name)
+        if branch is None:
+            return False
+        if name not in known:
+            stops = stops_of(parts[branch.protocol, branch.participant].lines.by_way)
+            bound = [activity for activity, own in branch.bindings.items() if own in formulas]
+            known[name], _ = formula_tables.may_be_empty(branch.formulas, stops, bound)
+            for activity in bound:
+                _, found = formula_tables.may_be_empty(branch.formulas, stops, (activity,))
+                loops[name, activity] = found
+        return known[name]
+
+    return is_empty, loops
+
+
+def _unfit_formulas(
+    written: tree.Srm,
+    plays: Iterable[Plays],
+    branches: Mapping[str, Branch],
+    parts: Mapping[tuple[str, str], Part],
+    loops: Mapping[tuple[str, str], tuple[Diagnostic, ...]],
+) -> Iterable[Diagnostic]:
+    """E593 for a formula that stands for an activity of whose outcome is asked, or in an empty loop."""
+    for item, binding, own in _bound(written, plays):
+        part = parts[item.protocol, item.participant]
+        activity = binding.abstract.text
+        asked = next((value for value in _outcomes_asked(part) if value.activity == activity), None)
+        formula = next((one for one in written.formulas if one.name.text == own), None)
+        if asked is not None and formula is not None:
+            related = (Related(asked.span, "asked here"), Related(formula.name.span, "the formula"))
+            yield Diagnostic(OutcomeOfFormula(activity, own), binding.expression.span, related)
+        for loop in loops.get((item.name, activity), ())[:1]:
+            places = () if loop.span is None else (Related(loop.span, "the loop"),)
+            yield Diagnostic(EmptyFormulaInLoop(activity, own), binding.expression.span, places)
+
+
+def _outcomes_asked(part: Part) -> Iterator[Outcome]:
+    for lines in part.lines.by_way.values():
+        for line in lines:
+            for value in values_of(line.expression):
+                if isinstance(value, Outcome):
+                    yield value
 
 
 def _by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: Formulas) -> dict[str, Plays]:

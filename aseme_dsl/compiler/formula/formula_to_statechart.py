@@ -131,6 +131,8 @@ class _Context:
     """What the parameters of the formula stand for."""
     names: Renames = SAME
     """What the names of the branch mean in the chart."""
+    outer: _Context | None = None
+    """Of a branch, the context of who plays it: what its bindings name is in terms of that."""
 
     @property
     def instance(self) -> dict[str, Value]:
@@ -147,6 +149,27 @@ class _Context:
         if not self.values:
             return found
         return tuple(Argument(item.name, substituted(item.value, self.values)) for item in found)
+
+    def given_in_chart(self, term: Formula) -> tuple[Argument, ...]:
+        """The same, with the names that the chart has for what belongs to the branch."""
+        return tuple(replace(item, value=rename_value(item.value, self.names)) for item in self.given(term))
+
+    def bound(self, term: Formula) -> tuple[Formula, _Context] | None:
+        """The formula that is bound to an activity of the protocol, and the context that it is in."""
+        name = self.bindings.get(term.name)
+        if self.outer is None or name is None:
+            return None
+        formulas = self.outer.formulas
+        formula = formulas.formula(name)
+        if formula is None:
+            return None
+        values: dict[str, Value] = self.instance
+        for parameter, item in zip(
+            formulas.parameters.get(name, ()), self.given_in_chart(term), strict=False
+        ):
+            values[parameter.name] = item.value
+        origin = Origin(OriginKind.FORMULA, formulas.owner, name)
+        return formula, replace(self.outer, origin=origin, values=values or _NOTHING)
 
     def inside(self, term: Formula) -> _Context:
         """The context of the formula that a name stands for."""
@@ -275,7 +298,7 @@ class _Builder:
         kind, activity = StateType.OR, None
         given: tuple[Argument, ...] = ()
         if term.operator is Operator.NAME:
-            given = context.given(term)
+            given = context.given_in_chart(term)
             inside = context.formulas.formula(term.name)
             if inside is not None:
                 context = context.inside(term)
@@ -283,6 +306,8 @@ class _Builder:
                 branch = context.played[term.name]
                 context = self.enter(label, branch, context)
                 inside = branch.formulas.named[branch.formulas.root].formula
+            elif (bound := context.bound(term)) is not None:
+                inside, context = bound
             else:
                 kind, activity = StateType.BASIC, context.bindings.get(term.name, term.name)
         self.nodes.append(State(label, name, kind, parent, activity, context.origin, place.term.span, given))
@@ -297,7 +322,7 @@ class _Builder:
             names.variables[own]: targets.get(target, target) for own, target in branch.results.items()
         }
         return _Context(
-            branch.formulas, branch.origin, {}, label, branch.bindings, around.instance, names=names
+            branch.formulas, branch.origin, {}, label, branch.bindings, around.instance, names, around
         )
 
     def name_of(self, term: Formula, context: _Context) -> str:
@@ -443,9 +468,24 @@ def _bound(context: _Context) -> Callable[[Formula, Sequence[Formula]], Formula]
 # ---- size ---------------------------------------------------------------------------------------
 
 
-def sizes(formulas: Formulas, branch_sizes: Mapping[str, int]) -> dict[str, int]:
-    """How many states each formula's own state has, itself included; `branch_sizes` are those of branches."""
+def sizes(
+    formulas: Formulas, branches: Mapping[str, Branch], bound: Mapping[str, int] | None = None
+) -> dict[str, int]:
+    """How many states each formula's own state has, itself included.
+
+    `branches` are the participants that are played, `bound` the states of the formulas that are bound to
+    activities.
+    """
     inside: dict[str, int] = {}  # the states in a node that holds the formula
+
+    def branch_size(name: str) -> int:
+        branch = branches[name]
+        own = {
+            activity: inside[formula] + 1
+            for activity, formula in branch.bindings.items()
+            if formula in inside  # those come first: see `Formulas.through`
+        }
+        return sizes(branch.formulas, {}, own)[branch.formulas.root]
 
     def of(node: Formula, operands: Sequence[tuple[int, int]]) -> tuple[int, int]:
         """(states of the term as an operand, states in a node that holds it)"""
@@ -453,7 +493,7 @@ def sizes(formulas: Formulas, branch_sizes: Mapping[str, int]) -> dict[str, int]
             return operands[0]
         if node.operator is Operator.NAME:
             if node.name not in inside:
-                own = branch_sizes.get(node.name, 1)
+                own = branch_size(node.name) if node.name in branches else (bound or {}).get(node.name, 1)
                 return own, own + 2
             within = inside[node.name]
         else:
@@ -468,13 +508,13 @@ def sizes(formulas: Formulas, branch_sizes: Mapping[str, int]) -> dict[str, int]
 
 
 def too_large(
-    formulas: Formulas, branch_sizes: Mapping[str, int], largest: int, span: Span, regions: int = 1
+    formulas: Formulas, branches: Mapping[str, Branch], largest: int, span: Span, regions: int = 1
 ) -> Diagnostic | None:
     """E304 for a chart of more than `largest` states, with the chain of formulas that blows it up.
 
     `regions` is how often the whole stands in the chart, each time in a region of its own.
     """
-    states = sizes(formulas, branch_sizes)
+    states = sizes(formulas, branches)
     total = states[formulas.root] if regions == 1 else regions * (states[formulas.root] + 3)
     if total <= largest:
         return None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from typing import TypeVar, assert_never
 
@@ -29,6 +29,14 @@ Stops = Callable[[tuple[str, Formula]], bool]
 """Whether the way of a verb and term waits for time or for something that arrives."""
 
 
+IsEmpty = Callable[[str, Set[str]], bool]
+"""Whether the process of a participant may be done at once, if the formulas of the set may be."""
+
+
+def _nothing_is_empty(name: str, formulas: Set[str]) -> bool:
+    return False
+
+
 def _nothing_stops(_: tuple[str, Formula]) -> bool:
     return False
 
@@ -40,6 +48,7 @@ class Formulas:
     `root` is the name of the one that the others refine: a role's first, a participant's `process`.
     `taken_over` are those that stand in a role which this one includes: they need not be used.
     `parameters` are those of the formulas that have any, and `given` is what the names in formulas are given.
+    `through` are the formulas that stand in a participant which a formula names, bound to its activities.
     """
 
     owner: str
@@ -48,6 +57,7 @@ class Formulas:
     taken_over: frozenset[str] = frozenset()
     parameters: Mapping[str, tuple[Parameter, ...]] = field(default_factory=dict)
     given: Mapping[Formula, tuple[Argument, ...]] = field(default_factory=dict)
+    through: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def formula(self, name: str) -> Formula | None:
         """What `name` stands for, or None if it is no formula."""
@@ -120,13 +130,13 @@ def shown(formula: Formula, longest: int = QUOTED) -> str:
 
 def check(
     formulas: Formulas,
-    empty_participants: frozenset[str] = frozenset(),
+    is_empty: IsEmpty = _nothing_is_empty,
     participants: frozenset[str] = frozenset(),
     stops: Stops = _nothing_stops,
 ) -> tuple[bool, tuple[Diagnostic, ...]]:
     """Whether the formulas can be expanded (no circles, no holes), and everything that is wrong with them.
 
-    `participants` are the names of played participants; the process of those in `empty_participants` may do
+    `participants` are the names of played participants; `is_empty` tells whether the process of one may do
     nothing at all. A circle through a formula that is named like one is a consequence of the name (E306).
     """
     cycles = list(_cycles(formulas))
@@ -135,9 +145,9 @@ def check(
         _recursion(formulas, cycle) for cycle in cycles if participants.isdisjoint(name for name, _ in cycle)
     ]
     found += _unused(formulas)
-    may_be_empty = set(empty_participants)
+    may_be_empty: set[str] = set()
     for name in dependencies_first(formulas):
-        empty = fold(formulas.named[name].formula, _emptiness(formulas, may_be_empty, found, stops))
+        empty = fold(formulas.named[name].formula, _emptiness(formulas, may_be_empty, found, stops, is_empty))
         if empty and name not in in_cycle:
             may_be_empty.add(name)
     for item in formulas.named.values():
@@ -154,7 +164,8 @@ def _has_all_values(formulas: Formulas) -> bool:
     return all(
         node in formulas.given or not formulas.named[node.name].parameters
         for name in reached(formulas)
-        for node in uses(formulas, name)
+        for node in names(formulas.named[name].formula)
+        if node.name in formulas.named
     )
 
 
@@ -165,21 +176,30 @@ def has_holes(formulas: Formulas) -> bool:
     )
 
 
-def may_be_empty(formulas: Formulas, stops: Stops) -> bool:
-    """Whether the whole may be done at once: without any activity, and without a wait."""
-    empty: set[str] = set()
+def may_be_empty(
+    formulas: Formulas, stops: Stops, activities: Iterable[str] = ()
+) -> tuple[bool, tuple[Diagnostic, ...]]:
+    """Whether the whole may be done at once, without any activity and without a wait; and loops over such.
+
+    `activities` are those that stand for what may be done at once.
+    """
+    empty, loops = set(activities), list[Diagnostic]()
     for name in dependencies_first(formulas):
-        if fold(formulas.named[name].formula, _emptiness(formulas, empty, [], stops)):
+        if fold(formulas.named[name].formula, _emptiness(formulas, empty, loops, stops)):
             empty.add(name)
-    return formulas.root in empty
+    return formulas.root in empty, tuple(loops)
 
 
 # ---- how formulas use each other ----------------------------------------------------------------
 
 
 def uses(formulas: Formulas, name: str) -> Iterator[Formula]:
-    """Where the formula called `name` uses another one (or itself)."""
-    return (node for node in names(formulas.named[name].formula) if node.name in formulas.named)
+    """Where the formula called `name` uses another one (or itself), also through a participant."""
+    for node in names(formulas.named[name].formula):
+        if node.name in formulas.named:
+            yield node
+        else:
+            yield from (replace(node, name=other) for other in formulas.through.get(node.name, ()))
 
 
 def dependencies_first(formulas: Formulas) -> list[str]:
@@ -277,7 +297,11 @@ def _unused(formulas: Formulas) -> Iterator[Diagnostic]:
 
 
 def _emptiness(
-    formulas: Formulas, empty_names: set[str], found: list[Diagnostic], stops: Stops
+    formulas: Formulas,
+    empty_names: set[str],
+    found: list[Diagnostic],
+    stops: Stops,
+    is_empty: IsEmpty = _nothing_is_empty,
 ) -> Callable[[Formula, Sequence[bool]], bool]:
     """For `fold`: whether a formula may be done at once; loops over such go into `found`."""
 
@@ -288,7 +312,7 @@ def _emptiness(
         parts, row = node.operands, node.operator.row
         match row.template:
             case Template.ACTIVITY:
-                return node.name in empty_names
+                return node.name in empty_names or is_empty(node.name, empty_names)
             case Template.BRANCHES:
                 return any(empty and at_once("enter", p) for p, empty in zip(parts, operands, strict=True))
             case Template.CUT:

@@ -75,7 +75,10 @@ def check_uses(
         written = (item for block in blocks.roles for item in block.activities)
         found.add(check_described(written, {*used, *named}, formulas, declared.is_damaged))
     yield
-    found.add(close_names(used, described.activities, formulas, _unused_plays(processes.roles.values())))
+    refined = _refined(processes.roles.values())
+    own_names = {name: node for name, node in used.items() if name not in refined}
+    unused = _unused_plays(processes.roles.values())
+    found.add(close_names(own_names, described.activities, formulas, unused))
     found.add(also_activities({block.name.text: block.modules for block in blocks.roles}, used))
     role_names = (chart.name for chart in charts.of_roles)
     found.add(unplayed(dict(zip(role_names, by_roles, strict=True)), blocks.aips))
@@ -147,6 +150,17 @@ def check_requirements(
     found.add(not_played(declared.blocks.aips, roles.values(), home, [*told, *found.diagnostics]))
     found.add((yield from without_functionality(list(roles.values()), described.activities, memory)))
     return found.of(None)
+
+
+def _refined(roles: Iterable[Role]) -> frozenset[str]:
+    """The activities of protocols that stand for a formula of a role: both may be called alike."""
+    return frozenset(
+        activity
+        for role in roles
+        for item in role.plays
+        for activity, own in item.bindings
+        if role.formulas is not None and own in role.formulas.named
+    )
 
 
 def _unused_plays(roles: Iterable[Role]) -> dict[str, Plays]:

@@ -171,29 +171,13 @@ class BoundTwice(Problem):
         return f"`{self.abstract}` is bound twice"
 
 
-class BoundToFormula(Problem):
-    """The protocol's activity `abstract` is bound to what is a formula."""
-
-    code = "E206"
-    own: str
-    abstract: str
-
-    @property
-    def message(self) -> str:
-        return f"`{self.own}` is a formula: a protocol's activity can only be bound to an activity"
-
-    @property
-    def hint(self) -> str:
-        return f"bind it to an activity, or say in the protocol what `{self.abstract}` consists of"
-
-
 class BoundToExpression(Problem):
     code = "E206"
     abstract: str
 
     @property
     def message(self) -> str:
-        return f"`{self.abstract}` is an activity: it can only be bound to an activity"
+        return f"`{self.abstract}` is an activity: it can only be bound to an activity or a formula"
 
 
 class BoundToParticipant(Problem):
@@ -202,7 +186,9 @@ class BoundToParticipant(Problem):
 
     @property
     def message(self) -> str:
-        return f"`{self.own}` is a participant: a protocol's activity can only be bound to an activity"
+        return f"`{self.own}` is a participant: a protocol's activity is bound to an activity or a formula"
+
+    hint = "bind it to a formula that names the participant"
 
 
 class UseCaseIncludesItself(Problem):
@@ -350,6 +336,36 @@ class InputFromSignal(Problem):
         return f"the input `{self.name}` reads the signal `{self.channel}`, which is consumed when it is read"
 
     hint = "store what the signal says in a variable, and give that"
+
+
+class OutcomeOfFormula(Problem):
+    """The formula `own` shall stand for an activity of a protocol, of whose outcome the protocol asks."""
+
+    code = "E593"
+    activity: str
+    own: str
+
+    @property
+    def message(self) -> str:
+        return f"the protocol asks for the outcome of `{self.activity}`: the formula `{self.own}` has none"
+
+    hint = "bind it to an activity that has this outcome"
+
+
+class EmptyFormulaInLoop(Problem):
+    """A formula stands for an activity that is repeated, and may be done at once."""
+
+    code = "E593"
+    activity: str
+    own: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.activity}` is repeated, and the formula `{self.own}` may be done without any activity"
+
+    @property
+    def hint(self) -> str:
+        return f"let `{self.own}` have an activity in every case"
 
 
 class DelayWithoutRadio(Problem):

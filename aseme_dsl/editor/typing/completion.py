@@ -248,6 +248,9 @@ def _binding(ask: Ask) -> Iterator[Item]:
     if not supplied.isdisjoint(said[:1]):
         yield from _expression(ask)
     elif said[1:] == ["="]:
+        role = ask.around.declaration
+        for item in role.formulas[1:] if isinstance(role, tree.Srm) else ():
+            yield Item(item.name.text, ItemKind.FORMULA, "formula of the role", rank=2)
         yield from activities(ask)
 
 

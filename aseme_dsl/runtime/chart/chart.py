@@ -175,6 +175,15 @@ class Chart(ChartState):
         self.effects.append(Resumed(branch))
         return True
 
+    def proceed_inside(self, branch: str) -> None:
+        """A branch inside one that goes on was suspended with it: its time stood still with that."""
+        if branch in self.suspended:
+            moment, timers = self.suspended.pop(branch)
+            passed = self.now - moment
+            if timers:
+                self._timers(branch).update({name: due + passed for name, due in timers.items()})
+            self.effects.append(Resumed(branch))
+
     def discard(self, label: str, but: str = "") -> None:
         """What was suspended in a state goes on no more, but for what is held or in the state `but`."""
         for branch in [item for item in self.suspended if _is_in(item, label) and item not in self.held]:

@@ -100,3 +100,61 @@ srm r { plays p.a  liveness { r = a } }
 def test_one_wrong_input_is_said_once() -> None:
     text = DELIVERY.replace("WITH", SOUND).replace("given low : bool", "given low : Job")
     assert [code for code in codes(text) if code.startswith("E")] == ["E500"]
+
+
+LOOPS = """system House
+aip p {
+  participant a { process = A . (B~ [> Stop) }
+  control a { enter Stop : after(3s) }
+}
+srm r {
+  plays p.a with B = work
+  liveness { r = a  work = WORK }
+  activities { A takes 1s  Stop takes 1s }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("work", "code"),
+    [
+        ("X . Y", None),
+        ("[X]", "E593"),
+        ("[X] . other  other = Y*", "E593"),
+        ("X . a", "E300"),
+        ("X . work", "E300"),
+        ("X . other  other = Y . [a]", "E300"),
+        ("X[20000]", "E304"),
+    ],
+)
+def test_formulas_that_cannot_stand_for_an_activity(work: str, code: str | None) -> None:
+    found = [item for item in codes(LOOPS.replace("WORK", work)) if item.startswith("E")]
+    assert found == ([] if code is None else [code])
+
+
+def test_an_activity_whose_outcome_counts_is_no_formula() -> None:
+    text = (
+        LOOPS.replace("WORK", "X . Y")
+        .replace("process = A . (B~", "process = B . (B~")
+        .replace(
+            "enter Stop : after(3s)", "enter (B~ [> Stop) : [outcome(B) == good]  enter Stop : after(3s)"
+        )
+        .replace("activities {", "activities { B ends good, bad ")
+    )
+    assert "E593" in codes(text)
+
+
+def test_the_formula_has_the_parameters_of_the_activity() -> None:
+    text = LOOPS.replace("B~", "B(1)~").replace("activities {", "activities { B(n : int) ")
+    assert "E525" in codes(text.replace("WORK", "X . Y"))
+    assert "E525" in codes(text.replace("WORK", "X").replace("work =", "work(n : bool) ="))
+    assert not [
+        c for c in codes(text.replace("WORK", "X").replace("work =", "work(k : int) =")) if c[0] == "E"
+    ]
+
+
+def test_a_formula_may_be_called_like_the_activity_that_it_refines() -> None:
+    text = (
+        LOOPS.replace("B~", "Carry~").replace("B = work", "Carry = carry").replace("work = WORK", "carry = X")
+    )
+    assert codes(text) == []
