@@ -242,6 +242,8 @@ class Sniffer:
                 yield Mark(moment, name, "is suspended", conversation)
             case "resume":
                 yield Mark(moment, name, "goes on", conversation)
+            case "back":
+                yield Mark(moment, name, f"meets {record['peer']} again", conversation)
             case "gone" if record.get("reason") != "completed":  # that is how most parts end
                 reason = f" ({record['reason']})" if "reason" in record else ""
                 yield Mark(moment, name, f"lost {record['peer']}{reason}", conversation)

@@ -63,6 +63,8 @@ class Conversations:
         self._lock = threading.RLock()
         self._told = told = ConversationTrace(driver, trace)
         self._members = members = Members(self.directory)
+        self._lives: dict[str, int | None] = {}
+        """Which life each agent elsewhere led when it was there last."""
         counting = Counting(told, self.directory.is_gone)
         self._outside = outside = Outside(told, transport)
         self._management = Management(self.directory, system, self._tell_outside, members.plans)
@@ -170,7 +172,11 @@ class Conversations:
                 known = conversation.members.setdefault(part, [])
                 known.extend(name for name in names if name not in known)
             if acl.performative == LOST:
-                if (acl.sender, acl.participant) not in conversation.past:
+                key = acl.sender, acl.participant
+                if key in conversation.absent:  # its loss was told, and has been one
+                    conversation.absent.discard(key)
+                    conversation.past[key] = reason_of(acl)
+                elif key not in conversation.past:
                     self._delivery.losses.over(
                         conversation, acl.conversation, acl.sender, acl.participant, reason_of(acl)
                     )
@@ -191,9 +197,12 @@ class Conversations:
             else:
                 self._hearing.receive(to, message)
 
-    def appeared(self, name: str) -> None:
-        """An agent of the team that runs elsewhere is there."""
-        self.directory.appeared(name, self._members.plans[name])
+    def appeared(self, name: str, life: int | None = None) -> None:
+        """An agent of the team that runs elsewhere is there; `life` tells its lives apart."""
+        with self._driver.holding(), self._lock:
+            self.directory.appeared(name, self._members.plans[name])
+            before, self._lives[name] = self._lives.get(name), life
+            self._parts.returned(name, same=life is not None and before == life)
 
     def vanished(self, name: str, reason: Reason = "crashed") -> None:
         """An agent elsewhere is gone: tell it in each conversation here that counts on it."""

@@ -10,7 +10,7 @@ from aseme_dsl.runtime.chart.inputs import LOST, REASONS, AgentMessage, Reason
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
-from aseme_dsl.runtime.conversation.participation import Conversation, Desk, Participation
+from aseme_dsl.runtime.conversation.participation import REMEMBERED, Conversation, Desk, Participation
 from aseme_dsl.runtime.message.acl import AclMessage, name_of
 from aseme_dsl.runtime.ports import Links, Receiver
 from aseme_dsl.runtime.transport.port import Transport
@@ -44,6 +44,8 @@ class Losses:
         self._transport = transport
         self._links = links
         self._send = send
+        self._owed: dict[str, list[tuple[AclMessage, dict[str, tuple[str, ...]]]]] = {}
+        """The ends of parts that agents elsewhere are told if they come back."""
 
     def ended(
         self, agent: Receiver, place: Participation, name: str, conversation: Conversation, reason: Reason
@@ -60,6 +62,18 @@ class Losses:
                     self._transport.carry(loss, to, conversation.members)
             elif reason != "completed" or _owes_an_answer(place, conversation, to):
                 self._bid_farewell(agent, place, name, to, theirs)
+        for to, theirs in sorted(conversation.absent):
+            if reason != "completed" or self._awaits(to, place.info.protocol, theirs, part):
+                owed = self._owed.setdefault(to, [])
+                loss = _message(agent, place, name, to, theirs, LOST, reason, None)
+                owed.append((loss, {key: tuple(names) for key, names in conversation.members.items()}))
+                del owed[:-REMEMBERED]
+
+    def returned(self, name: str, *, same: bool) -> None:
+        """An agent elsewhere can be reached again; in the same life it is told what it has missed."""
+        for loss, members in self._owed.pop(name, ()):
+            if same:
+                self._transport.carry(loss, name, members)
 
     def over(self, conversation: Conversation, name: str, who: str, part: str, reason: Reason) -> None:
         """An agent's part is over, wherever it runs; the agents of this process are told."""

@@ -57,6 +57,8 @@ class Conversation:
     members: dict[str, list[str]] = field(default_factory=dict)
     past: dict[tuple[str, str], Reason] = field(default_factory=dict)
     """Whose part is over, by agent and participant, and why."""
+    absent: set[tuple[str, str]] = field(default_factory=set)
+    """Those of `past` who may only be out of reach: they take part again if they come back."""
     places: dict[tuple[str, str], Participation] = field(default_factory=dict)
     """The branches here that take part, by agent and participant."""
     chosen: set[str] = field(default_factory=set)

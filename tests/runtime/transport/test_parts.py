@@ -631,3 +631,56 @@ def test_an_agent_message_that_comes_twice_is_told_and_taken_once(net: Generated
     bob.stop()
     assert len(bob.of("received")) == 1
     assert not bob.of("agent_message", performative="not_understood")
+
+
+HEALING = (
+    NET.replace(
+        "leave AwaitBids : propose Bid from contractor or after(20s)",
+        "leave AwaitBids : lost contractor who [reason(who) == failed]",
+    )
+    .replace("process = Announce . AwaitBids", "process = Announce . Collect . AwaitBids")
+    .replace("enter Announce : /", "enter AwaitBids : propose Bid from contractor  enter Announce : /")
+    .replace(
+        "enter Offer : cfp", "leave Offer : lost manager gone [reason(gone) == failed]  enter Offer : cfp"
+    )
+    .replace("AwaitBids takes 30s", "AwaitBids takes 30min  Collect takes 30min")
+    .replace("Offer takes 1ms", "Offer takes 30min")
+    .replace("bob, cat : worker", "bob : worker")
+)
+"""Each waits to hear that the other one's part has failed; that it cannot be reached is not enough."""
+
+
+@pytest.mark.parametrize("who", ["bob, afterwards", "ann, meanwhile"])
+def test_a_peer_that_comes_back_takes_part_again(who: str) -> None:
+    """A partition ends no part: its real end is told, also if it comes while the other is out of reach."""
+    net = generate(HEALING)
+    air, fails = Air(), threading.Event()
+
+    class Fails:
+        def execute(self, context: Context) -> None:
+            while not fails.is_set():
+                context.wait(0.01)
+            raise RuntimeError("no battery")
+
+    code = {"Offer": Fails} if who.startswith("bob") else {"AwaitBids": Fails}
+    ann = part(net, ["ann"], code, air.link()).start()
+    bob = part(net, ["bob"], code, air.link()).start()
+    wait_until(lambda: ann.of("activity", activity="AwaitBids", what="start"))
+    air.part("bob")
+    wait_until(lambda: "bob gone" in ann.news() and "ann gone" in bob.news())
+    wait_until(lambda: bob.of("conversation", what="gone") and ann.of("conversation", what="gone"))
+    if who.endswith("meanwhile"):
+        fails.set()
+        wait_until(lambda: ann.of("conversation", what="leave"))
+    air.join("bob")
+    wait_until(lambda: bob.of("conversation", what="back"))
+    if who.endswith("afterwards"):
+        wait_until(lambda: ann.of("conversation", what="back"))
+        fails.set()
+    other, name = (ann, "bob") if who.startswith("bob") else (bob, "ann")
+    wait_until(lambda: other.of("conversation", what="gone", peer=name, reason="failed"))
+    wait_until(lambda: other.of("conversation", what="leave"))
+    ann.stop()
+    bob.stop()
+    reasons = [r["reason"] for r in other.of("conversation", what="gone", peer=name)]
+    assert reasons == ["crashed", "failed"]

@@ -112,6 +112,20 @@ class Parts:
         if agent.over:
             self._members.directory.disappeared(agent.name)
 
+    def returned(self, name: str, *, same: bool) -> None:
+        """An agent elsewhere is there again: in the same life, it takes part as before, or in another.
+
+        What was told of its loss stays told; what ended here meanwhile, it is told now.
+        """
+        for known, conversation in list(self._members.conversations.items()):
+            parts = [(who, part) for who, part in sorted(conversation.absent) if who == name]
+            conversation.absent.difference_update(parts)
+            for key in parts if same else ():
+                conversation.past.pop(key, None)
+                for (to, _), place in conversation.places.items():
+                    self._told.takes_part("back", to, place, known, peer=name, played=key[1])
+        self._delivery.losses.returned(name, same=same)
+
     def tell_gone(self, name: str, reason: Reason, *, elsewhere: bool) -> None:
         """Tell of an agent that is gone in the middle of the conversations that count on it.
 
@@ -126,6 +140,8 @@ class Parts:
             places = [(to, place) for (to, _), place in conversation.places.items() if to != name]
             for part in parts:
                 self._delivery.losses.over(conversation, known, name, part, reason)
+                if elsewhere and name in self._members.plans:
+                    conversation.absent.add((name, part))
             for to, place in places if elsewhere and parts else ():
                 if not any(part in place.info.loses for part in parts):
                     self._told.takes_part("gone", to, place, known, peer=name, reason=reason)

@@ -56,7 +56,7 @@ class Inbox:
             ready = accepted(self._state, to, other, envelope, payload, came)
             comes = other.alive and (not alive or other.life != life)
         if comes:
-            self._state.team.conversations.appeared(sender)
+            self._state.team.conversations.appeared(sender, other.life)
         for item in ready:
             if item is not None:
                 hand_on(self._state, to, other, *item)

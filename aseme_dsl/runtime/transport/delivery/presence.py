@@ -62,7 +62,7 @@ def appeared(state: Delivery, agent: str, incarnation: int) -> None:
             else:
                 ping(state, state.mine, other)
     if other.alive:
-        state.team.conversations.appeared(agent)
+        state.team.conversations.appeared(agent, other.life)
 
 
 def replaced(state: Delivery, agent: str) -> None:
@@ -123,7 +123,7 @@ def vanished(state: Delivery, agent: str, incarnation: int, reason: Reason = "cr
             knock(state, other)
             return
         begin_life(state, other, max(others))
-    state.team.conversations.appeared(agent)
+    state.team.conversations.appeared(agent, other.life)
 
 
 def begin_life(state: Delivery, other: Other, life: int) -> None:
