@@ -77,12 +77,14 @@ class State:
 class TransitionKind(StrEnum):
     """Whether a transition leads somewhere (EXTERNAL), or belongs to its source, which is its target, too.
 
-    ON does its actions without leaving the source; EXIT does them whenever the source is left.
+    ON does its actions without leaving the source; EXIT does them whenever the source is left. ABANDON does
+    them when the source, the branch of a participant, is left for good before it is complete.
     """
 
     EXTERNAL = "external"
     ON = "on"
     EXIT = "exit"
+    ABANDON = "abandon"
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,6 +119,7 @@ def transition_text(transition: Transition) -> str:
     """What people read on a transition: its expression, after `[>` where it cuts its source short, after `on`
     or `exit` where it stays, after `resume` where its target goes on."""
     word = "[>" if transition.first else "" if transition.changes_state else transition.kind.value
+    word = "on abandon" if transition.kind is TransitionKind.ABANDON else word
     verb = "resume" if transition.resume else "reactive" if transition.reactive else ""
     return " ".join(filter(None, (word, verb, expression_text(transition.expression))))
 
@@ -196,7 +199,7 @@ class Statechart:
     def _outgoing(self) -> dict[str, tuple[Transition, ...]]:
         found: dict[str, list[Transition]] = {}
         for transition in self.transitions:
-            if transition.kind is not TransitionKind.EXIT:
+            if transition.kind not in (TransitionKind.EXIT, TransitionKind.ABANDON):
                 found.setdefault(transition.source, []).append(transition)
         return {
             label: tuple(sorted(items, key=lambda transition: transition.priority))
@@ -254,6 +257,15 @@ class Statechart:
     def exits_of(self, label: str) -> tuple[Transition, ...]:
         """What is done when a state is left, in that order."""
         return self._exits.get(label, ())
+
+    @cached_property
+    def abandons(self) -> dict[str, tuple[Transition, ...]]:
+        """What is done when the branch of a participant is left before it is complete, by its label."""
+        found: dict[str, tuple[Transition, ...]] = {}
+        for transition in self.transitions:
+            if transition.kind is TransitionKind.ABANDON:
+                found[transition.source] = (*found.get(transition.source, ()), transition)
+        return found
 
     def ancestors(self, label: str) -> Iterator[State]:
         """The states around `label`, from its parent to the root."""

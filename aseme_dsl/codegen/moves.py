@@ -41,12 +41,23 @@ def sent_by_transitions(eac: Statechart, subchart: str) -> dict[tuple[str, str],
     return found
 
 
+def sent_by_abandon(eac: Statechart, subchart: str) -> frozenset[tuple[str, str]]:
+    """The messages that a participant sends when it is left before its END."""
+    return frozenset(
+        (action.performative, action.message)
+        for transition in eac.abandons.get(subchart, ())
+        for action in transition.expression.actions
+        if isinstance(action, Send)
+    )
+
+
 def moves_of(eac: Statechart, participant: Participant) -> tuple[Move, ...]:
     """What the activities of a participant may send: what no transition sends, by whom the protocol names."""
     subchart = subchart_of(eac, participant.name)
     if subchart is None:
         return ()
     sent = sent_by_transitions(eac, subchart.label)
+    farewells = sent_by_abandon(eac, subchart.label)
     acting = [
         node
         for node in eac.states
@@ -61,6 +72,7 @@ def moves_of(eac: Statechart, participant: Participant) -> tuple[Move, ...]:
         )
         for item in participant.sends
         if (item.performative, item.message) not in sent
+        and (item.by or (item.performative, item.message) not in farewells)
     )
 
 
@@ -68,4 +80,4 @@ def _may_send(node: State, message: AgentMessage) -> bool:
     return not message.by or node.activity in message.by
 
 
-__all__ = ["Move", "moves_of", "sent_by_transitions", "subchart_of"]
+__all__ = ["Move", "moves_of", "sent_by_abandon", "sent_by_transitions", "subchart_of"]

@@ -10,7 +10,14 @@ from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Topic
 from aseme_dsl.amola.srm import Activity, Module
-from aseme_dsl.amola.statechart import State, Statechart, Transition, Variable, transition_text
+from aseme_dsl.amola.statechart import (
+    State,
+    Statechart,
+    Transition,
+    TransitionKind,
+    Variable,
+    transition_text,
+)
 from aseme_dsl.amola.system import Agent, System
 from aseme_dsl.codegen.automaton import TooManyStates, automaton_of
 from aseme_dsl.codegen.code.values import function_key
@@ -488,7 +495,15 @@ def _spoken(system: System, eac: Statechart, participant: Participant) -> str:
     except TooManyStates:
         subchart = subchart_of(eac, participant.name)
         return "" if subchart is None else _branch_text(system, eac, FlatChart(eac), subchart)
-    return repr((automaton.ways, sorted(automaton.ends)))
+    subchart = subchart_of(eac, participant.name)
+    abandons = eac.abandons.get(subchart.label, ()) if subchart is not None else ()
+    sent = [
+        (action.performative, action.message, action.participant)
+        for transition in abandons
+        for action in transition.expression.actions
+        if isinstance(action, e.Send)
+    ]
+    return repr((automaton.ways, sorted(automaton.ends), *([sent] if sent else [])))
 
 
 def _branch_text(system: System, chart: Statechart, flat: FlatChart, branch: State) -> str:
@@ -501,7 +516,8 @@ def _branch_text(system: System, chart: Statechart, flat: FlatChart, branch: Sta
         *(
             _transition(transition, placed=False)
             for transition in chart.transitions
-            if transition.source in labels and transition.source != branch.label
+            if transition.source in labels
+            and (transition.source != branch.label or transition.kind is TransitionKind.ABANDON)
         ),
         *(_variable(system, variable) for variable in chart.variables if variable.scope in labels),
         *(_activity(system, activity) for activity in system.activities if activity.name in used),

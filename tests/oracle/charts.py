@@ -823,7 +823,14 @@ def _protocol(outer: Words) -> tuple[str, bool]:
         "  }",
         f'  participant other {{ engage "Always."  sends {receives}  receives {sends}  process = X }}',
         '  outcome "Done."',
-        *(control(words, made, "a" if name == "process" else name) for name, made in formulas),
+        *(
+            control(
+                words, made, "a", [f"    on abandon : {words.staying('exit')}"] if choices.one_in(3) else ()
+            )
+            if name == "process"
+            else control(words, made, name)
+            for name, made in formulas
+        ),
         "}",
     ]
     return "\n".join(line for line in text if line), formulas[0][1].nullable

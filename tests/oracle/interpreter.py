@@ -194,8 +194,10 @@ class Reference:
         """What each `on` transition has seen when it was taken last, since its state was entered."""
         self.kept: dict[str, tuple[set[str], set[str]]] = {}
         """Of states that may be resumed: what was active in them when they were left, what of it complete."""
-        self.suspended: dict[str, tuple[int, dict[str, dict[str, int]]]] = {}
+        self.suspended: dict[str, tuple[int, dict[str, dict[str, int]], Region]] = {}
         """The branches that may go on: when each was left, and the timers of each region that stand still."""
+        self.abandoning: tuple[int, ...] = ()
+        """The `on abandon` line that is done now."""
         self.held: set[str] = set()
         """The branches that are suspended by the transition which is being taken."""
         self.waited: dict[int, int] = {}
@@ -854,7 +856,11 @@ class Reference:
 
     def way(self) -> tuple[int, ...]:
         """The compound transition that is being taken; what an `exit` does belongs to it."""
-        ways = [way for way in self.outcome.taken if self.plan.transitions[way[0]].kind != "exit"]
+        if self.abandoning:
+            return self.abandoning
+        ways = [
+            way for way in self.outcome.taken if self.plan.transitions[way[0]].kind not in ("exit", "abandon")
+        ]
         return ways[-1] if ways else ()
 
     def forget_rounds(self, branch: str) -> None:
@@ -904,7 +910,7 @@ class Reference:
             for name in self.timers_started_in(label):
                 self.regions[self.region_of(label)].timers.pop(name, None)
             if label in self.held and not completed:
-                self.suspended[label] = (self.now, still)
+                self.suspended[label] = (self.now, still, self.regions[self.region_of(label)])
                 self.outcome.effects.append(Suspended(label))
             else:
                 self.part(label, completed)
@@ -916,8 +922,16 @@ class Reference:
             # "leaving the region drops its timers", and its blackboard "is dropped when the AND is left"
             del self.regions[label]
 
-    def part(self, branch: str, completed: bool = False) -> None:
+    def part(self, branch: str, completed: bool = False, region: Region | None = None) -> None:
         """ "entering/leaving a participation gives Joined/Left"; what waits in it is given up"""
+        if not completed:
+            # "A participant may say what it sends in that case: `on abandon`; then that is sent first."
+            for number, transition in enumerate(self.plan.transitions):
+                if transition.kind == "abandon" and transition.source == branch:
+                    self.outcome.taken.append((number,))
+                    self.abandoning = (number,)
+                    self.do(number, region or self.regions[self.region_of(branch)])
+                    self.abandoning = ()
         self.mailbox[branch].clear()
         self.forget_rounds(branch)
         self.outcome.effects.append(Left(branch, completed))
@@ -934,8 +948,7 @@ class Reference:
         """ "The part is discarded, which is leaving, when `enter` is taken instead" """
         for branch in list(self.suspended):
             if branch in self.branches_in(label) - self.held - (self.branches_in(but) if but else set()):
-                del self.suspended[branch]
-                self.part(branch)
+                self.part(branch, region=self.suspended.pop(branch)[2])
 
     def timers_started_in(self, label: str) -> set[str]:
         ways = [way for way in self.plan.transitions if label in self.around(way.source)]
@@ -952,7 +965,7 @@ class Reference:
     def go_on(self, label: str, again: tuple[set[str], set[str]]) -> None:
         """ "Its activities are cancelled, the part's own `after` and timers stand still; on resumption they
         go on" """
-        moment, timers = self.suspended.pop(label)
+        moment, timers, _ = self.suspended.pop(label)
         passed = self.now - moment
         for state in self.entered:
             if label in (state, *self.around(state)):

@@ -45,7 +45,8 @@ def copies_of(
     for transition in flat.chart.transitions:
         for name in assigned(transition.expression):
             written.setdefault(name, set()).add(flat.region_number[transition.source])
-            if transition.kind is TransitionKind.EXIT and len(uses.variable_regions[name]) > 1:
+            leaves = transition.kind in (TransitionKind.EXIT, TransitionKind.ABANDON)
+            if leaves and len(uses.variable_regions[name]) > 1:
                 found.add(name)
     return {
         name: tuple(

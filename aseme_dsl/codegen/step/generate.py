@@ -10,7 +10,7 @@ what a careful person writes by hand. Methods of the class, for region 3:
     _picks_12   the agent message that transition 12 takes, where it speaks of it
     _holds_12   the condition of transition 12, where evaluating it may raise
     _seen_12    what the condition of the `on` transition 12 reads
-    _exit_…     what is done when a state is left
+    _exit_…     what is done when a state is left;  _abandon_…: a participant's branch, before its END
     _keep_…     what is remembered of a composite that may be resumed
     _resume_…   such a composite goes on;  _again_3: and a region in it
     _proceed_…  a participant's branch that was suspended goes on;  _proceed_3: and a region in it
@@ -70,6 +70,8 @@ def generate_step(system: System, chart: Statechart, class_name: str) -> StepCod
     for node in chart.states:
         if chart.exits_of(node.label):
             leaving.exit(node)
+        if node.label in chart.abandons:
+            leaving.abandon(node)
     for numbers in flat.staying.values():
         for number in numbers:
             if names.has_mark(number):

@@ -9,7 +9,7 @@ from aseme_dsl.amola.expression import (
     Send,
 )
 from aseme_dsl.amola.statechart import StateType
-from aseme_dsl.codegen.code.face import natural
+from aseme_dsl.codegen.code.face import key_of, natural
 from aseme_dsl.codegen.step.boards import Boards
 from aseme_dsl.codegen.step.names import Part, StepNames
 
@@ -75,6 +75,7 @@ class Head(Part):
             *self._marks(),
             *self._memories(),
             *self._part_timers(),
+            *self._abandons(),
             *self._counts(),
             "    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = (",
             *(f"        {labels!r}," for labels in self._leaf_labels()),
@@ -150,6 +151,10 @@ class Head(Part):
         }
         kind = "tuple[str, tuple[str, ...]]"
         return [f"    PART_TIMERS: ClassVar[Mapping[str, {kind}]] = {found!r}"] if found else []
+
+    def _abandons(self) -> list[str]:
+        found = {label: f"_abandon_{key_of(label)}" for label in self.chart.abandons}
+        return [f"    ABANDON: ClassVar[Mapping[str, str]] = {found!r}"] if found else []
 
     def _counts(self) -> list[str]:
         found = {label: self.names.count_name(label) for label in self.registers.counted}

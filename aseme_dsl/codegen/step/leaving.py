@@ -32,6 +32,21 @@ class Leaving(Part):
         name = f"_exit_{key_of(node.label)}(self) -> None"
         self.names.method(name, f"What is done when {node.label} {docstring(node.name)} is left.", method)
 
+    def abandon(self, branch: State) -> None:
+        """A method with what is done when the branch of a participant is left before it is complete."""
+        region = self.flat.region_number[branch.label]
+        method = self.names.writing(region)
+        for transition in self.chart.abandons[branch.label]:
+            number = self.flat.transition_number[id(transition)]
+            method.add(2, f"# {self.names.place(number)}", f"self.taken.append(({number},))")
+            for channel, host in self.actions.actions(method, 2, region, branch.label, (number,)):
+                self.actions.consume(method, 2, region, channel, host)
+        if NOW.name in method.used:
+            method.lines.insert(0, "        now = self.now")
+        name = f"_abandon_{key_of(branch.label)}(self) -> None"
+        document = f"What {branch.label} {docstring(branch.name)} does when it is left before its END."
+        self.names.method(name, document, method)
+
     def _left(self, node: State, leaf: State | None = None) -> list[str]:
         """What is done when a state is left, after what is inside it: the active `leaf`, if that is known."""
         lines = [f"self._exit_{key_of(node.label)}()"] if self.chart.exits_of(node.label) else []

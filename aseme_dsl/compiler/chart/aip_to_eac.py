@@ -90,7 +90,9 @@ def read_protocol(
             continue
         readings.append(reading)
         if is_sound:
-            lines = Lines(reading.lines.by_way, reactive=reading.lines.reactive)
+            lines = Lines(
+                reading.lines.by_way, reactive=reading.lines.reactive, abandon=reading.lines.abandon
+            )
             parts[name] = Part(
                 written.name.text,
                 name,
@@ -153,7 +155,7 @@ def _participant(
         return None, False, tuple(found)
     formulas, problems = give(formulas, typed.scope)
     found += problems
-    lines, problems = read_lines(formulas, controls, typed.scope)
+    lines, problems = read_lines(formulas, controls, typed.scope, of_participant=True)
     found += problems
     is_sound, problems = formula_tables.check(formulas, stops=stops_of(lines.by_way))
     # A formula that could not be read may be the one that uses another.

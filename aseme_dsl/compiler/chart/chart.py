@@ -19,6 +19,7 @@ from aseme_dsl.amola.statechart import (
     Statechart,
     StateType,
     Transition,
+    TransitionKind,
     Variable,
 )
 from aseme_dsl.compiler.chart.regions import regions_of
@@ -31,6 +32,7 @@ from aseme_dsl.compiler.control.control import (
 )
 from aseme_dsl.compiler.formula.formula_to_statechart import Branch, Outline, Way
 from aseme_dsl.compiler.formula.formulas import Formulas
+from aseme_dsl.compiler.formula.renames import SAME, rename
 from aseme_dsl.compiler.names.resolve import Symbols
 from aseme_dsl.source import Span
 
@@ -113,7 +115,11 @@ def chart_of(
         own += [
             Variable(f"{v.name}@{label}", v.type, v.initial, label, v.span) for v in (*part.variables, *free)
         ]
-    every_line = chain(chain.from_iterable(by_way.values()), (item.line for item in placed))
+    every_line = chain(
+        chain.from_iterable(by_way.values()),
+        (item.line for item in placed),
+        *(part.lines.abandon for part in parts.values()),
+    )
     if any(line.is_hole for line in every_line):
         return None
     reactive = frozenset[Formula]().union(
@@ -121,6 +127,7 @@ def chart_of(
     )
     found = transitions(outline, by_way, placed, reactive)
     found = _giving_results(outline, found, {item.name: item.type for item in own})
+    found = (*found, *_abandoning(outline, parts))
     nodes = _nodes(outline, world.symbols)
     modules = world.modules.get(name, ()) if kind == "IAC" else ()
     regions = regions_of(nodes, found, world.activities, modules, world.symbols)
@@ -162,6 +169,15 @@ def _giving_results(
         return replace(item, expression=expression)
 
     return tuple(map(given, found))
+
+
+def _abandoning(outline: Outline, parts: Mapping[tuple[str, str], Part]) -> Iterable[Transition]:
+    """What the participants do when they are left before their END."""
+    for label, branch in outline.branches.items():
+        for line in parts[branch.protocol, branch.participant].lines.abandon:
+            expression = rename(line.expression, outline.names.get(label, SAME))
+            name, kind = f"{branch.participant}ABANDON", TransitionKind.ABANDON
+            yield Transition(name, label, label, expression, 0, branch.origin, line.span, kind=kind)
 
 
 def _placed(label: str, part: Part, origin: Origin) -> Iterable[Placed]:

@@ -146,7 +146,10 @@ def _in_actions(
 def _after(source: State, transition: Transition, activities: Mapping[str, Activity]) -> Channels:
     """What the activity of the source has published if the transition waits for its completion."""
     said = activities.get(source.activity) if source.activity is not None else None
-    is_exit = transition.kind is TransitionKind.EXIT  # it may be left while its activity runs
+    is_exit = transition.kind in (
+        TransitionKind.EXIT,
+        TransitionKind.ABANDON,
+    )  # it may be left while its activity runs
     if said is None or transition.expression.events or transition.expression.when or is_exit:
         return NONE
     return frozenset(said.writes)

@@ -179,7 +179,7 @@ class _Regions:
                 if isinstance(action, Assign) and isinstance(action.target, VariableValue):
                     self._write(region, action.target.name, action.value)
         left = [leaf, *self.chart.ancestors(leaf.label)]
-        if any(self.chart.exits_of(state.label) for state in left):
+        if any(self.chart.exits_of(state.label) or state.label in self.chart.abandons for state in left):
             raise _Unknown
         target = self.chart.node(way[-1].target)
         if self.chart.region_of(target.label) != region:

@@ -17,7 +17,7 @@ from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.reactive import choices_in, no_choice, reconsidered
 from aseme_dsl.compiler.formula.renames import SAME, rename
 from aseme_dsl.compiler.formula.resuming import RESUME, check_resuming
-from aseme_dsl.compiler.formula.staying import STAYING, check_staying
+from aseme_dsl.compiler.formula.staying import STAYING, check_staying, is_abandon
 from aseme_dsl.compiler.formula.terms import Played, terms_of, way
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.types.given import inside_formula
@@ -83,6 +83,8 @@ class Lines:
     blocks: Mapping[str, tree.Control] = field(default_factory=dict)
     unsure: frozenset[str] = frozenset()
     reactive: frozenset[Formula] = frozenset()
+    abandon: tuple[Line, ...] = ()
+    """What a participant does when it is left before its END."""
 
     def of(self, verb_and_term: Way) -> tuple[Line, ...]:
         return self.by_way.get(verb_and_term, ())
@@ -94,6 +96,8 @@ def read_lines(
     scope: Scope,
     played: Played | None = None,
     played_names: Iterable[str] = (),
+    *,
+    of_participant: bool = False,
 ) -> tuple[Lines, tuple[Diagnostic, ...]]:
     """The lines of `controls`, each given with the name of the formula that it is about.
 
@@ -107,6 +111,7 @@ def read_lines(
     found: list[Diagnostic] = []
     unsure: set[str] = set()
     reactive: set[Formula] = set()
+    abandon: list[Line] = []
     position = 0
     for control, name in controls:
         first = blocks.setdefault(name, control)
@@ -138,6 +143,10 @@ def read_lines(
                 labelled.append(LabelledLine(entry.source, entry.target, line))
                 continue
             key, problem = way(terms, entry.verb, entry.term)
+            if problem is not None and of_participant and is_abandon(entry):
+                found += check_staying(entry, abandons=True)
+                abandon.append(line)
+                continue
             if entry.verb.text in STAYING:
                 found += check_staying(entry)
             elif entry.verb.text == RESUME:
@@ -150,7 +159,7 @@ def read_lines(
             elif key is not None:
                 by_way.setdefault(key, []).append(line)
     placed = {key: tuple(items) for key, items in by_way.items()}
-    lines = Lines(placed, tuple(labelled), blocks, frozenset(unsure), frozenset(reactive))
+    lines = Lines(placed, tuple(labelled), blocks, frozenset(unsure), frozenset(reactive), tuple(abandon))
     return lines, tuple(found)
 
 

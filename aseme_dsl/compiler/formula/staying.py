@@ -4,23 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from aseme_dsl.amola.operators import Operator
 from aseme_dsl.amola.statechart import TransitionKind
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.diagnostics.problems.control import ElseOfOn, ErrorOfOn, ExitWaits, NothingDone
+from aseme_dsl.diagnostics.problems.control import AbandonWaits, ElseOfOn, ErrorOfOn, ExitWaits, NothingDone
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
 STAYING: Mapping[str, TransitionKind] = {"on": TransitionKind.ON, "exit": TransitionKind.EXIT}
 """The verbs of these lines, with what they mean."""
+ABANDON = "abandon"
+"""What `on` names that is no term: that the participant is left before its END."""
 
 
-def check_staying(line: tree.Way | tree.StandingWay) -> Iterator[Diagnostic]:
-    """What an `on` (E422) or `exit` (E424) line cannot wait for; that it does something (E423)."""
+def is_abandon(line: tree.Way) -> bool:
+    """Whether a line says what is done when its participant is abandoned, if that is no term."""
+    term = line.term.formula
+    return line.verb.text == "on" and term.operator is Operator.NAME and term.name == ABANDON
+
+
+def check_staying(line: tree.Way | tree.StandingWay, *, abandons: bool = False) -> Iterator[Diagnostic]:
+    """What an `on` (E422), `exit` or `on abandon` (E424) line cannot wait for; what does nothing (E423)."""
     state = (line.term if isinstance(line, tree.Way) else line.state).span.text
     written = line.expression
-    if line.verb.text == "exit":
+    if line.verb.text == "exit" or abandons:
         if written.events or written.condition is not None or written.when or written.otherwise:
-            yield Diagnostic(ExitWaits(state), _before_actions(written))
+            yield Diagnostic(AbandonWaits() if abandons else ExitWaits(state), _before_actions(written))
     elif written.otherwise:
         yield Diagnostic(ElseOfOn(state), _before_actions(written))
     else:
@@ -40,4 +49,4 @@ def _before_actions(written: tree.TransitionExpression) -> Span:
     return Span(written.span.source, written.span.start, max(end, written.span.start))
 
 
-__all__ = ["STAYING", "check_staying"]
+__all__ = ["ABANDON", "STAYING", "check_staying", "is_abandon"]

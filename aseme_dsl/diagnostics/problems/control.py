@@ -282,7 +282,7 @@ class NothingDone(Problem):
 
     @property
     def hint(self) -> str:
-        when = "" if self.verb == "exit" else "… "
+        when = "" if self.verb == "exit" or self.state == "abandon" else "… "
         return f"write what is done: `{self.verb} {self.state} : {when}/ light = true`"
 
 
@@ -297,6 +297,12 @@ class ExitWaits(Problem):
     @property
     def hint(self) -> str:
         return f"write `exit {self.state} : / …`; write a condition for leaving on the outgoing transition"
+
+
+class AbandonWaits(Problem):
+    code = "E424"
+    message = "`on abandon` takes no trigger or condition"
+    hint = "write `on abandon : / …`: its actions are done whenever the participant is left before its END"
 
 
 class ReactiveWithoutChoice(Problem):

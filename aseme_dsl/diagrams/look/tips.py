@@ -17,7 +17,10 @@ def state_tip(view: View, node: State) -> str:
     if node.label in view.closed:
         lines.append(inside_text(view.closed[node.label]))
     stays = [*(item for item in view.chart.outgoing(node.label) if not item.changes_state)]
-    lines += [transition_text(item) for item in (*stays, *view.chart.exits_of(node.label))]
+    lines += [
+        transition_text(item)
+        for item in (*stays, *view.chart.exits_of(node.label), *view.chart.abandons.get(node.label, ()))
+    ]
     for transition in view.chart.outgoing_edges(node.label):
         target = view.chart.node(transition.target)
         lines.append(f"to {_title(target)}: {transition_text(transition) or 'when complete'}")

@@ -87,7 +87,11 @@ def _box(view: View, node: State, stays: Staying, links: Mapping[str, str], *, i
 def _expressions(view: View, node: State) -> list[Cell]:
     """The expressions of a state's transitions: between the boxes there is no room for them."""
     cells = []
-    for transition in (*view.chart.outgoing(node.label), *view.chart.exits_of(node.label)):
+    for transition in (
+        *view.chart.outgoing(node.label),
+        *view.chart.exits_of(node.label),
+        *view.chart.abandons.get(node.label, ()),
+    ):
         if text := transition_text(transition):
             target = view.chart.node(transition.target)
             where = f"to {short(target.name, _NAME_WIDTH)}: " if transition.changes_state else ""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any
 
 from aseme_dsl.runtime.activity.activities import ActivityFinder
@@ -291,7 +291,7 @@ class Agent:
         )
         if self.shown is not None:
             self.shown.follow(outcome)
-        stop = _stop(outcome) if outcome.failure is not None else -1
+        stop = chart.stopped_at if outcome.failure is not None else -1
         for place, effect in enumerate(outcome.effects):
             if place == stop:
                 self.conversations.leaving(self, "failed")
@@ -392,10 +392,23 @@ class Agent:
             self._due = None
         if self.shown is not None:
             self.shown.over(left=self.chart.finished or self.chart.failure is not None)
+        if not self.stopped:
+            self._abandon(self.chart.ABANDON)
         self.overload.end(self.intake)
         self.executions.cancel_all()
         self.modules.stop()
         self.conversations.gone(self)
+
+    def _abandon(self, branches: Iterable[str]) -> None:
+        """Send what these branches say when they are left before their END, if their parts are not over."""
+        chart = self.chart
+        for branch in branches:
+            if branch in chart.ABANDON and self.conversations.place(self, branch)[0] is not None:
+                outcome = Outcome()
+                chart.taken, chart.effects = outcome.taken, outcome.effects
+                chart.abandon(branch)
+                for effect in outcome.of(Sending):
+                    self._send(effect)
 
     # ---- another plan ------------------------------------------------------------------------
 
@@ -406,9 +419,11 @@ class Agent:
         """
         # What has just become due is not due later once more: it is looked at now.
         is_due = self._due is not None and self._due.moment <= self.driver.clock.now()
+        labels = carried.labels
+        kept = {info.label for info in carried.chart.PLAN.branches}
+        self._abandon([item for item in self.chart.ABANDON if labels.get(item) not in kept])
         self._adopt(carried.chart)
         self.messages = messages
-        labels = carried.labels
         self.since = {labels[label]: moment for label, moment in self.since.items() if label in labels}
         self.executions.carry(labels, find)
         if carried.chart.started:
@@ -579,20 +594,27 @@ class Agent:
                 self.fail(reason)
 
     def _send(self, effect: Sending) -> None:
+        is_farewell = bool(effect.way) and self.plan.transitions[effect.way[0]].kind == "abandon"
+        if is_farewell and self.conversations.place(self, effect.branch)[0] is None:
+            return  # it has not begun to talk with anybody
         content = self.requests.content_of(effect)
         performative, message = effect.performative, effect.message
         if content is None:
             reason = f"{performative} {message} is not sent: nothing has prepared its content"
             ways = [self.plan.transitions[number] for number in effect.way]
             self.trace.fault(self.driver.clock.now(), self.name, reason, ways[0].at if ways else "")
+            if is_farewell:
+                return
             self._missing = (ways[-1].target if ways else effect.branch), reason
             return
+        receivers: Collection[str] = ()
         if effect.to is not None:
+            receivers = (effect.to,)
             self.conversations.send_to_agent(
                 self, effect.branch, performative, message, content, effect.to, effect.reply_by
             )
         else:
-            self.conversations.send(
+            receivers = self.conversations.send(
                 self,
                 effect.branch,
                 performative,
@@ -603,20 +625,14 @@ class Agent:
                 effect.reply_by,
                 one=effect.one,
             )
+        if is_farewell:
+            self.conversations.took_leave(self, effect.branch, receivers)
 
     # ---- questions ---------------------------------------------------------------------------
 
     def branch_info(self, label: str) -> BranchInfo:
         """What the plan says of a branch."""
         return self._info_of[label]
-
-
-def _stop(outcome: Outcome) -> int:
-    """Where among the effects of a step those begin that leave everything because the agent has failed."""
-    place = len(outcome.effects)
-    while place and isinstance(outcome.effects[place - 1], Cancel | Left):
-        place -= 1
-    return place
 
 
 def _identities(inputs: Iterable[Posted]) -> list[Identity]:

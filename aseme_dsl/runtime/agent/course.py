@@ -28,7 +28,7 @@ def place_of_failure(plan: Plan, outcome: Outcome) -> str:
     if at:
         return at
     taken = [plan.transitions[numbers[0]] for numbers in outcome.taken]
-    return next((way.at for way in reversed(taken) if way.kind != "exit"), "")
+    return next((way.at for way in reversed(taken) if way.kind not in ("exit", "abandon")), "")
 
 
 def cycle(plan: Plan, recent: Iterable[tuple[int, ...]]) -> str:

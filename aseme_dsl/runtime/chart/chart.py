@@ -143,6 +143,8 @@ class Chart(ChartState):
 
     def part(self, branch: str, completed: bool = False) -> None:
         """A protocol branch is left, at its END or before; what waits is given up, unless it is held."""
+        if branch in self.ABANDON and not completed and branch not in self.held:
+            self.abandon(branch)
         timers = self._take_timers(branch)
         if branch in self.held and not completed:
             self.suspended[branch] = self.now, timers
@@ -151,6 +153,12 @@ class Chart(ChartState):
         self.mail[branch].clear()
         self.rounds.forget(branch)
         self.effects.append(Left(branch, completed))
+
+    def abandon(self, branch: str) -> None:
+        """Do what a branch does when it is left before its END."""
+        self.abandoning = True
+        getattr(self, self.ABANDON[branch])()
+        self.abandoning = False
 
     def hold(self, label: str) -> None:
         """The branches in a state that is left now, and may be resumed, are suspended."""
@@ -350,8 +358,11 @@ class Chart(ChartState):
 
     def _way(self) -> tuple[int, ...]:
         """The compound transition that is being taken; what is done at an exit belongs to it."""
+        if self.abandoning:
+            return self.taken[-1]
         transitions = self.PLAN.transitions
-        return next((way for way in reversed(self.taken) if transitions[way[0]].kind != "exit"), ())
+        inner = ("exit", "abandon")
+        return next((way for way in reversed(self.taken) if transitions[way[0]].kind not in inner), ())
 
     def read_messages(self, region: int, board: Board) -> None:
         """Let the region see what has arrived since the step began."""

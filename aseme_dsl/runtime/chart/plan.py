@@ -280,7 +280,11 @@ class Plan:
 
     def outgoing(self, label: str) -> tuple[tuple[int, Transition], ...]:
         """The transitions of a source with their numbers, in the order in which they are tried."""
-        found = [(n, t) for n, t in enumerate(self.transitions) if t.source == label and t.kind != "exit"]
+        found = [
+            (n, t)
+            for n, t in enumerate(self.transitions)
+            if t.source == label and t.kind not in ("exit", "abandon")
+        ]
         return tuple(sorted(found, key=lambda item: item[1].priority))
 
 

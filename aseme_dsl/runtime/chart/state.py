@@ -22,6 +22,7 @@ class ChartState:
     __slots__ = (
         "_faults",
         "_functions",
+        "abandoning",
         "agent",
         "chance",
         "drains",
@@ -42,6 +43,7 @@ class ChartState:
         "seed",
         "spent",
         "started",
+        "stopped_at",
         "suspended",
         "taken",
         "tokens",
@@ -80,6 +82,8 @@ class ChartState:
     """For each `on` transition the slots of what it saw when it was taken last, and of the time it waited."""
     PART_TIMERS: ClassVar[Mapping[str, tuple[str, tuple[str, ...]]]] = {}
     """Of each protocol branch that starts timers: the slot of their blackboard, and their names."""
+    ABANDON: ClassVar[Mapping[str, str]] = {}
+    """The methods with what protocol branches do when they are left before their END."""
     LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """The labels of each region's leaves by their numbers."""
 
@@ -99,6 +103,10 @@ class ChartState:
         self.mail: dict[str, list[AgentMessage]] = {info.label: [] for info in self.PLAN.branches}
         self.rounds = Rounds()
         """Who was addressed in the branches, and who has answered."""
+        self.abandoning = False
+        """Whether a branch does now what it does when it is left before its END."""
+        self.stopped_at = 0
+        """Where among the effects of a step those begin that leave everything, for the chart has failed."""
         self.held: set[str] = set()
         """The branches that are suspended where they are left now, while a state is being left."""
         self.suspended: dict[str, tuple[int, dict[str, int]]] = {}

@@ -148,6 +148,7 @@ def _reads_anew(chart: ChartState, copy: tuple[str, str, tuple[tuple[int, int], 
 def stop(chart: ChartState, reason: str) -> None:
     """The chart has failed: it leaves everything."""
     chart.failure = reason
+    chart.stopped_at = len(chart.effects)
     chart.leave()
     _spread_writes(chart)
 

@@ -232,6 +232,13 @@ class Conversations:
         with self._driver.holding(), self._lock:
             self._parts.resumed(agent, branch)
 
+    def took_leave(self, agent: Receiver, branch: str, of: Iterable[str]) -> None:
+        """A branch has told these agents that it ends early: they need no other word."""
+        with self._lock:
+            place = self._members.desks[agent.name].branches.get(branch)
+            if place is not None:
+                place.farewell.update(of)
+
     def leaving(self, agent: Receiver, reason: Reason | None) -> None:
         """Parts of an agent that end from now on before their END do so for this reason; None: in silence."""
         self._members.desks[agent.name].leaving = reason

@@ -60,7 +60,9 @@ class Losses:
                 if reason != "completed" or self._awaits(to, place.info.protocol, theirs, part):
                     loss = _message(agent, place, name, to, theirs, LOST, reason, None)
                     self._transport.carry(loss, to, conversation.members)
-            elif reason != "completed" or _owes_an_answer(place, conversation, to):
+            elif to not in place.farewell and (
+                reason != "completed" or _owes_an_answer(place, conversation, to)
+            ):
                 self._bid_farewell(agent, place, name, to, theirs)
         for to, theirs in sorted(conversation.absent):
             if reason != "completed" or self._awaits(to, place.info.protocol, theirs, part):

@@ -31,6 +31,8 @@ class Participation:
     completed: list[tuple[str, str]] = field(default_factory=list)
     """Agents that have completed, each with its participant: lost once no message of them waits."""
     was_full: bool = False
+    farewell: set[str] = field(default_factory=set)
+    """The agents that it has sent a message because it ends early."""
     suspended: bool = False
     """Whether the branch was left and may be resumed."""
 

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from aseme_dsl.amola.aip import Aip, Participant
 from aseme_dsl.amola.statechart import Statechart
-from aseme_dsl.codegen.moves import sent_by_transitions, subchart_of
+from aseme_dsl.codegen.moves import sent_by_abandon, sent_by_transitions, subchart_of
 from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.talk import SentByAnyActivity, SentByTransitionToo
@@ -31,6 +31,7 @@ def _messages(
     if subchart is None:
         return
     sent = sent_by_transitions(chart, subchart.label)
+    farewells = sent_by_abandon(chart, subchart.label)
     activities = tuple(
         dict.fromkeys(
             node.activity
@@ -41,7 +42,8 @@ def _messages(
     for item in part.sends:
         said = f"{item.performative} {item.message}"
         action = sent.get((item.performative, item.message))
-        if action is None and not item.by and (item.performative, item.message) in received:
+        farewell = (item.performative, item.message) in farewells
+        if action is None and not farewell and not item.by and (item.performative, item.message) in received:
             fix = f"{said} by {activities[0]}" if len(activities) == 1 else None
             yield Diagnostic(SentByAnyActivity(part.name, said, activities), item.span, fix=fix)
         elif action is not None and item.by:
