@@ -532,7 +532,7 @@ class TransitionExpression:
 
 EMPTY = TransitionExpression()
 NEVER = TransitionExpression(when=True, condition=Literal(False, BOOL, Span(Source("", ""), 0, 0)))
-"""What stands on the way into `B` of `A [> B` until somebody says when B cuts A short."""
+"""What stands on the entry transition of `B` of `A [> B` until somebody says when B cuts A short."""
 
 
 def operands(value: Value) -> tuple[Value, ...]:

@@ -115,10 +115,14 @@ def _news(changes: Changes) -> str:
     for paths, what in (
         (changes.changed, "changed"),
         (changes.created, "is new"),
-        (changes.deleted, "is gone"),
+        (changes.deleted, "was deleted"),
     ):
         if paths:
-            what = {"is new": "are new", "is gone": "are gone"}.get(what, what) if len(paths) > 1 else what
+            what = (
+                {"is new": "are new", "was deleted": "were deleted"}.get(what, what)
+                if len(paths) > 1
+                else what
+            )
             said.append(f"{named(paths)} {what}")
     return ", ".join(said)
 

@@ -187,7 +187,7 @@ class Server(LanguageServer):
         try:
             asyncio.run(self._serve(source))
         except (BrokenPipeError, KeyboardInterrupt, SystemExit):
-            _log.info("the editor is gone")
+            _log.info("the editor has closed the connection")
         finally:
             self.shutdown()  # type: ignore[no-untyped-call]
 

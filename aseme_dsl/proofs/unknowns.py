@@ -76,7 +76,7 @@ def identity(value: e.Value) -> Key:
         case e.Index():
             return (INDEX,)
         case e.Random():
-            raise AssertionError("no condition is left to chance")
+            raise AssertionError("no condition is random")
         case e.StateValue(question=question, state=state):
             return (STATE, question, state)
         case e.RoundValue(question=question, participant=participant):

@@ -161,7 +161,7 @@ Some .aseme file of the project must be open, with its language server."
                         :position (list :line (1- (line-number-at-pos nil t))
                                         :character (- (point) (line-beginning-position)))
                         :context '(:includeDeclaration t)))))
-    (when (seq-empty-p places) (user-error "This is no class of an activity"))
+    (when (seq-empty-p places) (user-error "This is not a class of an activity"))
     (let ((found (mapcar #'aseme--xref places)))
       (xref-show-xrefs (lambda () found) nil))))
 

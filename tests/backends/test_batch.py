@@ -346,7 +346,7 @@ srm lamp {
         "functions that are written in Python",
         "division by what may be zero (by a number that is written there it can)",
         "a duration times what may be no number (times one that is written there it can)",
-        "values that are no truths and no numbers",
+        "values that are neither Booleans nor numbers",
     }
     shown = render_text(refused.value.diagnostics)
     assert shown.count("level % ") >= 2

@@ -113,7 +113,7 @@ def test_an_own_behaviour_is_heard_in_a_run(here: Here, folder: Path) -> None:
         ("class Robot:\n    pass", "walker_robot_agent.py has no class WalkerRobotAgent"),
         (
             "class WalkerRobotAgent:\n    pass",
-            "WalkerRobotAgent is no subclass of jade_like.Walker.robot.agent.RobotAgent",
+            "WalkerRobotAgent is not a subclass of jade_like.Walker.robot.agent.RobotAgent",
         ),
     ],
 )

@@ -61,7 +61,7 @@ def test_every_command_has_help_with_an_example(here: Here, name: str) -> None:
         (["fly"], "Commands: new, check, explain"),
         (["check", "--nothing"], "No such option"),
         (["import"], "Missing argument"),
-        (["run", "x.aseme", "--for", "5 apples"], "is no duration"),
+        (["run", "x.aseme", "--for", "5 apples"], "is not a duration"),
         (["run", "x.aseme", "--body", "nonsense"], "[AGENT=]MODULE:FUNCTION"),
         (["run", "x.aseme", "--world", "nonsense"], "MODULE:FUNCTION"),
         (["diagram", "x.aseme", "--depth", "0"], "--depth"),

@@ -77,7 +77,7 @@ def wrong_code(folder: Path) -> Iterator[str]:
         try:
             compile(path.read_bytes(), str(path), "exec")
         except (SyntaxError, ValueError) as error:
-            yield f"build: {path.name} is no Python: {error}"
+            yield f"build: {path.name} is not Python: {error}"
 
 
 def answers(path: Path, text: str, number: int, run: Run = run_program) -> Iterator[str]:
@@ -160,7 +160,7 @@ def _writes_no_python(arguments: Sequence[str]) -> int:
     [
         (_fails, "check: exit code 70"),
         (_shows_where_it_failed, "Traceback"),
-        (_writes_no_python, "team.py is no Python"),
+        (_writes_no_python, "team.py is not Python"),
     ],
 )
 def test_what_breaks_a_rule_is_told(run: Run, said: str, tmp_path: Path) -> None:

@@ -202,7 +202,7 @@ def test_a_function_of_the_project_measures_its_world(
     ):
         wrong = here(*base, "--world", "place:make", "--measure", f"place:{name}")
         assert wrong.code == 1
-        assert f"place:{name} gave {value}" in wrong.err and "which is no number to reckon with" in wrong.err
+        assert f"place:{name} gave {value}" in wrong.err and "which is not a number" in wrong.err
     none = here(*base, "--world", "place:make", "--measure", "place:nothing")
     assert none.code == 1 and none.json["result"]["rows"][0]["measure"] is None
 
@@ -570,7 +570,7 @@ def test_from_nothing_to_something_is_worth_it(here: Here, tmp_path: Path) -> No
     assert re.search(r"\| 2 .*\| \+40 from 0 +\|", done.out)
     assert "**Worth it: 3 worker**, and perhaps more" in done.out  # the sizes are compared upwards
     assert "- In 2 of 2 runs of worker = 1: request Go is not sent: lift takes 2 or more lifter" in done.out
-    assert "- Every seed gave the same: of what is left to chance, these runs show nothing." in done.out
+    assert "- Every seed gave the same: these runs show no random effect." in done.out
 
 
 WORK = """\
@@ -678,7 +678,7 @@ def test_numbers_of_other_kinds_are_numbers(here: Here, work: Path, name: str) -
 
 def test_a_truth_is_no_number(here: Here, work: Path) -> None:
     done = studied(here, "--measure", "hall:truth", runs=1)
-    assert done.code == 1 and "hall:truth gave True, which is no number" in done.err
+    assert done.code == 1 and "hall:truth gave True, which is not a number" in done.err
 
 
 def test_what_gave_a_number_only_sometimes_is_not_chosen(here: Here, work: Path) -> None:

@@ -296,8 +296,8 @@ class TestScripts:
         ("line", "words"),
         [
             ("{", "script.jsonl:1:1: error[E031]: not JSON"),
-            ('{"at": "soon", "event": "x"}', "is no duration"),
-            ('{"channel": "eyes.state.Sun", "message": {}}', "is no channel"),
+            ('{"at": "soon", "event": "x"}', "is not a duration"),
+            ('{"channel": "eyes.state.Sun", "message": {}}', "is not a channel"),
             ('{"channel": "eyes.state.Seen", "message": {"ball": 3}}', "script.jsonl:1:1: error[E031]"),
             ('{"agent": "three", "event": "Bumped"}', "there are one, two"),
         ],
@@ -343,7 +343,7 @@ class TestActivities:
     @pytest.mark.parametrize(
         ("text", "words"),
         [
-            ("class Stand", "error[E546]: this is no Python"),
+            ("class Stand", "error[E546]: this is not Python"),
             (
                 "import nothing_of_that_name\nclass Stand:\n    def execute(self, context): return 1\n",
                 "ModuleNotFoundError",
@@ -408,14 +408,14 @@ class TestProjects:
             ("faulty:court", "faulty cannot be imported: SyntaxError"),
             (
                 "wrong:empty",
-                "wrong:empty gave {}, which is no world: it needs bodies, the bodies by the names of the"
+                "wrong:empty gave {}, which is not a world: it needs bodies, the bodies by the names of the"
                 " agents; step_ns, how long one step of it lasts, in whole ns; now_ns, how far it has been"
                 " simulated, in whole ns; advance, a method that is given the time up to which to simulate,"
                 " in ns\n",
             ),
-            ("wrong:none", "wrong:none gave None, which is no world: it needs bodies,"),
-            ("wrong:late", "a Late, which is no world: it needs now_ns, how far it has been simulated"),
-            ("wrong:deaf", "a Deaf, which is no world: it needs advance, a method that is given the time"),
+            ("wrong:none", "wrong:none gave None, which is not a world: it needs bodies,"),
+            ("wrong:late", "a Late, which is not a world: it needs now_ns, how far it has been simulated"),
+            ("wrong:deaf", "a Deaf, which is not a world: it needs advance, a method that is given the time"),
             ("wrong:still", "the world stands still: after advance(100000000) its now_ns is 0, and its step"),
             ("wrong:raising", "advance failed: ZeroDivisionError: division by zero ({folder}/wrong.py:17)"),
         ],

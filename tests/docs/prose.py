@@ -1,8 +1,15 @@
-"""The prose of a page: its words without code, quoted output, comments, and the targets of links."""
+"""The prose of a page: its words without code, quoted output, comments, and the targets of links.
+
+And the prose of a Python file: what it shows (`shown_texts`), and what it says to its readers (`notes`).
+"""
 
 from __future__ import annotations
 
+import ast
+import inspect
+import io
 import re
+import tokenize
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,6 +23,9 @@ _QUOTE = re.compile(r"^>.*$", re.MULTILINE)
 _LINK = re.compile(r"!?\[([^][]*)\]\([^)\s]*\)")
 _BLOCK = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*]|\d+\.) )|\n(?=#)")
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z_*(])|(?<=:)\s*$")
+
+_RIGHT = re.compile(r"\bthere (is|are) no\b|\bno longer\b", re.IGNORECASE)
+"""Words of these are not looked for."""
 
 
 def prose(markdown: str) -> Iterator[str]:
@@ -62,10 +72,56 @@ def words_to_avoid(page: Path = STYLE) -> dict[str, str]:
 
 def avoided(text: str, words: dict[str, str]) -> list[str]:
     """The words to avoid that a text has, each with what to write."""
-    text = re.sub(r"\bthere (is|are) no\b", "", text, flags=re.IGNORECASE)
+    text = _RIGHT.sub("", text)
     return [f"{word!r}: write {instead}" for word, instead in words.items() if _pattern(word).search(text)]
 
 
 def _pattern(word: str) -> re.Pattern[str]:
     spaced = r"\s+".join(re.escape(part) for part in word.split())
     return re.compile(rf"(?<![\w-]){spaced}(?:s|es|d|ed)?(?![\w-])", re.IGNORECASE)
+
+
+def shown_texts(python: str) -> Iterator[str]:
+    """The strings of more than one word that are no docstrings; what an f-string inserts stands as `_`."""
+    tree = ast.parse(python)
+    parts = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
+    docstrings = {id(constant) for constant in _docstrings(tree)}
+    for node in ast.walk(tree):
+        match node:
+            case ast.Constant(value=str(text)) if id(node) not in parts | docstrings:
+                pass
+            case ast.JoinedStr(values=values):
+                text = "".join(
+                    str(part.value) if isinstance(part, ast.Constant) else "`_`" for part in values
+                )
+            case _:
+                continue
+        if " " in text.strip():
+            yield text
+
+
+def _docstrings(tree: ast.AST) -> Iterator[ast.Constant]:
+    """The strings that stand alone: of modules, classes and functions, and below a name that they explain."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+            yield node.value
+
+
+def notes(python: str) -> Iterator[str]:
+    """The docstrings, and the comments: lines that follow each other are one."""
+    for constant in _docstrings(ast.parse(python)):
+        if isinstance(constant.value, str):
+            yield inspect.cleandoc(constant.value)
+    comment: list[str] = []
+    last = 0
+    for token in tokenize.generate_tokens(io.StringIO(python).readline):
+        if token.type != tokenize.COMMENT:
+            continue
+        line = token.start[0]
+        if comment and line != last + 1:
+            yield "\n".join(comment)
+            comment = []
+        comment.append(token.string.lstrip("#:! "))
+        last = line
+    if comment:
+        yield "\n".join(comment)

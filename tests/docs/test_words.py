@@ -10,7 +10,15 @@ import pytest
 
 from aseme_dsl.cli.program import program
 from aseme_dsl.diagnostics import CODES
-from tests.docs.prose import ROOT, avoided, number_of_words, prose, sentences, words_to_avoid
+from tests.docs.prose import (
+    ROOT,
+    avoided,
+    number_of_words,
+    prose,
+    sentences,
+    shown_texts,
+    words_to_avoid,
+)
 
 MOST_WORDS = 30
 MOST_WORDS_OF_A_TITLE = 8
@@ -31,6 +39,14 @@ PAGES = sorted(
     if "_build" not in path.parts
     and path.parent != ROOT / "docs/reference/diagnostics"  # made from the pages of the codes
     and not path.relative_to(ROOT).as_posix().startswith(NOT_YET)
+)
+PACKAGE = ROOT / "aseme_dsl"
+PRINTED = ("codegen/", "grammar/parsing/prepared.py", "grammar/syntax/", "pygments_lexer.py")
+"""What prints code: its strings are parts of it."""
+MODULES = sorted(
+    path.relative_to(PACKAGE).as_posix()
+    for path in PACKAGE.rglob("*.py")
+    if not path.relative_to(PACKAGE).as_posix().startswith(PRINTED)
 )
 
 
@@ -71,6 +87,16 @@ def test_the_words_of_titles() -> None:
     assert _problems(prose("\n\n".join(code.title for code in CODES.values()))) == []
 
 
+def test_the_words_of_messages() -> None:
+    """All strings of the package: messages, hints, what commands print, what stands in logs."""
+    found = {}
+    for module in MODULES:
+        texts = shown_texts((PACKAGE / module).read_text("utf-8"))
+        if problems := _problems(part for text in texts for part in prose(text)):
+            found[module] = problems
+    assert found == {}
+
+
 def test_a_title_is_short() -> None:
     long = {
         item.code: item.title
@@ -82,6 +108,22 @@ def test_a_title_is_short() -> None:
 
 def test_the_table_of_words_is_read() -> None:
     assert WORDS["mend"] == "*fix*" and len(WORDS) > 20
+
+
+@pytest.mark.parametrize(
+    ("python", "problems"),
+    [
+        ('print("We mend it.")', 1),
+        ('"""We mend it."""', 0),
+        ('print("mend")', 0),
+        ("print(f'We {mend} it.', '`mend` it')", 0),
+        ("print(f'We mend {it}.')", 1),
+        ("print('It is no ' 'channel.')", 1),
+        ("print('This is no longer a channel.')", 0),
+    ],
+)
+def test_what_is_found_in_strings(python: str, problems: int) -> None:
+    assert len(_problems(part for text in shown_texts(python) for part in prose(text))) == problems
 
 
 @pytest.mark.parametrize(

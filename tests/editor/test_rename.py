@@ -205,7 +205,7 @@ def test_code_that_is_in_the_way_is_not_overwritten(hand: Path) -> None:
     assert isinstance(found, Refused) and "take_hold.py already" in found.reason
     (hand / "code/grasp.py").write_text("class Grasp(\n", "utf-8")
     found = renamed_there(hand, "liveness { hand = (^Grasp", "Hold")
-    assert isinstance(found, Refused) and "mend it first" in found.reason
+    assert isinstance(found, Refused) and "fix it first" in found.reason
 
 
 def renamed_by_an_editor(

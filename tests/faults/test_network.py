@@ -455,7 +455,7 @@ def test_a_robot_speaks_only_for_itself(
 
 def test_wrong_settings_are_said(tmp_path: Path) -> None:
     (tmp_path / "access.json").write_text("{")
-    with pytest.raises(TransportError, match=r"access\.json is no JSON"):
+    with pytest.raises(TransportError, match=r"access\.json is not JSON"):
         ZenohLink(WIRE, Network(access=Access(tmp_path / "access.json")))
     (tmp_path / "access.json").write_text('{"enabled": "maybe"}')
     with pytest.raises(TransportError, match="zenoh does not take access_control"):

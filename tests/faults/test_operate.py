@@ -209,7 +209,7 @@ def test_who_hears_no_more_goes_on_as_it_was(tmp_path: Path) -> None:
         assert {agent.plan.model for agent in team.agents} == old
         wait_until(lambda: [agent.steps for agent in team.agents] > steps)
     (line,) = [r for r in records if r["kind"] == "swap"]
-    assert (line["what"], line["reasons"]) == ("rolled back", ["nobody has confirmed it within 2 s"])
+    assert (line["what"], line["reasons"]) == ("rolled back", ["no supervisor has confirmed it within 2 s"])
 
 
 def test_who_has_committed_goes_on_to_the_end(tmp_path: Path) -> None:

@@ -287,7 +287,7 @@ def test_a_hand_written_agent_talks_with_ours(net: Generated, server: Server, al
     alice.say("bob@localhost", cfp, '{"n": 3}')
     for metadata, body, reason in (
         ({"performative": "shout"}, "{}", "FIPA has no performative shout"),
-        ({"performative": "cfp", "protocol": "net", "reply-with": "q2"}, "{", "the content is no JSON"),
+        ({"performative": "cfp", "protocol": "net", "reply-with": "q2"}, "{", "the content is not JSON"),
         ({"performative": "cfp", "protocol": "net", "reply-with": "q3"}, '{"m": 1}', "has no member m"),
         ({"performative": "cfp", "aseme": '{"kind": 1}', "reply-with": "q4"}, "{}", "none of the team"),
         ({}, "hello", "FIPA has no performative"),

@@ -163,11 +163,11 @@ def test_who_takes_the_name_of_the_folder_keeps_nobody_from_meeting(
         os.chown(mine, 65534, 65534)
         assert meetings.meeting_place("Any").parent.parent == free
         monkeypatch.setattr(meetings, "_roots", lambda: iter((taken,)))
-        with pytest.raises(TransportError, match="it belongs to somebody else"):
+        with pytest.raises(TransportError, match="it belongs to another user"):
             meetings.meeting_place("Any")
         mine.rmdir()
         mine.symlink_to(free)  # to a folder of ours is no better
-        with pytest.raises(TransportError, match="it belongs to somebody else"):
+        with pytest.raises(TransportError, match="it belongs to another user"):
             meetings.meeting_place("Any")
     finally:
         shutil.rmtree(taken)

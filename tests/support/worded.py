@@ -9,7 +9,7 @@ from aseme_dsl.source import Span
 
 
 class Worded(Problem):
-    """Its `code` is a field: so it is no class of a code."""
+    """Its `code` is a field: so it is not a class of a code."""
 
     code: str  # type: ignore[misc]
     text: str

@@ -71,7 +71,7 @@ def _taken_on_the_way(
         first = [_taken_by(chart, way, taken, incoming).get(channel) for way, taken in ways]
         if first and all(place is not None for place in first) and first[0] is not None:
             around = chart.by_label[source.parent]
-            related = (Related(first[0], f"the way into `{cut(around.name)}` has taken it"),)
+            related = (Related(first[0], f"the entry transition of `{cut(around.name)}` has taken it"),)
             yield Diagnostic(SignalAlreadyConsumed(str(channel)), span, related)
 
 

@@ -232,7 +232,7 @@ def _name_of(one: object) -> str:
             | tree.Control()
         ):
             return one.name.text
-    raise AssertionError(f"a {type(one).__name__} is no part of a role")
+    raise AssertionError(f"a {type(one).__name__} is not a part of a role")
 
 
 def _plain(one: object) -> object:

@@ -268,7 +268,7 @@ class ErrorOfOn(Problem):
     @property
     def hint(self) -> str:
         ways = "`0.2 -> 0.3 : error`" if self.in_chart else "`enter …`, `leave …` or `repeat …` with `error`"
-        return f"take it on a way out: {ways}"
+        return f"take it on an outgoing transition: {ways}"
 
 
 class NothingDone(Problem):
@@ -403,7 +403,7 @@ class CycleNeverRests(Problem):
     @property
     def message(self) -> str:
         names = " → ".join(f"`{name}`" for name in self.states)
-        return f"this cycle goes on without an activity, an event or time to wait for: {names}"
+        return f"this cycle repeats without an activity, an event or time to wait for: {names}"
 
     hint = "wait for the completion of an activity, for an event, or for a timer that is started again"
 

@@ -459,4 +459,4 @@ class NotFrequency(NoFrequency):
 
     @property
     def message(self) -> str:
-        return f"`{self.written}` is no frequency in Hz"
+        return f"`{self.written}` is not a frequency in Hz"

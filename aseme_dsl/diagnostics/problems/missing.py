@@ -104,7 +104,7 @@ class NotAParticipant(RoleIncomplete):
 
     @property
     def message(self) -> str:
-        return f"{self.role} takes part in the use case `{self.usecase}`, but is no participant of it"
+        return f"{self.role} takes part in the use case `{self.usecase}`, but is not a participant of it"
 
     @property
     def hint(self) -> str:

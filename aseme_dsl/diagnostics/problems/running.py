@@ -295,7 +295,7 @@ class AgentWithoutHost(Problem):
     @property
     def message(self) -> str:
         why = "it has no host, and there is no interface to look on"
-        return f"{self.path}: nobody would find {self.robot}: {why}"
+        return f"{self.path}: no agent would find {self.robot}: {why}"
 
 
 class WorldInOnePlace(Problem):
@@ -362,7 +362,7 @@ class NoWorld(Problem):
     @property
     def message(self) -> str:
         missing = "; ".join(f"{name}, {what}" for name, what in self.missing)
-        return f"{self.function} gave {self.value}, which is no world: it needs {missing}"
+        return f"{self.function} gave {self.value}, which is not a world: it needs {missing}"
 
 
 class NoTeam(Problem):
@@ -400,7 +400,7 @@ class StartTooSlow(Problem):
 
     @property
     def message(self) -> str:
-        what = "the world does not start" if self.is_world else "not everybody gets ready"
+        what = "the world does not start" if self.is_world else "some agents do not get ready"
         return f"{what}: {self.seconds:g} s have passed"
 
 
@@ -468,14 +468,14 @@ class AgentFeature(Enum):
 class SingleFeature(Enum):
     """What one statechart can do and a batch cannot; the value is what it is called."""
 
-    CHANCE = "chance (draw the values of variables for all at once)"
+    CHANCE = "random numbers (draw the values of variables for all at once)"
     DIVISION = "division by what may be zero (by a number that is written there it can)"
     FUNCTIONS = "functions that are written in Python"
     MESSAGES = "messages (what it sees are variables)"
     OUTCOMES = "the outcome or the failure of an activity"
     SCALING = "a duration times what may be no number (times one that is written there it can)"
     TIMERS = "timers and `every` (there is `after`)"
-    TYPES = "values that are no truths and no numbers"
+    TYPES = "values that are neither Booleans nor numbers"
 
 
 class Unsupported(Problem):

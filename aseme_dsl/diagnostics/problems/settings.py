@@ -43,7 +43,7 @@ class InvalidToml(Problem):
 
     @property
     def message(self) -> str:
-        return f"{self.path} is no valid TOML: {self.reason}"
+        return f"{self.path} is not valid TOML: {self.reason}"
 
 
 class TooManyPartsOfKey(Problem):
@@ -261,7 +261,7 @@ class ErrorAllowed(Problem):
 
     @property
     def message(self) -> str:
-        return f"`{self.allowed}` is an error: nothing can be generated until it is mended"
+        return f"`{self.allowed}` is an error: nothing can be generated until it is fixed"
 
 
 class CommentAllowed(Problem):

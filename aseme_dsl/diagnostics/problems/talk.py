@@ -280,7 +280,7 @@ class NoAgentPlays(Problem):
     @property
     def hint(self) -> str:
         return (
-            "what is sent to it is sent to nobody then, and who waits for it waits for ever: give the role "
+            "its messages reach no agent, and an agent that waits for it waits for ever: give the role "
             f"to an agent of the team, `name : {self.role}`"
         )
 
@@ -301,7 +301,7 @@ class TooFewAgents(Problem):
 
     @property
     def message(self) -> str:
-        there = {0: "nobody else", 1: "one agent"}.get(self.present, f"{self.present} agents")
+        there = {0: "no other agent", 1: "one agent"}.get(self.present, f"{self.present} agents")
         return (
             f"`{self.participant}` of `{self.protocol}` wants {_agents(self.least)} at least, and "
             f"{self.team} has {there}"

@@ -40,7 +40,7 @@ class MessageNotRead(Problem):
 
     @property
     def message(self) -> str:
-        return f"nobody reads `{self.channel}`, which this publishes"
+        return f"nothing reads `{self.channel}`, which this publishes"
 
     @property
     def hint(self) -> str:
@@ -103,7 +103,7 @@ class SignalNotRead(Problem):
 
     @property
     def message(self) -> str:
-        return f"nobody reads the signal `{self.channel}`"
+        return f"nothing reads the signal `{self.channel}`"
 
     @property
     def hint(self) -> str:
@@ -130,7 +130,7 @@ class SignalConsumedBeforeActivity(Problem):
     def message(self) -> str:
         return (
             f"`{self.activity}` reads the signal `{self.channel}`, but this looks at each one first: "
-            "what was looked at is gone when the step ends"
+            "a signal that was looked at is consumed when the step ends"
         )
 
     @property
@@ -271,7 +271,8 @@ class ExitWaitsForUndeclared(Problem):
 
     @property
     def message(self) -> str:
-        return f"nothing says who publishes `{self.channel}`; the only way out of `{self.state}` waits for it"
+        state = f"the only outgoing transition of `{self.state}` waits for it"
+        return f"nothing says who publishes `{self.channel}`; {state}"
 
     @property
     def hint(self) -> str:

@@ -19,7 +19,7 @@ class Obstacle(Enum):
     FILE_INSTEAD = "cannot be written: it is a file"
     READ_ONLY_ABOVE = "cannot be written: its folder is read-only"
     READ_ONLY_ITSELF = "cannot be written: it is read-only"
-    NO_PLACE = "is no place for a generated file"
+    NO_PLACE = "is not a place for a generated file"
     TWICE = "would be written twice, with different contents"
 
 

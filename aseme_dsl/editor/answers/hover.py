@@ -28,7 +28,7 @@ _MOST = 8
 _CODE = re.compile(r"\b[EWN]\d{3}\b")
 
 _COMMS = {
-    ChannelKind.SIGNAL: "a signal: it is consumed by whoever reads it",
+    ChannelKind.SIGNAL: "a signal: the first reader consumes it",
     ChannelKind.STATE: "a state: the latest value counts",
     ChannelKind.DATA: "data: values with the time of their measurement, and a history",
 }
@@ -40,7 +40,7 @@ _TYPES = {
     "string": 'a text in double quotes: `"text"`',
     "bytes": "bytes; conditions cannot look inside",
     "duration": "a time: `200ms`, `1.5s`, `2min`",
-    "agent": "an agent of the team; nobody at first",
+    "agent": "an agent of the team; absent at first",
 }
 
 

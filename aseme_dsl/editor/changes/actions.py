@@ -125,7 +125,7 @@ def _starting(view: View, here: list[Diagnostic], folders: PythonFolders | None)
 def _all(view: View, here: list[Diagnostic]) -> Iterator[Action]:
     """One action for everything in the file that has one right answer."""
     chosen = _mendable(view, view.diagnostics)
-    title = "Mend everything in the file that has one right answer"
+    title = "Fix everything in the file that has one right answer"
     if chosen:
         yield Action(title, ActionKind.FIX_ALL, name="mend")
     if len(chosen) > 1 and any(item in chosen for item in here):

@@ -95,7 +95,7 @@ def activity_class(view: View, offset: int, folders: PythonFolders) -> tuple[Pat
     if name is None or folders.activities is None:
         raise Refused("there is no activity here that lacks a class")
     if system is None:
-        raise Refused("mend the errors first: the class says what its activity reads and writes")
+        raise Refused("fix the errors first: the class says what its activity reads and writes")
     path = _file(folders.activities, name)
     for artefact in find_backend("monas").generate(system, BackendOptions(folders.templates)):
         if artefact.kept and artefact.path.endswith(f"/{path.name}"):

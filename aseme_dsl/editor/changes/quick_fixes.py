@@ -64,7 +64,7 @@ def _operators(item: Diagnostic) -> Iterator[Fix]:
 def _title(item: Diagnostic) -> str:
     changes = item.changes
     if len(changes) > 1:
-        return "Mend it" if item.hint is None else _sentence(item.hint)
+        return "Fix it" if item.hint is None else _sentence(item.hint)
     (edit,) = changes
     old, new = (" ".join(text.split()) for text in (edit.span.text, edit.text))
     if not old:

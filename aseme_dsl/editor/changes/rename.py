@@ -82,7 +82,9 @@ def renaming(
     if reason is not None:
         return Refused(reason)
     if not _NAME.fullmatch(name):
-        return Refused(f"`{name}` is no name: names consist of the letters A to Z and a to z, digits and '_'")
+        return Refused(
+            f"`{name}` is not a name: names consist of the letters A to Z and a to z, digits and '_'"
+        )
     if name == found.symbol.name:
         return Renaming({})
     programs = yield from _programs(workspace, view, found.symbol)

@@ -100,7 +100,7 @@ def _words(source: Source) -> Iterator[tuple[int, str]]:
             if token.type == tokenize.NAME:
                 yield source.line_start(token.start[0]) + token.start[1], token.string
     except (tokenize.TokenError, SyntaxError) as error:
-        raise Unreadable(f"{source.path} is not Python: mend it first") from error
+        raise Unreadable(f"{source.path} is not Python: fix it first") from error
 
 
 __all__ = ["Code", "Unreadable", "renamed_code"]

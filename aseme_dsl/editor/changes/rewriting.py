@@ -82,7 +82,7 @@ def read_piece(text: str) -> tree.Srm | tree.Aip:
     """
     file, diagnostics = parse(Source("<declaration>", text))
     if has_errors(apart_from_holes(diagnostics)):
-        raise Refused(f"mend the mistakes of syntax first: {diagnostics[0].message}")
+        raise Refused(f"fix the syntax errors first: {diagnostics[0].message}")
     for item in file.declarations:
         if isinstance(item, (tree.Srm, tree.Aip)):
             return item
@@ -221,7 +221,7 @@ def same_meaning(
     """
     before, changed = nothing_new(view, text, allowed)
     if before.analysis.system is None:
-        raise Refused("mend the errors first: what the model means is not known")
+        raise Refused("fix the errors first: what the model means is not known")
     if changed.analysis.system is None:
         raise Refused("the new text would have errors")
     read = _exact if exactly else _up_to_nesting

@@ -31,7 +31,9 @@ class Limits:
             self._tell(f"the editor announces a message of more than {LARGEST >> 20} MB: the server ends")
             return b""
         if len(line) >= _LONGEST_HEADER:
-            self._tell("what the editor sends is no message of the language server protocol: the server ends")
+            self._tell(
+                "what the editor sends is not a message of the language server protocol: the server ends"
+            )
             return b""
         return line
 
@@ -39,7 +41,7 @@ class Limits:
         """The content of a message, or of one that does nothing."""
         try:
             if not isinstance(outside.loads(content, LARGEST), dict):
-                raise ValueError("it is no JSON object")
+                raise ValueError("it is not a JSON object")
         except ValueError as problem:
             self._tell(f"a message of the editor is left out: {problem}")
             return _NOTHING

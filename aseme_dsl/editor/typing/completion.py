@@ -342,7 +342,7 @@ def _events(ask: Ask, party: Party | None, parties: Mapping[str, Party], first: 
         yield Item("else", ItemKind.WORD, "no other branch is open", rank=3)
         yield Item("[…]", ItemKind.WORD, "a condition", "", "[${1:condition}]", is_snippet=True, rank=1)
     if party is not None:
-        yield Item("lost", ItemKind.WORD, "an agent is gone", "", "lost ", rank=4, goes_on=True)
+        yield Item("lost", ItemKind.WORD, "an agent is lost", "", "lost ", rank=4, goes_on=True)
     for name in ask.known.events:
         if name != "error":
             yield Item(name, ItemKind.EVENT, "event", rank=2)

@@ -38,7 +38,7 @@ _PATH = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _NUMBER = re.compile(r"([0-9]+)(?:\.([0-9]+))?([a-z]*)")
 _LONGEST_NUMBER = 18
 _HAVE_NO_ELEMENTS = (tree.Number, tree.Duration, tree.Truth, tree.Text)
-"""What stands before the brackets of a condition, if anything does that is no list."""
+"""What stands before the brackets of a condition, if anything does that is not a list."""
 
 _EXPRESSION_TOKEN = re.compile(
     r'"(?:[^"\\\n]|\\.)*"|[0-9]+(?:\.[0-9]+)*[A-Za-z]*\b'

@@ -184,7 +184,7 @@ def _of_simulated(system: System) -> dict[str, tuple[Talk, ...]]:
 
 
 def _unreadable(codes: Mapping[str, _Code], needed: Mapping[str, str]) -> Iterator[Diagnostic]:
-    """What is no Python of the files beside the activities that they import."""
+    """What is not Python of the files beside the activities that they import."""
     for path, code in codes.items():
         user = needed.get(os.path.realpath(path))
         if user is not None:
@@ -515,7 +515,7 @@ def _codes(paths: Iterable[str], pieces: Iterable[_Piece], memory: Memory, look:
 
 
 def _code(name: str, stamp: Stamp, wanted: tuple[str, ...] = ()) -> _Code:
-    """What is in a file; what is no Python is E546."""
+    """What is in a file; what is not Python is E546."""
     try:
         text = outside.read_bytes(name).decode("utf-8-sig").replace("\r\n", "\n")
     except (OSError, UnicodeDecodeError):

@@ -253,7 +253,7 @@ class _Code:
 
 @lru_cache(maxsize=64)
 def _code(path: str, stamp: Stamp) -> _Code | str | None:
-    """What is in a file; or why it is no Python. None if it cannot be read."""
+    """What is in a file; or why it is not Python. None if it cannot be read."""
     try:
         tree = ast.parse(outside.read_bytes(Path(path)))
     except OSError:

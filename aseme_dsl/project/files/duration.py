@@ -17,7 +17,7 @@ def duration(text: str) -> int:
     """
     written = _WRITTEN.fullmatch(text.strip())
     if written is None:
-        raise ValueError(f"{text!r} is no duration; durations are written 200ms, 1.5s or 2min")
+        raise ValueError(f"{text!r} is not a duration; durations are written 200ms, 1.5s or 2min")
     from decimal import Decimal  # exact
 
     nanoseconds = int(Decimal(written[1]) * UNITS[written[2]])

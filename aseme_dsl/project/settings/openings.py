@@ -39,7 +39,9 @@ def openings(configuration: Configuration) -> Iterator[Opening]:
         yield Opening(MANGO, "tcp/127.0.0.1, any free port, for each agent", "every user of this machine")
     else:
         for name, place in configuration.mango.hosts.items():
-            yield Opening(MANGO, f"tcp/{place}", f"whoever reaches {name}'s address: there are no passwords")
+            yield Opening(
+                MANGO, f"tcp/{place}", f"every machine that reaches {name}'s address: there are no passwords"
+            )
     yield Opening("asemec view", "tcp/127.0.0.1, any free port", "who knows the secret in its address")
     yield Opening(
         "asemec lsp",
@@ -52,7 +54,7 @@ def _zenoh(configuration: Configuration) -> Iterator[Opening]:
     deploy = configuration.deploy
     hosts = deploy.hosts if deploy is not None else {}
     interface = deploy.interface if deploy is not None else None
-    who = "whoever has a certificate of the team"
+    who = "every holder of a certificate of the team"
     if deploy is None or network_of(deploy, "").local:
         yield Opening(ZENOH, "Unix sockets in a folder with mode 0700", "only your user; no TCP, no UDP")
         return

@@ -106,7 +106,7 @@ def _over_mango(system: str, team: Sequence[str], configuration: Configuration, 
     unknown = [name for name in team if name not in hosts and not is_whole]
     if unknown:
         raise PlatformError(
-            f"nobody would find {unknown[0]}: say in [tool.asemec.mango] hosts where it listens"
+            f"no agent would find {unknown[0]}: say in [tool.asemec.mango] hosts where it listens"
         )
     return PlatformLink(MangoPlatform(Mango(hosts), team), system, team)
 

@@ -72,7 +72,7 @@ def _notes(item: Measured, *, several: bool) -> Iterator[str]:
     if item.one_by_one > item.steps:
         yield (
             f"- `{item.role}`: a plain statechart takes ends of activities and events one by one, in"
-            f" {item.one_by_one} steps. What is told is the time for what is one step of the agent."
+            f" {item.one_by_one} steps. The time is that of one step of the agent."
         )
     if item.left_out:
         yield f"- `{item.role}`: the plain statechart goes another way, and is not timed: {item.left_out}."

@@ -376,4 +376,4 @@ def _given(plan: Plan, world: object) -> float | None:
     is_number = isinstance(value, Real | Decimal) and not isinstance(value, bool)
     if is_number and value == value and abs(value) < _BEYOND:  # neither nan nor infinity is
         return float(value)
-    raise StudyError(f"{plan.measure} gave {value!r}, which is no number to reckon with")
+    raise StudyError(f"{plan.measure} gave {value!r}, which is not a number")

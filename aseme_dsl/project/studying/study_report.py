@@ -123,7 +123,7 @@ def markdown(study: Study) -> str:
 
 
 _SHARES = (
-    "An activity's per cents are its share of the time of all agents; what an agent does several times at"
+    "An activity's per cents are its share of the time of all agents. What an agent does several times at"
     " once is counted as often, and may come to more than 100 %."
 )
 
@@ -134,7 +134,7 @@ def _seeds(seeds: tuple[int, ...]) -> str:
 
 def _intervals(study: Study) -> str:
     if len(study.seeds) == 1:
-        return "One run has no interval: what is left to chance is not seen."
+        return "One run has no interval: random effects are not visible."
     return "Intervals are of 95 % (Student's t)."
 
 
@@ -175,7 +175,7 @@ def _known(row: Row) -> int:
 def _conclusion(study: Study) -> list[str]:
     lines: list[str] = []
     if study.is_measured and len(study.seeds) > 1 and all(_are_alike(item) for item in study.played):
-        lines.append("- Every seed gave the same: of what is left to chance, these runs show nothing.")
+        lines.append("- Every seed gave the same: these runs show no random effect.")
     for row in study.rows:
         lines += _incomplete(study, row)
     lines += _faults(study.rows)
@@ -248,7 +248,8 @@ def _worth(study: Study, chosen: Row) -> str:
     name = study.knobs[0].name
     value = chosen.variant[0][1]
     if gives_nothing(chosen) and not study.less_is_better:
-        return f"**None is worth it:** {value} {name} gives nothing, and none gives more than chance may do."
+        gives = f"{value} {name} gives nothing"
+        return f"**None is worth it:** {gives}, and no gain is larger than random variation."
     fit = judged(study.rows)
     place = fit.index(chosen)
     if place + 1 == len(fit):
@@ -261,7 +262,7 @@ def _worth(study: Study, chosen: Row) -> str:
     step = gain(chosen.runs, after.runs, less_is_better=study.less_is_better)
     if step is not None:
         is_less = step.share is not None and step.share.mean < study.least
-        why = f"less than {100 * study.least:g} %" if is_less else "not more than chance may do"
+        why = f"less than {100 * study.least:g} %" if is_less else "not more than random variation"
         text += f" Going on to {then} gains {_gain(step)}: {why}."
     return text + _later(study, name)
 
@@ -315,7 +316,7 @@ def _slowest(study: Study) -> str:
     names = [item.activity for item in study.slowest if item.is_bottleneck]
     tried = f"the {len(study.slowest)} that could be tried" if study.untried.names else ""
     if not names:
-        return f"None of {tried or 'them'} is a bottleneck: none would gain more than chance may do."
+        return f"None of {tried or 'them'} is a bottleneck: no gain is larger than random variation."
     among = f"Of {tried}, the" if tried else "The"
     if len(names) == 1:
         return f"**{among} bottleneck is {names[0]}.**"

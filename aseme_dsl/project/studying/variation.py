@@ -64,7 +64,7 @@ def knob(text: str) -> Knob:
             continue
         first, last = int(span[1]), int(span[2])
         if last < first:
-            raise VariationError(f"{text!r}: {item} is no range from the smaller to the larger")
+            raise VariationError(f"{text!r}: {item} is not a range from the smaller to the larger")
         if last - first >= _MOST_VALUES:
             raise VariationError(f"{text!r}: {item} are more than {_MOST_VALUES} values, which is the most")
         values += [str(number) for number in range(first, last + 1)]
@@ -190,7 +190,9 @@ def _setting(system: System, role: str, name: str, written: str) -> Literal:
     try:
         value = _value(system, variable.type, written)
     except ValueError:
-        raise VariationError(f"{written!r} is no {variable.type}, which {name} of {role} is") from None
+        raise VariationError(
+            f"{written!r} is not of the type {variable.type}, which {name} of {role} is"
+        ) from None
     return replace(variable.initial, value=value)
 
 

@@ -248,7 +248,7 @@ class Context:
     ) -> float | None:
         """A member (`pose.x`) so long ago, on the straight line between the measurements before and after.
 
-        None before the first and after the last measurement. Raises TypeError for what is no number.
+        None before the first and after the last measurement. Raises TypeError for what is not a number.
         """
         moment = self._back(channel, seconds_ago)
         return history.interpolated(self._port.history(channel, sender), moment, member)
@@ -261,7 +261,7 @@ class Context:
     def _back(self, channel: str, seconds: float | None) -> int:
         """The moment so long ago, or as long as is declared. Raises LookupError for any other channel."""
         if channel.split(".", 2)[1:2] != ["data"]:
-            raise LookupError(f"{channel} is no data channel: only data has a history")
+            raise LookupError(f"{channel} is not a data channel: only data has a history")
         duration = self._port.looks_back(channel, None if seconds is None else nanoseconds(seconds))
         return self._port.now() - duration
 
@@ -295,7 +295,7 @@ class Context:
 
         Inside a protocol's participant it is for that participant's transitions, elsewhere for any.
 
-        Raises TypeError for what is no message.
+        Raises TypeError for what is not a message.
         """
         self._port.do(Prepare(message))
 
@@ -340,12 +340,12 @@ def check_message(channel: str, message: Any) -> None:
     """Whether a message is of the type that a channel carries, by its name.
 
     Raises:
-        LookupError: what is no channel.
+        LookupError: what is not a channel.
         TypeError: it is of another type.
     """
     parts = channel.split(".")
     if len(parts) != 3 or parts[1] not in ("signal", "state", "data"):
-        raise LookupError(f"{channel!r} is no channel: it is written like vision.state.Ball")
+        raise LookupError(f"{channel!r} is not a channel: it is written like vision.state.Ball")
     if type(message).__name__ != parts[2]:
         raise TypeError(f"{channel} carries {parts[2]}, not {type(message).__name__}")
 

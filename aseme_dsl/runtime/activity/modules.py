@@ -45,7 +45,7 @@ def code_of(info: ModuleInfo, find: ActivityFinder) -> type[Any] | None:
         except Exception as error:
             raise ActivityError(f"module {info.name}: {info.target} cannot be imported: {error}") from error
         if not isinstance(found, type):
-            raise ActivityError(f"module {info.name}: {info.target} is no class")
+            raise ActivityError(f"module {info.name}: {info.target} is not a class")
     else:
         found = find(info.name)
     kind: type[Any] | None = found
@@ -240,7 +240,7 @@ class Modules:
     def _report_long(self, module: _Module, execution: Execution, now: int) -> None:
         if now - execution.started >= LONG and not module.was_reported and not execution.has_returned:
             module.was_reported = True
-            text = f"module {module.info.name} has not returned for {shown(LONG)}: it misses its beats"
+            text = f"module {module.info.name} has not returned for {shown(LONG)}: it misses its releases"
             self.agent.trace.fault(now, self.agent.name, text, activity=module.info.name)
 
     # ---- what executions ask of their owner ----------------------------------------------------

@@ -384,7 +384,7 @@ class JadeLikeAgent:
         """Have these classes in the place of the generated ones that they are subclasses of. For `setup`.
 
         Raises:
-            TypeError: one is no subclass of a behaviour of this agent, or says itself what is in it, or two
+            TypeError: one is not a subclass of a behaviour of this agent, or says itself what is in it; two
                 are for the same one.
         """
         for kind in kinds:
@@ -395,8 +395,8 @@ class JadeLikeAgent:
             base = next((item for item in bases if issubclass(item, Behaviour)), None)
             if base is None or base is kind:
                 raise TypeError(
-                    f"{kind.__name__} is no subclass of a behaviour of {self.plan.name}: what the agent does"
-                    f" stands in {self.plan.source}"
+                    f"{kind.__name__} is not a subclass of a behaviour of {self.plan.name}: what the agent"
+                    f" does stands in {self.plan.source}"
                 )
             self._check_callbacks(kind, base)
             if kind.build is not base.build:
@@ -792,7 +792,7 @@ def agent_class(step: type[Chart], find: ActivityFinder) -> type[JadeLikeAgent] 
         return generated
     if not issubclass(own, generated):
         raise ActivityError(
-            f"{own.__name__} is no subclass of {generated.__module__}.{generated.__name__}, which shows"
+            f"{own.__name__} is not a subclass of {generated.__module__}.{generated.__name__}, which shows"
             f" {step.PLAN.name}"
         )
     return own

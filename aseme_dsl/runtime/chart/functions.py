@@ -14,7 +14,7 @@ TYPES: dict[str, tuple[type, ...]] = {
     "bytes": (bytes,),
     "duration": (int,),
 }
-"""The Python types of the types that are built into the language; a bool is no number."""
+"""The Python types of the types that are built into the language; a bool is not a number."""
 
 
 class FunctionError(Exception):

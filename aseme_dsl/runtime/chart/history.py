@@ -113,7 +113,7 @@ def interpolated(items: Sequence[Sample], moment: int, member: str) -> float | N
     """A member (`pose.x`) at a moment, on the straight line between the measurements before and after.
 
     None before the first and after the last measurement in which the member is there. Raises TypeError for a
-    member that is no number.
+    member that is not a number.
     """
     path = member.split(".")
     before: tuple[int, float] | None = None
@@ -122,7 +122,7 @@ def interpolated(items: Sequence[Sample], moment: int, member: str) -> float | N
         if value is None:
             continue
         if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise TypeError(f"{member} is no number: {value!r}")
+            raise TypeError(f"{member} is not a number: {value!r}")
         if item.time == moment:
             return value
         if item.time > moment:

@@ -410,7 +410,7 @@ class _Held(threading.Thread):
             try:
                 said = self._said.get(timeout=max(0.0, until - time.monotonic()))
             except Empty:
-                silence = f"nobody has confirmed it within {self._hold:g} s"
+                silence = f"no supervisor has confirmed it within {self._hold:g} s"
                 said = _Said("finish" if self.state == "committed" else "rollback", silence)
             try:
                 if said.phase == "commit":

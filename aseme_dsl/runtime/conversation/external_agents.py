@@ -151,7 +151,7 @@ def _candidates(
             try:
                 value = from_json(kinds[name], content)
             except (KeyError, ValueError) as problem:
-                problems.append(f"it is no {name}: {problem}"[:LONGEST])
+                problems.append(f"it is not a {name}: {problem}"[:LONGEST])
                 continue
             found.setdefault(name, (value, []))[1].append(info)
     return found
@@ -218,16 +218,16 @@ def _content(message: FipaMessage) -> Any:
     if message.language.lower() not in ("", JSON):
         raise NotUnderstood(f"the content is in {message.language[:100]}; {JSON} is understood")
     if isinstance(message.content, bytes) or message.encoding.lower() not in ("", "utf-8", "utf8"):
-        raise NotUnderstood("the content is no text in UTF-8")
+        raise NotUnderstood("the content is not a text in UTF-8")
     if not (message.content or "").strip():
         return {}
     try:
         found = outside.loads(message.content or "")
         json.dumps(found, ensure_ascii=False).encode()
     except (ValueError, RecursionError) as problem:  # half a character is no text, either
-        raise NotUnderstood(f"the content is no JSON: {problem}"[:LONGEST]) from None
+        raise NotUnderstood(f"the content is not JSON: {problem}"[:LONGEST]) from None
     if not isinstance(found, dict):
-        raise NotUnderstood("the content is no JSON object")
+        raise NotUnderstood("the content is not a JSON object")
     return found
 
 
@@ -298,11 +298,11 @@ def deadline(message: FipaMessage, clock: Clock) -> int | None:
     """Until when an outsider wants an answer, in ns of the run; None if it does not say so.
 
     Raises:
-        ValueError: what it says is no moment.
+        ValueError: what it says is not a moment.
     """
     unread = parameter(message, "reply-by")
     if unread:
-        raise ValueError(f"{unread[:100]!r} is no date and time")
+        raise ValueError(f"{unread[:100]!r} is not a date and time")
     return own_moment(message.reply_by, clock)
 
 

@@ -327,19 +327,19 @@ def _content(message: FipaMessage) -> Any:
         reason = f"contents are in {JSON} or fipa-sl0"
         raise _Refused("not-understood", "unsupported-value", reason, (message.language,))
     if not isinstance(text, str):
-        raise _Refused("not-understood", "unrecognised-value", "the content is no text in UTF-8")
+        raise _Refused("not-understood", "unrecognised-value", "the content is not a text in UTF-8")
     try:
         found = outside.loads(text)
         json.dumps(found, ensure_ascii=False).encode()
     except (ValueError, RecursionError) as problem:  # half a character is no text, either
-        reason = f"the content is no JSON: {problem}"
+        reason = f"the content is not JSON: {problem}"
         raise _Refused("not-understood", "unrecognised-value", reason[:1000]) from None
     return found
 
 
 def _object(value: object, what: str) -> dict[str, Any]:
     if not isinstance(value, dict):
-        raise _Refused("not-understood", "unrecognised-value", f"{what} is no JSON object")
+        raise _Refused("not-understood", "unrecognised-value", f"{what} is not a JSON object")
     return value
 
 

@@ -54,11 +54,11 @@ def asked(message: FipaMessage, manager: str, act: str) -> Asked:
         SlError: it is no content in SL, or none that a manager understands.
     """
     if not isinstance(message.content, str):
-        raise SlError("unrecognised-value", "the content is no text in UTF-8")
+        raise SlError("unrecognised-value", "the content is not a text in UTF-8")
     try:
         found = loads(message.content)
     except AclTextError as problem:
-        raise SlError("unrecognised-value", f"the content is no SL: {problem}"[:MOST]) from None
+        raise SlError("unrecognised-value", f"the content is not SL: {problem}"[:MOST]) from None
     if len(found) != 1:
         raise SlError("unrecognised-value", f"the content has {len(found)} expressions; one is understood")
     (whole,) = found

@@ -159,7 +159,7 @@ class FipaMessage:
     """An agent message as any FIPA agent knows it. Parameters that are not given are empty.
 
     The performative is spelled as FIPA does (`accept-proposal`), and may be one that FIPA does not have.
-    Content is bytes only where it is no UTF-8.
+    Content is bytes only where it is not UTF-8.
     """
 
     performative: str

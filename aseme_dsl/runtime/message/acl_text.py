@@ -181,7 +181,7 @@ class Reader:
         if isinstance(found, str):
             return found
         if isinstance(found, bytes):
-            self.fail("what stands here is no text in UTF-8", place)
+            self.fail("what stands here is not a text in UTF-8", place)
         return _expression(found).decode()
 
     def moment(self) -> datetime | Span:
@@ -269,7 +269,7 @@ class Reader:
             zone = timezone(timedelta(hours=_ZONES[letter])) if letter in _ZONES else None
             return datetime(year, month, day, hour, minute, second, milli * 1000, zone)
         except ValueError as problem:
-            self.fail(f"{token} is no moment: {problem}", place)
+            self.fail(f"{token} is not a moment: {problem}", place)
 
     def as_word(self, token: str, place: int, wanted: str) -> Word:
         if token[0] in "#-@:0123456789":
@@ -333,7 +333,7 @@ class Reader:
         try:
             return data.decode()
         except UnicodeDecodeError as problem:
-            self.fail(f"it is no UTF-8: {problem.reason}", place)
+            self.fail(f"it is not UTF-8: {problem.reason}", place)
 
     def fail(self, reason: str, place: int) -> NoReturn:
         before = self.data[:place]
@@ -497,7 +497,7 @@ def _is_word(text: str) -> bool:
 
 def _as_word(text: str, what: str) -> bytes:
     if not _is_word(text):
-        raise AclTextError(f"{text!r} is no word, as the name of the {what} has to be")
+        raise AclTextError(f"{text!r} is not a word, as the name of the {what} has to be")
     return _encoded(text)
 
 
@@ -519,4 +519,4 @@ def _encoded(text: str) -> bytes:
     try:
         return text.encode()
     except UnicodeEncodeError as problem:
-        raise AclTextError(f"{text!r} is no text: {problem.reason}") from None
+        raise AclTextError(f"{text!r} is not a text: {problem.reason}") from None

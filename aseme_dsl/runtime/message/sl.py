@@ -206,11 +206,11 @@ def _text(term: Term, depth: int) -> str:
             quoted = string_text(term).decode()
             return str(term) if _is_bare(term) else quoted
         case bytes():
-            raise AclTextError(f"{shown(repr(term))} is no text in UTF-8")
+            raise AclTextError(f"{shown(repr(term))} is not a text in UTF-8")
         case datetime() | Span():
             return moment_text(term).decode()
         case float() if not math.isfinite(term):
-            raise AclTextError(f"{term} is no number of SL")
+            raise AclTextError(f"{term} is not a number of SL")
         case _:
             return repr(term)
 
@@ -221,7 +221,7 @@ def _form(form: Form, depth: int) -> str:
     if problem := _problem(form):
         raise AclTextError(problem)
     if not _WORD.fullmatch(form.name):
-        raise AclTextError(f"{shown(form.name)!r} is no word, as the name of a form has to be")
+        raise AclTextError(f"{shown(form.name)!r} is not a word, as the name of a form has to be")
     pieces = [form.name, *(_text(item, depth) for item in form.terms)]
     for name, value in form.parameters:
         pieces += [f":{_name(name)}", _text(value, depth)]

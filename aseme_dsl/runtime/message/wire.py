@@ -79,7 +79,7 @@ class Schema:
         try:
             proto = self._protos[kind].FromString(data)
         except DecodeError as problem:
-            raise WireError(f"{len(data)} bytes are no {kind.__name__}: {problem}") from None
+            raise WireError(f"{len(data)} bytes cannot be read as {kind.__name__}: {problem}") from None
         return self._from_proto(kind, proto)
 
     # ---- JSON ----------------------------------------------------------------------------------
@@ -102,7 +102,7 @@ class Schema:
         try:
             found: M = from_json(kind, outside.loads(data))
         except (ValueError, RecursionError) as problem:
-            raise WireError(f"{len(data)} bytes are no {kind.__name__}: {problem}") from None
+            raise WireError(f"{len(data)} bytes cannot be read as {kind.__name__}: {problem}") from None
         return found
 
     @cached_property
@@ -126,7 +126,7 @@ class Schema:
     def _to_proto(self, message: object) -> ProtoMessage:
         kind = type(message)
         if kind not in self._protos:
-            raise WireError(f"{kind.__name__} is no message of this system")
+            raise WireError(f"{kind.__name__} is not a message of this system")
         proto: ProtoMessage = self._protos[kind]()
         chosen: set[str] = set()
         for member in self._members[kind]:

@@ -54,7 +54,7 @@ class BatchBoard:
         np = _numpy()
         try:
             given = np.asarray(value)
-            with np.errstate(invalid="ignore"):  # what is no number is told below
+            with np.errstate(invalid="ignore"):  # what is not a number is told below
                 fitting = given.astype(array.dtype, copy=False)
             fits = np.can_cast(given.dtype, array.dtype, "same_kind") or bool((fitting == given).all())
         except (ValueError, TypeError, OverflowError) as error:
@@ -62,7 +62,7 @@ class BatchBoard:
         _check_shape(name, given.shape, len(array))
         if not fits:
             changed = given[fitting != given].flat[0]
-            raise ValueError(f"{name} cannot be set: {changed} is no {_KINDS[array.dtype.kind]}")
+            raise ValueError(f"{name} cannot be set: {changed} is not a {_KINDS[array.dtype.kind]}")
         constants = self.__constants.get(name)
         if constants is not None:
             others = fitting[~np.isin(fitting, list(constants.values()))]

@@ -106,13 +106,13 @@ def _on_the_wall(moment: int) -> str:
 
 
 def ours(headers: Headers) -> dict[str, Any]:
-    """What the header `aseme` says. Raises EnvelopeError if it is no JSON object."""
+    """What the header `aseme` says. Raises EnvelopeError if it is not a JSON object."""
     try:
         found = outside.loads(headers[OURS])
     except (ValueError, RecursionError) as problem:
-        raise EnvelopeError(f"its header {OURS} is no JSON: {problem}") from None
+        raise EnvelopeError(f"its header {OURS} is not JSON: {problem}") from None
     if not isinstance(found, dict):
-        raise EnvelopeError(f"its header {OURS} is no JSON object")
+        raise EnvelopeError(f"its header {OURS} is not a JSON object")
     return found
 
 
@@ -130,11 +130,11 @@ def read_letter(said: Mapping[str, Any], headers: Headers, payload: bytes, syste
         if kind is tuple:
             values[name] = _tuple(name, value)
         elif kind is int and value.__class__ is int and not -(1 << 63) <= value < 1 << 64:
-            raise EnvelopeError(f"its {name} is no number of 64 bits")
+            raise EnvelopeError(f"its {name} is not a number of 64 bits")
         elif value.__class__ is kind:
             values[name] = value
         else:
-            raise EnvelopeError(f"its {name} is no {kind.__name__}")
+            raise EnvelopeError(f"its {name} is not of the type {kind.__name__}")
     if values.pop("check", None) != zlib.crc32(payload):
         raise EnvelopeError("it was damaged on its way: its checksum is another")
     if values.get("kind") not in range(6):
@@ -155,17 +155,17 @@ def read_letter(said: Mapping[str, Any], headers: Headers, payload: bytes, syste
 
 def _tuple(name: str, value: object) -> tuple[Any, ...]:
     if not isinstance(value, list):
-        raise EnvelopeError(f"its {name} is no list")
+        raise EnvelopeError(f"its {name} is not a list")
     if name == _PAIRS:
         try:
             return tuple((str(part), tuple(map(str, names))) for part, names in value)
         except (TypeError, ValueError):
-            raise EnvelopeError(f"its {name} are no participants with agents") from None
+            raise EnvelopeError(f"its {name} are not participants with agents") from None
     if name == "missing" and len(value) > envelopes.MOST_MISSING:
         raise EnvelopeError(f"it says of {len(value)} places that they are missing")
     wanted = int if name == "missing" else str
     if not all(item.__class__ is wanted for item in value):
-        raise EnvelopeError(f"its {name} is no list of {wanted.__name__}")
+        raise EnvelopeError(f"its {name} is not a list of {wanted.__name__}")
     return tuple(value)
 
 
@@ -205,7 +205,7 @@ def said(message: FipaMessage) -> tuple[dict[str, str], str]:
 
 def heard(sender: str, to: str, headers: Headers, body: str) -> FipaMessage:
     """The message of an outsider: what it does not say is empty; what FIPA does not know is kept as it was
-    said, and so is a deadline that is no moment.
+    said, and so is a deadline that is not a moment.
     """
     by = _moment(headers.get("reply-by", ""))
     unread = set(headers) - _FIPA.keys() - _FURTHER

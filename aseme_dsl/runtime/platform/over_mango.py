@@ -193,7 +193,7 @@ class MangoPlatform:
                     sent = False
                 if not sent:
                     if note.kept:
-                        self._return(address, note, "nobody listens there")
+                        self._return(address, note, "no agent listens there")
                     self._receives.unreachable(address)
         finally:
             target.task = None

@@ -166,7 +166,7 @@ class Swap:
         self._same = {agent.role: same_states(agent.plan, charts[agent.role].PLAN) for agent in self.agents}
         roles = dict(version.team)
         self.notes = tuple(
-            f"{agent.name} is {roles[agent.name]} in the new team; it goes on as {agent.role}"
+            f"{agent.name} is {roles[agent.name]} in the new team; it continues as {agent.role}"
             for agent in self.agents
             if roles.get(agent.name, agent.role) != agent.role
         )

@@ -267,7 +267,7 @@ class Team:
                 raise TeamError(f"the script is for an agent {item.agent}; there are {', '.join(names)}")
             if item.channel and item.channel not in read:
                 known = ", ".join(sorted(read)) or "none"
-                raise TeamError(f"nobody in the team reads {item.channel}; there are {known}")
+                raise TeamError(f"no agent of the team reads {item.channel}; there are {known}")
         return script
 
     def _make_faulty(self, faults: Faults) -> None:

@@ -49,7 +49,7 @@ def duration(text: str) -> int:
     """A duration as in a document (`200ms`, `1.5s`) in ns. Raises ValueError for anything else."""
     match = re.fullmatch(r"(\d+(?:\.\d+)?)\s*(ns|us|ms|s|min)", text.strip())
     if match is None:
-        raise ValueError(f"{text!r} is no duration: it is written like 200ms or 1.5s")
+        raise ValueError(f"{text!r} is not a duration: it is written like 200ms or 1.5s")
     return int(Decimal(match[1]) * _UNITS[match[2]])
 
 
@@ -102,7 +102,7 @@ def _read(line: str, messages: Mapping[str, object]) -> TimedInput:
     if channel.count(".") != 2 or kind is None:
         known = ", ".join(sorted(messages)) or "none"
         raise ValueError(
-            f"{channel!r} is no channel: written like vision.state.Ball, with a message of {known}"
+            f"{channel!r} is not a channel: written like vision.state.Ball, with a message of {known}"
         )
     message = from_json(kind, data.get("message", {}))
     return TimedInput(moment, agent, channel, message, sender=data.get("sender", "input"))

@@ -116,7 +116,7 @@ def _check_root(root: Path) -> None:
     for folder in (whole, *whole.parents):
         found = folder.stat()
         if found.st_uid not in (0, os.getuid()):
-            raise OSError(1, "it belongs to somebody else", str(folder))
+            raise OSError(1, "it belongs to another user", str(folder))
         if found.st_mode & 0o022 and not found.st_mode & stat.S_ISVTX:
             raise OSError(1, "others may replace what is in it", str(folder))
 
@@ -126,7 +126,7 @@ def _make_private(folder: Path) -> None:
     folder.mkdir(mode=0o700, exist_ok=True)
     found = folder.lstat()
     if not stat.S_ISDIR(found.st_mode) or found.st_uid != os.getuid():
-        raise OSError(1, "it belongs to somebody else", str(folder))
+        raise OSError(1, "it belongs to another user", str(folder))
     if found.st_mode & 0o022:  # others may have put something in it
         folder.rmdir()
         folder.mkdir(mode=0o700)

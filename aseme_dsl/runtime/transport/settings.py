@@ -115,7 +115,7 @@ class Network:
             try:
                 outside.loads(text)
             except ValueError as problem:
-                raise TransportError(f"{self.access.file} is no JSON: {problem}") from problem
+                raise TransportError(f"{self.access.file} is not JSON: {problem}") from problem
             yield "access_control", text
         elif self.tls is not None and self.team:
             yield "access_control", json.dumps(access_rules(self.robot, self.team, self.controlled))

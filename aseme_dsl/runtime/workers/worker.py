@@ -142,7 +142,7 @@ def _loaded(module: str, file: str) -> ModuleType:
         sys.modules[package] = parent
     specification = importlib.util.spec_from_file_location(module, file)
     if specification is None or specification.loader is None:
-        raise ImportError(f"{file} is no module")
+        raise ImportError(f"{file} is not a module")
     loaded = importlib.util.module_from_spec(specification)
     sys.modules[module] = loaded
     specification.loader.exec_module(loaded)

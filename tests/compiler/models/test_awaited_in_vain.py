@@ -1,4 +1,4 @@
-"""A guard that is the only way out of a state, over a message that nobody is said to publish (N722)."""
+"""N722: the only outgoing transition of a state has a guard over a message that nothing publishes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,9 @@ def awaited(text: str) -> list[str]:
 def test_the_only_way_out_waits_for_what_nobody_publishes() -> None:
     (problem,) = analysis(_role("enter B : [vision.state.Ball.visible]")).diagnostics
     assert problem.code == "N722"
-    expected = "nothing says who publishes `vision.state.Ball`; the only way out of `A` waits for it"
+    expected = (
+        "nothing says who publishes `vision.state.Ball`; the only outgoing transition of `A` waits for it"
+    )
     assert problem.message == expected
     assert problem.related[0].span.text == "Ball"
     assert problem.hint is not None and "`writes vision.state.Ball`" in problem.hint

@@ -78,7 +78,7 @@ def test_it_is_said_once_with_all_who_wait() -> None:
     said = printed(text)
     assert said.count("W553") == 1
     assert "deadlock: `a` waits here for `agree Note`, which `b` cannot have sent" in said
-    assert "`b` waits here, and cannot go on either" in said
+    assert "`b` waits here, and cannot continue either" in said
 
 
 @pytest.mark.parametrize(

@@ -168,7 +168,7 @@ def test_other_modules_of_the_folder_are_asked_for_channels_only(tmp_path: Path)
         'def look(context):\n    context.set_variable("a", 1)\n    return context.read("vision.state.Bal")\n'
     )
     assert [item.code for item in say(tmp_path, "knowledge.py", code)] == ["W530"]
-    (tmp_path / "knowledge.py").write_text("this is no Python")
+    (tmp_path / "knowledge.py").write_text("this is not Python")
     assert check_code(system(SYSTEM), tmp_path) == ((), ())
 
 
@@ -410,13 +410,17 @@ class TestMessagesThatDoNotFit:
         [
             ('context.publish("motion.signal.Ball", P(1.0))', "P(1.0)", "a `Pose`"),
             ('context.publish("motion.signal.Ball", message=P())', "P()", "a `Pose`"),
-            ('context.publish("motion.signal.Ball", True)', "True", "what is no message"),
+            ('context.publish("motion.signal.Ball", True)', "True", "what is not a message"),
             (
                 'context.publish("motion.signal.Ball", {"visible": True})',
                 '{"visible": True}',
-                "what is no message",
+                "what is not a message",
             ),
-            ('context.publish("motion.signal.Ball", Point())', "Point()", "a `Point`, which is no message"),
+            (
+                'context.publish("motion.signal.Ball", Point())',
+                "Point()",
+                "a `Point`, which is not a message",
+            ),
             ('context.publish("motion.signal.Ball", Ball)', "Ball", "the class `Ball` itself"),
             ('x = P()\n        context.publish("motion.signal.Ball", x)', "x", "a `Pose`"),
         ],

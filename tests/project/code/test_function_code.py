@@ -188,7 +188,7 @@ def test_what_the_configuration_names_is_there(tmp_path: Path, written: str) -> 
     [
         ('world = "gme:world"', "E541", "there is no Python module `gme`"),
         ('seed = 3\nworld = "game:wrld"', "E541", "the module `game` has no `wrld`"),
-        ('summary = "game:LIMIT"', "E541", "`LIMIT` of the module `game` is no function"),
+        ('summary = "game:LIMIT"', "E541", "`LIMIT` of the module `game` is not a function"),
         (
             'world = "game:no_seed"',
             "E542",

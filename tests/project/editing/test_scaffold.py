@@ -265,7 +265,7 @@ srm cleaner {
 def test_what_only_advises_is_told_apart() -> None:
     done = run(SHOP.replace("by customer, seller", "by customer, seller, clerk"))
     assert [item.message for item in done.added if item.code == "N702"] == [
-        "clerk takes part in the use case `haggle`, but is no participant of it"
+        "clerk takes part in the use case `haggle`, but is not a participant of it"
     ]
     assert [item.message for item in done.advised] == [
         "clerk takes part in the use case `haggle`, but plays none of haggle"

@@ -124,5 +124,5 @@ def test_a_deployment_fits_its_team(tmp_path: Path) -> None:
     found = misfits(deployment, ["robot1", "robot2"], "pyproject.toml")  # type: ignore[arg-type]
     assert [item.message for item in found] == [
         "pyproject.toml: there is no agent robot9 in the team; there are robot1, robot2",
-        "pyproject.toml: nobody would find robot2: it has no host, and there is no interface to look on",
+        "pyproject.toml: no agent would find robot2: it has no host, and there is no interface to look on",
     ]

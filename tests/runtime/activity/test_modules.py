@@ -165,7 +165,7 @@ def test_a_beat_that_does_not_return_is_reported() -> None:
 
     run = play(BESIDE.replace("CLAUSES", "").replace("1s", "5s"), {"Work": Work})
     (fault,) = run.of("fault")
-    assert fault["reason"] == "module Work has not returned for 2 s: it misses its beats"
+    assert fault["reason"] == "module Work has not returned for 2 s: it misses its releases"
     assert run.result.reason == "finished"
 
 

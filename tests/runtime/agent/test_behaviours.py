@@ -263,8 +263,8 @@ def test_a_class_of_the_user_that_shows_something_else_is_refused_before_the_run
         pass
 
     (problem,) = activity_errors(made.charts.values(), {"SWalkerAgent": WalkerAgent}.get)
-    assert problem.startswith("WalkerAgent is no subclass of generated_")
-    with pytest.raises(TeamError, match="WalkerAgent is no subclass"):
+    assert problem.startswith("WalkerAgent is not a subclass of generated_")
+    with pytest.raises(TeamError, match="WalkerAgent is not a subclass"):
         make(made, {"SWalkerAgent": WalkerAgent})
 
 

@@ -288,7 +288,7 @@ def test_what_means_nothing_is_an_error_of_the_activity() -> None:
         return play(generated, {"A": A}, script=script).result.agents[0].failure or ""
 
     assert "t.state.M carries M, not N" in attempt("message")
-    assert "'t.M' is no channel" in attempt("channel")
+    assert "'t.M' is not a channel" in attempt("channel")
     assert "no variable y here; R has x" in attempt("variable")
     assert "variable x is a int, not True" in attempt("value")
     assert "agent me has no body here" in attempt("body")

@@ -127,9 +127,9 @@ def test_to_look_back_further_than_is_declared_is_refused(generated: Generated) 
 
 def test_what_has_no_past_is_refused(generated: Generated) -> None:
     def look(context: Context) -> Any:
-        with pytest.raises(LookupError, match=r"eyes\.state\.Pose is no data channel"):
+        with pytest.raises(LookupError, match=r"eyes\.state\.Pose is not a data channel"):
             context.at("eyes.state.Pose", 1)
-        with pytest.raises(TypeError, match=r"name is no number: 'n'"):
+        with pytest.raises(TypeError, match=r"name is not a number: 'n'"):
             context.interpolated("eyes.data.Seen", "name", 0.1)
         with pytest.raises(ValueError):
             context.mean("eyes.data.Seen", "pose.x", -1)

@@ -334,7 +334,7 @@ def test_an_outsider_registers() -> None:
 
 
 WRONG = {
-    "what is no JSON": (("request", "(search)"), ("not-understood", "unrecognised-value")),
+    "what is not JSON": (("request", "(search)"), ("not-understood", "unrecognised-value")),
     "what is no object": (("request", "[]"), ("not-understood", "unrecognised-value")),
     "what is no text": (("request", b"\xff"), ("not-understood", "unrecognised-value")),
     "an act": (("propose", {}), ("not-understood", "unsupported-act")),

@@ -128,25 +128,25 @@ MISTAKES = {
         {"performative": "cfp", "content": {}},
         "help receives no cfp",
     ),
-    "content is no JSON": (
+    "content is not JSON": (
         {"performative": "request", "content": "(sl)"},
-        "the content is no JSON: Expecting value: line 1 column 1 (char 0)",
+        "the content is not JSON: Expecting value: line 1 column 1 (char 0)",
     ),
     "content is no object": (
         {"performative": "request", "content": "3"},
-        "the content is no JSON object",
+        "the content is not a JSON object",
     ),
     "content is half a character": (
         {"performative": "request", "content": '"\\ud800"'},
-        "the content is no JSON: 'utf-8' codec can't encode character",
+        "the content is not JSON: 'utf-8' codec can't encode character",
     ),
     "content is very deep": (
         {"performative": "request", "content": "[" * 100_000},
-        "the content is no JSON: more than 100 lists and objects in each other",
+        "the content is not JSON: more than 100 lists and objects in each other",
     ),
     "content is no text": (
         {"performative": "request", "content": b"\xff"},
-        "the content is no text in UTF-8",
+        "the content is not a text in UTF-8",
     ),
     "another language": (
         {"performative": "request", "content": "(x)", "language": "fipa-sl"},

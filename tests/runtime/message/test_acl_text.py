@@ -171,15 +171,15 @@ def test_zones_without_a_letter_are_written_in_utc() -> None:
         (
             "(inform :reply-by 20261331T120000000)",
             (1, 19),
-            "20261331T120000000 is no moment: month must be in 1..12",
+            "20261331T120000000 is not a moment: month must be in 1..12",
         ),
         ("(inform :protocol 3)", (1, 19), "the protocol's name as a word is wanted here, not 3"),
         ("(inform :X-a 1e999)", (1, 14), "the number is too large"),
         ("(inform :X-a " + "9" * 5000 + ")", (1, 14), "the number has too many digits"),
         ("(inform :X-a -)", (1, 14), "a word, a string, a number, a moment or '(' is wanted here, not -"),
         ("(inform :X-a " + "(" * 100_000, (1, 63), "it is nested more than 50 deep"),
-        (b"(inform :X-a \xff)", (1, 14), "it is no UTF-8: invalid start byte"),
-        (b'(inform :language #1"\xff)', (1, 19), "what stands here is no text in UTF-8"),
+        (b"(inform :X-a \xff)", (1, 14), "it is not UTF-8: invalid start byte"),
+        (b'(inform :language #1"\xff)', (1, 19), "what stands here is not a text in UTF-8"),
     ],
 )
 def test_what_is_no_message_is_told_with_its_place(
@@ -207,7 +207,7 @@ def test_what_is_no_message_is_told_with_its_place(
         ),
         (FipaMessage("inform", parameters=(("X-a", 10**5000),)), "a number is too large"),
         (FipaMessage("inform", parameters=(("X-a", None),)), "None is nothing that a parameter can be"),
-        (FipaMessage("inform", content="\ud800"), "is no text: surrogates not allowed"),
+        (FipaMessage("inform", content="\ud800"), "is not a text: surrogates not allowed"),
         (FipaMessage("inform", reply_by=Span(days=100)), "has more than FIPA's digits can say"),
     ],
 )

@@ -116,7 +116,7 @@ def test_every_wrong_line_of_a_script_is_named() -> None:
         read_inputs(lines, MESSAGES)
     told = str(raised.value).splitlines()
     assert [line.split(":")[0] for line in told] == [f"line {n}" for n in range(3, 13)]
-    assert "'soon' is no duration" in told[2]
+    assert "'soon' is not a duration" in told[2]
     assert "i: a int is wanted" in told[6]
 
 
@@ -138,7 +138,7 @@ def test_a_script_for_nobody_is_an_error() -> None:
     with pytest.raises(TeamError, match=r"for an agent you; there are me"):
         play(GENERATED, script=[{"agent": "you", "channel": "t.state.M"}])
     silent = generate("system S message M { int n } topic t { state M } srm R { liveness { R = A } }")
-    with pytest.raises(TeamError, match=r"nobody in the team reads t.state.M"):
+    with pytest.raises(TeamError, match=r"no agent of the team reads t.state.M"):
         play(silent, script=[{"channel": "t.state.M"}])
 
 

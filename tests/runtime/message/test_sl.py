@@ -64,7 +64,9 @@ WRONG = {
     "((()))": "line 1, column 3: a name is wanted here, not '('",
     '((p "a))': "line 1, column 5: the string has no end",
     "((p" + " (f" * 100: "line 1, column 149: it is nested more than 50 deep",
-    "((p 20261399T000000000))": "line 1, column 5: 20261399T000000000 is no moment: month must be in 1..12",
+    "((p 20261399T000000000))": (
+        "line 1, column 5: 20261399T000000000 is not a moment: month must be in 1..12"
+    ),
 }
 
 
@@ -90,8 +92,8 @@ def test_a_long_content_is_not_read() -> None:
 @pytest.mark.parametrize(
     ("term", "reason"),
     [
-        (Form("p", (b"\xff",)), "is no text in UTF-8"),
-        (Form("p", (math.nan,)), "nan is no number of SL"),
+        (Form("p", (b"\xff",)), "is not a text in UTF-8"),
+        (Form("p", (math.nan,)), "nan is not a number of SL"),
         (Form("p q", ("a",)), "is no word"),
         (Form("p", (), (("a b", 1),)), "cannot be a name"),
         (Form("p", ("\ud800",)), "is no text"),

@@ -124,7 +124,7 @@ def test_an_agent_message_is_one_for_everybody() -> None:
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
-        ({"aseme": "no JSON"}, "its header aseme is no JSON"),
+        ({"aseme": "no JSON"}, "its header aseme is not JSON"),
         ({"aseme": "[1]"}, "no JSON object"),
         ({"aseme": '{"kind":1}'}, "its checksum is another"),
         ({"aseme": '{"kind":9,"check":0}'}, "there is no kind 9"),
@@ -132,9 +132,9 @@ def test_an_agent_message_is_one_for_everybody() -> None:
         ({"aseme": '{"kind":true,"check":0}'}, "its kind is no int"),
         ({"aseme": '{"kind":1,"check":0,"much":1}'}, "there is no much in an envelope"),
         ({"aseme": '{"kind":1,"check":0,"parts":[["a"]]}'}, "its parts are no participants"),
-        ({"aseme": '{"kind":1,"check":0,"receivers":[1]}'}, "its receivers is no list of str"),
+        ({"aseme": '{"kind":1,"check":0,"receivers":[1]}'}, "its receivers is not a list of str"),
         ({"aseme": '{"kind":1,"check":0}', "performative": "shout"}, "FIPA has no performative shout"),
-        ({"aseme": "[" * 100_000}, "is no JSON"),
+        ({"aseme": "[" * 100_000}, "is not JSON"),
     ],
 )
 def test_what_is_no_envelope_is_refused_with_the_reason(change: dict[str, str], reason: str) -> None:

@@ -61,7 +61,7 @@ def test_an_outsider_takes_part_in_a_conversation(net: Generated, square: Square
 
 @pytest.mark.parametrize(
     ("said", "reason"),
-    [("soon", "'soon' is no date and time"), ("0001-01-01", "0001-01-01 00:00:00 is out of reach")],
+    [("soon", "'soon' is not a date and time"), ("0001-01-01", "0001-01-01 00:00:00 is out of reach")],
 )
 def test_a_deadline_that_cannot_be_read_is_told(
     net: Generated, square: Square, monkeypatch: pytest.MonkeyPatch, said: str, reason: str
@@ -90,7 +90,7 @@ def test_a_deadline_that_cannot_be_read_is_told(
         ({"performative": "shout"}, "{}", "FIPA has no performative shout"),
         ({}, "hello", "FIPA has no performative"),
         ({"performative": "cfp", "protocol": "net"}, '{"n": "three"}', "n: a int is wanted"),
-        ({"performative": "cfp", "protocol": "net"}, "n = 3", "the content is no JSON"),
+        ({"performative": "cfp", "protocol": "net"}, "n = 3", "the content is not JSON"),
         ({"performative": "inform", "protocol": "net"}, "{}", "worker receives no inform"),
         ({"performative": "cfp", "protocol": "chess"}, "{}", "bob plays no part in chess"),
     ],

@@ -217,7 +217,7 @@ def _told(stuck: Sequence[tuple[str, State, Received]]) -> Diagnostic:
     """One message for the protocol: where each waits is one and the same problem."""
     name, _, event = stuck[0]
     others = [
-        Related(item.span, f"`{who}` waits here, and cannot go on either")
+        Related(item.span, f"`{who}` waits here, and cannot continue either")
         for who, _, item in stuck[1:]
         if who != name
     ]

@@ -85,7 +85,7 @@ class ModuleNotPython(Problem):
 
     @property
     def message(self) -> str:
-        return f"the module `{self.module}` is no Python: {self.reason}"
+        return f"the module `{self.module}` is not Python: {self.reason}"
 
     @property
     def hint(self) -> str:
@@ -116,7 +116,7 @@ class NotAPythonFunction(Problem):
 
     @property
     def message(self) -> str:
-        return f"`{self.name}` of the module `{self.module}` is no function"
+        return f"`{self.name}` of the module `{self.module}` is not a function"
 
     hint = "name a function"
 
@@ -284,7 +284,7 @@ class NotPython(Problem):
     @property
     def message(self) -> str:
         needed = "" if self.imported_by is None else f"; `{self.imported_by}` imports it"
-        return f"this is no Python: {self.reason}{needed}"
+        return f"this is not Python: {self.reason}{needed}"
 
 
 class NoFileOfModule(Problem):

@@ -312,9 +312,9 @@ class PublishesOther(Problem):
             case "class of message":
                 return f"the class `{self.found}` itself"
             case "other class":
-                return f"a `{self.found}`, which is no message"
+                return f"a `{self.found}`, which is not a message"
             case "value":
-                return "what is no message"
+                return "what is not a message"
             case other:
                 assert_never(other)
 

@@ -128,7 +128,7 @@ class NoUnitOfTime(Problem):
 
     @property
     def message(self) -> str:
-        return f"{shown(self.unit)} is no unit of time"
+        return f"{shown(self.unit)} is not a unit of time"
 
     @property
     def hint(self) -> str:

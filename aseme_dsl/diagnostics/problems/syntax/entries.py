@@ -144,7 +144,7 @@ class MisspeltWord(Problem):
 
     @property
     def message(self) -> str:
-        return f"{shown(self.word)} is no word of the language here"
+        return f"{shown(self.word)} is not a word of the language here"
 
     @property
     def hint(self) -> str:

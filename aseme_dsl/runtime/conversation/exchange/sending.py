@@ -45,7 +45,7 @@ class Sending:
             return players
         is_member = any(to in names for names in members.values())
         if to not in self._members.plans and not is_member and self._registered(agent, branch, to) is None:
-            raise LookupError(f"{to} is neither an agent nor a participant of {protocol} that somebody plays")
+            raise LookupError(f"{to} is neither an agent nor a participant of {protocol} that an agent plays")
         return (to,)
 
     def send(

@@ -183,13 +183,13 @@ def is_current(state: Delivery, other: Other, envelope: Envelope) -> bool:
     """Whether an envelope is from the life that its sender leads, and for ours. Called with the lock."""
     life = envelope.incarnation
     if life != other.life and not is_next(state, other, life):
-        count(state, other, "late", "it is of an earlier life of its sender")
+        count(state, other, "late", "it is of an earlier incarnation of its sender")
         return False
     if not is_fresh(state, envelope):
         if envelope.kind == envelopes.PING:  # who looks for another life of ours is none of our business
             other.counts["late"] = other.counts.get("late", 0) + 1
         else:
-            count(state, other, "late", "it is for an earlier life of its receiver")
+            count(state, other, "late", "it is for an earlier incarnation of its receiver")
         return False
     if life != other.life:
         begin_life(state, other, life)

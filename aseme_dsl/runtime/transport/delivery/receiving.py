@@ -105,7 +105,7 @@ def in_order(
     if envelope.place == 0:
         return sampled(state, other, way, envelope, payload)
     if envelope.addressee != state.incarnation:
-        count(state, other, "late", "it is for an earlier life of its receiver")
+        count(state, other, "late", "it is for an earlier incarnation of its receiver")
         return []
     if envelope.place > way.into.upto + 1:
         count(state, other, "reordered", "one came before its predecessor")
