@@ -81,7 +81,7 @@ class Bound:
 
 @dataclass(frozen=True, slots=True)
 class Sender:
-    """Who has sent the agent message that the transition takes, or (`lost`) which agent is gone."""
+    """Who has sent the agent message that the transition takes, or (`lost`) which agent is lost."""
 
     name: str
     span: Span
@@ -384,7 +384,7 @@ class Received:
 
 @dataclass(frozen=True, slots=True)
 class Lost:
-    """`lost contractor c`: an agent that plays the participant in the conversation is gone."""
+    """`lost contractor c`: an agent that plays the participant in the conversation is lost."""
 
     participant: str
     span: Span

@@ -60,7 +60,7 @@ BUILT_IN = {str(t): t for t in (BOOL, INT, DOUBLE, STRING, BYTES, DURATION)}
 
 
 class ChannelKind(StrEnum):
-    """The papers' commType: how long a message counts and for whom."""
+    """The papers' channel kind (`commType`): how long a message counts and for whom."""
 
     SIGNAL = "signal"
     STATE = "state"

@@ -40,7 +40,7 @@ class OriginKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """From what a node or transition came: `formula` player.decision, `protocol` attack.center, …"""
+    """Where a state or transition came from: `formula` player.decision, `protocol` attack.center, …"""
 
     kind: OriginKind
     owner: str

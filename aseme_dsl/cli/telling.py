@@ -122,7 +122,7 @@ class Telling:
                 for taken in record.get("taken", ()):
                     self._took(record, taken["transitions"])
         elif kind == "conversation":
-            if record["what"] == "leave":  # its own are the news that somebody is gone
+            if record["what"] == "leave":  # its own report lost agents
                 self.untaken += sum(sender != record["agent"] for sender, _ in record.get("untaken", ()))
         elif kind == "unexpected":
             self.unexpected += record["performative"] != NOT_UNDERSTOOD  # which only answers another one

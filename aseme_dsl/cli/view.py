@@ -70,7 +70,7 @@ def command(target: str, model: str | None, port: int, opens: bool, colour: str)
 
 @contextmanager
 def opened(url: str) -> Iterator[None]:
-    """Open an address in the browser, by a file that only this user can read and that is gone in the end.
+    """Open an address in the browser, by a file that only this user can read and that is deleted in the end.
 
     The command line of a browser is for all users of the machine to see, and the address has a secret in it.
     """

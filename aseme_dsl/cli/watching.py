@@ -63,7 +63,7 @@ def watch(
             workshop.stamps = watcher.begin()
             try:
                 done = do(workshop)
-            except click.UsageError as error:  # of the configuration, which may be mended
+            except click.UsageError as error:  # of the configuration, which may be fixed
                 if not news:
                     raise
                 click.echo(f"{_clock()}  {news}: {error.format_message()}", err=True)

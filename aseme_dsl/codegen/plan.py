@@ -238,7 +238,7 @@ def _topics_reached(system: System, name: str, reach: str) -> list[Topic]:
 
 
 def _read(system: System, activity: Activity) -> tuple[str, ...]:
-    """The channels that an activity reads, whole topics spelled out; those of a host under its name, too."""
+    """The channels that an activity reads, topics spelled out; those of a sender under its name, too."""
     found: list[str] = []
     for read in activity.reads:
         if read.channel is not None:

@@ -1,4 +1,4 @@
-"""Changes: what mends several problems at once, and texts with it."""
+"""Changes: what fixes several problems at once, and texts with it."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ class Edit:
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:
-    """A problem, its place, and the edits that mend it.
+    """A problem, its place, and the edits that fix it.
 
     `span` is None only for problems that are in no text (a file that cannot be read); then `path` says
     which file is meant. `fix` is the replacement of the span's text where there is one right answer; an
@@ -75,7 +75,7 @@ class Diagnostic:
 
     @property
     def changes(self) -> tuple[Edit, ...]:
-        """What mends it, all of it together; empty where there is no one right answer."""
+        """What fixes it, all of it together; empty where there is no one right answer."""
         if self.edits or self.fix is None or self.span is None:
             return self.edits
         return (Edit(self.span, self.fix),)

@@ -173,7 +173,7 @@ def place_json(span: Span) -> dict[str, Any]:
 def render_json(diagnostics: Iterable[Diagnostic]) -> list[dict[str, Any]]:
     """The same as plain data, for `--json`.
 
-    `edits` is everything that mends the problem; `fix` is the one replacement of the text at its place.
+    `edits` is everything that fixes the problem; `fix` is the one replacement of the text at its place.
     """
     return [
         {

@@ -28,7 +28,8 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
         return exact
     wanted = _folded(name)
     if len(folded) > _MANY:
-        # Comparing is slow, and a large file may have many wrong names: look only where a slip is likely.
+        # Comparing is slow, and a large file may have many wrong names: look only where a typing error is
+        # likely.
         likely = (item for item in folded if item[:2] == wanted[:2] or item[-2:] == wanted[-2:])
         folded = {item: folded[item] for item in islice(likely, _MANY)}
     matches = get_close_matches(wanted, folded, n=1, cutoff=_CLOSE)

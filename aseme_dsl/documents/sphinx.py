@@ -93,7 +93,7 @@ class AsemeDiagram(SphinxDirective):
         return page, line + self.content_offset + 1  # MyST counts from the directive
 
     def _tell(self, problems: tuple[Problem, ...]) -> None:
-        self.env.note_reread()  # so that it is told by every build until it is mended
+        self.env.note_reread()  # so that it is reported by every build until it is fixed
         page, line = self.get_source_info()
         for problem in problems:
             place = f"{page}:{problem.line or line}"

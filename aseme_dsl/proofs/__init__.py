@@ -4,7 +4,7 @@ unknowns    what a snapshot gives values to: messages, members, variables, timer
 evaluate    whether a condition holds when some of them are known
 encoding    conditions as formulas of z3, with absence and faults exactly as they run
 snapshot    whether conditions can hold and fail together, and the simplest values that make them
-ways        the ways out of a state, through its choices
+ways        the outgoing transitions of a state, through its choices
 choice      which choices are looked at, and what may be found
 findings    overlaps, gaps, and branches that are never or always open
 prover      z3, where it is installed

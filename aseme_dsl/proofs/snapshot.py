@@ -47,12 +47,12 @@ Way = tuple[e.Value, ...]
 
 
 class Undecided(Exception):
-    """The budget was used up, or doubles are not the real numbers that z3 takes them for."""
+    """The budget was exhausted, or doubles are not the real numbers that z3 takes them for."""
 
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """That all conditions of `open` hold, and that of each way in `closed` one does not."""
+    """That all conditions of `open` hold, and that of each transition in `closed` one does not."""
 
     open: Way = ()
     closed: tuple[Way, ...] = ()

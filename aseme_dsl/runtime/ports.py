@@ -108,7 +108,7 @@ class Links(Protocol):
     ) -> None:
         """Carry a message of a kind; `give` gives it to its receiver.
 
-        The kind is signal, state, data, radio or mail, `what` its channel or the conversation of mail.
+        The kind is signal, state, data, radio or agent message, `what` its channel or the conversation.
         """
         ...
 

@@ -13,6 +13,8 @@ from aseme_dsl.diagnostics import CODES
 from tests.docs.prose import (
     ROOT,
     avoided,
+    may_be_avoided,
+    notes,
     number_of_words,
     prose,
     sentences,
@@ -48,6 +50,18 @@ MODULES = sorted(
     for path in PACKAGE.rglob("*.py")
     if not path.relative_to(PACKAGE).as_posix().startswith(PRINTED)
 )
+LOOSE = frozenset(
+    {
+        *("is told", "are told", "is no", "are no", "goes on", "go on"),
+        *("somebody", "anybody", "nobody", "everybody", "whoever", "whatever"),
+    }
+)
+"""What docstrings and comments may say: no term of the glossary takes their place."""
+QUOTED = {
+    "runtime/control/operator_gate.py": {"life"},
+    "runtime/transport/envelope.py": {"mail"},
+}
+"""Names in formats that a docstring shows."""
 
 
 def _problems(texts: Iterator[str]) -> list[str]:
@@ -91,10 +105,24 @@ def test_the_words_of_messages() -> None:
     """All strings of the package: messages, hints, what commands print, what stands in logs."""
     found = {}
     for module in MODULES:
-        texts = shown_texts((PACKAGE / module).read_text("utf-8"))
+        strings = shown_texts((PACKAGE / module).read_text("utf-8"))
+        texts = [text for text in strings if may_be_avoided(text, WORDS) or text.count(" ") >= MOST_WORDS]
         if problems := _problems(part for text in texts for part in prose(text)):
             found[module] = problems
     assert found == {}
+
+
+def test_the_words_of_docstrings_and_comments() -> None:
+    found = {}
+    for path in sorted(PACKAGE.rglob("*.py")):
+        allowed = LOOSE | QUOTED.get(path.relative_to(PACKAGE).as_posix(), set())
+        words = {word: instead for word, instead in WORDS.items() if word not in allowed}
+        suspects = (text for text in notes(path.read_text("utf-8")) if may_be_avoided(text, words))
+        texts = [part for text in suspects for part in prose(text)]
+        if problems := [f"{problem}, in {text!r}" for text in texts for problem in avoided(text, words)]:
+            found[path.relative_to(PACKAGE).as_posix()] = problems
+    assert found == {}
+    assert LOOSE - WORDS.keys() == set()
 
 
 def test_a_title_is_short() -> None:
@@ -124,6 +152,20 @@ def test_the_table_of_words_is_read() -> None:
 )
 def test_what_is_found_in_strings(python: str, problems: int) -> None:
     assert len(_problems(part for text in shown_texts(python) for part in prose(text))) == problems
+
+
+@pytest.mark.parametrize(
+    ("python", "problems"),
+    [
+        ('"""We mend it."""', 1),
+        ('def f():\n    """Text.\n\n    We\n    mend it.\n    """', 1),
+        ('name = 1\n"""Mended."""', 1),
+        ("name = 1  # `mend` it\n# A way\n# in\n", 1),
+        ("text = '# mend'", 0),
+    ],
+)
+def test_what_is_found_in_docstrings_and_comments(python: str, problems: int) -> None:
+    assert len(_problems(part for text in notes(python) for part in prose(text))) == problems
 
 
 @pytest.mark.parametrize(

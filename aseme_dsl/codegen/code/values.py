@@ -121,7 +121,7 @@ class Names:
     """The names of one generated method and what the emitted code turned out to use."""
 
     slots: Mapping[tuple[str, str | None], Expr]
-    """The code that reads the message of (channel, host)."""
+    """The code that reads the message of (channel, sender)."""
     variables: Mapping[str, Expr]
     """The code that reads each variable."""
     fields: Mapping[tuple[str, str], tuple[bool, str]] = field(default_factory=dict)

@@ -1,4 +1,4 @@
-"""What must hold for the ways out of a leaf, mode by mode."""
+"""What must hold for the outgoing transitions of a leaf, mode by mode."""
 
 from __future__ import annotations
 
@@ -60,7 +60,8 @@ class Conditions:
     ) -> Iterator[Candidate]:
         """The compound transitions of a way, each with all of its tests.
 
-        `does`: to test so far does something: it may be told that a condition has failed, or chance goes on.
+        `does`: to test so far does something: it may be told that a condition has failed, or a random number
+        is drawn.
         """
         names = self._names
         transition = names.flat.transition(way.number)
@@ -123,7 +124,7 @@ class Conditions:
         return (tests[0] if len(tests) == 1 else Group(any_of(tests)),)
 
     def _spending(self, mode: Mode, source: str, events: Iterable[Event]) -> Spending:
-        """Whether the event is spent: the first of several that is there counts."""
+        """Whether the event is consumed: the first of several that is there counts."""
         before: list[Expr] = []
         for event in events:
             if isinstance(event, Raised) and event.name == mode.event:

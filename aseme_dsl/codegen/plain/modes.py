@@ -42,7 +42,7 @@ class Candidate:
     stays: bool = False
     """Whether its source is not left."""
     leads_on: bool = True
-    """Whether it can be taken: a choice may have no way out, but what may fail before it is to be told."""
+    """Whether it can be taken: a choice may have no branch, but what may fail before it is to be reported."""
 
 
 @dataclass(slots=True)

@@ -116,7 +116,7 @@ class PlainNames(Face):
         return self.place_on_board(self.on_board(name))
 
     def message_slots(self) -> dict[tuple[str, str | None], tuple[str, str]]:
-        """The places of the messages that conditions read, by channel and host, with their types."""
+        """The places of the messages that conditions read, by channel and sender, with their types."""
         found: dict[tuple[str, str | None], tuple[str, str]] = {}
         for members in self.uses.members.values():
             for member in members:

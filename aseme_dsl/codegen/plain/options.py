@@ -44,7 +44,7 @@ class PlainOptions:
     """How the class is to be.
 
     `mapping`: the blackboard is a dictionary instead of a class with slots. `watched`: each activity has a
-    method that is called as it starts, and one that is called when it is cut short, and `took` is told of
+    method that is called as it starts, and one that is called when it is interrupted, and `took` is told of
     each transition. `tables`: regions with many leaves find what is to do in a tuple of functions. `gates`:
     many conditions in a row are skipped while a tracked blackboard has not changed. `translated`: the steps
     are for batches, which have a `done` of their own, and nothing is called there that may raise.

@@ -269,7 +269,7 @@ class Rounds:
     # ---- from a leaf -----------------------------------------------------------------------
 
     def from_leaf(self, mode: Mode, region: int, leaf: State, number: int, depth: int) -> Block:
-        """What one round may do while `leaf` is active: what cuts short, the outermost first; then innermost
+        """What one round may do while `leaf` is active: what interrupts, the outermost first; then innermost
         source first."""
         flat = self._flat
         complete = self._names.complete(leaf, number)

@@ -1,4 +1,4 @@
-"""The flattened chart: regions, the numbers of their leaves, the ways out of them.
+"""The flattened chart: regions, the numbers of their leaves, their outgoing transitions.
 
 Inside a region the hierarchy of OR states disappears: one integer says which leaf (START, BASIC, END or AND)
 is active. The leaves of a composite have consecutive numbers.
@@ -22,7 +22,7 @@ from aseme_dsl.amola.statechart import (
 
 @dataclass(frozen=True, slots=True)
 class Way:
-    """A transition by its number; into a CONDITION with the ways out of it, in the order they are tried."""
+    """A transition by its number; into a CONDITION with its outgoing transitions, in the order of trying."""
 
     number: int
     branches: tuple[Way, ...] = ()
@@ -231,7 +231,7 @@ class FlatChart:
         return self.chart.transitions[number]
 
     def ways(self, label: str) -> tuple[Way, ...]:
-        """The ways out of a source in the order in which they are tried, without those that are `first`."""
+        """The outgoing transitions of a source in the order of trying, without those that are `first`."""
         found = self._ways.get(label)
         if found is None:
             found = tuple(self._way(item) for item in self.chart.outgoing(label) if not item.first)

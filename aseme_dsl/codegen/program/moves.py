@@ -105,7 +105,7 @@ def raises(value: Value) -> bool:
 
 
 def draws(value: Value) -> bool:
-    """Whether chance goes on when a value is computed."""
+    """Whether computing a value draws a random number."""
     return any(isinstance(part, Random) for part in walk(value))
 
 

@@ -48,7 +48,7 @@ def lowered(system: System, chart: Statechart) -> Program:
 def lowered_for_events(system: System, chart: Statechart, *, watched: bool) -> EventProgram:
     """A statechart as a program without agents runs it.
 
-    `watched`: each activity is told when it is cut short.
+    `watched`: each activity is told when it is interrupted.
     """
     rests = resting(chart, watched=watched)
     flat = FlatChart(chart, rests.width)

@@ -36,7 +36,7 @@ class Resting:
 
 
 def resting(chart: Statechart, *, watched: bool) -> Resting:
-    """What can be active between two rounds; `watched`: each activity is told when it is cut short."""
+    """What can be active between two rounds; `watched`: each activity is told when it is interrupted."""
     asked = any(isinstance(value, StateValue | Outcome) for _, value in chart.values())
     failing = any(isinstance(e, Failed) for item in chart.transitions for e in item.expression.events)
     passed = {} if asked else _passed(chart)

@@ -38,7 +38,7 @@ class Uses:
 
     @cached_property
     def members(self) -> dict[int, tuple[Member, ...]]:
-        """The messages that the expressions of each region look at, members and hosts included."""
+        """The messages that the expressions of each region look at, fields and senders included."""
         found: dict[int, dict[tuple[str, str | None], Member]] = {}
         for place, value in self._chart.values():
             if isinstance(value, Member):
@@ -51,7 +51,7 @@ class Uses:
 
     @cached_property
     def aged(self) -> frozenset[tuple[int, str, str | None]]:
-        """(region, channel, host) whose time of measurement somebody asks for."""
+        """(region, channel, sender) whose time of measurement somebody asks for."""
         return frozenset(
             (self._flat.region_number[place], str(v.message.channel), v.message.host)
             for place, v in self._chart.values()
@@ -128,11 +128,11 @@ class Uses:
 
     @cached_property
     def missed(self) -> dict[str, dict[int, tuple[str, ...]]]:
-        """Of each signal: the regions with a condition that may hold because the signal is gone, with the
+        """Of each signal: the regions with a condition that may hold because the signal is consumed, with the
         sources of these transitions.
 
         In three-valued logic an absent value makes nothing true that was not true before. Only what is
-        two-valued, and what raises with the signal, tells that it is gone.
+        two-valued, and what raises with the signal, tells that it is consumed.
         """
         found: dict[str, dict[int, dict[str, None]]] = {}
         for source in self._flat.sources:
@@ -213,7 +213,7 @@ def _tells_absence(value: Value) -> bool:
 
 
 def signals(values: Iterable[Value]) -> tuple[tuple[str, str | None], ...]:
-    """The signals (channel, host) among values, each once."""
+    """The signals (channel, sender) among values, each once."""
     found = {
         (str(v.channel), v.host): None
         for v in values

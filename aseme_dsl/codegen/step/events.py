@@ -84,7 +84,7 @@ class Events(Part):
             for index, (test, action) in enumerate(events):
                 method.add(depth, f"{'elif' if index else 'if'} {test}:", f"    {action}")
             return
-        actions: dict[str, int] = {}  # what was there is seen before any of it is spent
+        actions: dict[str, int] = {}  # what was there is seen before any of it is consumed
         choices = []
         for item in spending:
             tests = [
@@ -98,7 +98,7 @@ class Events(Part):
             method.add(depth + 1, f"{'elif' if index else 'if'} event == {index}:", f"    {action}")
 
     def spent(self, region: int, source: str, event: Event) -> str:
-        """What spends an event; time and failures are not spent."""
+        """What consumes an event; time and failures are not consumed."""
         match event:
             case Received() | Lost():
                 return f"self.take_mail({self._letter(source, event)})"
@@ -112,7 +112,7 @@ class Events(Part):
 
 
 def _kind(event: Received | Lost) -> tuple[str, str, str]:
-    """What mail an event waits for: performative, message and participant."""
+    """The agent messages that an event waits for: performative, message and participant."""
     if isinstance(event, Lost):
         return LOST, "", event.participant
     return event.performative, event.message, event.participant

@@ -101,7 +101,7 @@ class Rounds(Part):
         self.names.tables += [")"]
 
     def _from_leaf(self, method: Method, region: int, leaf: State, complete: Expr) -> None:
-        """Everything that one round may do while `leaf` is active: what cuts short, the outermost first, then
+        """Everything that one round may do while `leaf` is active: what interrupts, the outermost first, then
         innermost source first."""
         depth = 2
         for around in reversed(self.flat.sources_around(leaf.label)):
@@ -165,7 +165,7 @@ class Rounds(Part):
     def _ways(
         self, method: Method, depth: int, region: int, source: str, leaf: State | None, complete: Expr
     ) -> bool:
-        """The ways out of a source; whether one of them is always taken, so that nothing follows."""
+        """The outgoing transitions of a source; whether one is always taken, so that nothing follows."""
         return any(
             self._way(method, depth, region, source, leaf, complete, way, ())
             for way in self.flat.ways(source)

@@ -133,7 +133,7 @@ def _renamed(value: Expired, name: str) -> tuple[Edit, ...]:
 def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
     """N724 for a state that may complete and is then left by time only.
 
-    A line with an event or `when` takes the place of the way out on completion. A message, an event, an
+    A line with an event or `when` takes the place of the completion transition. A message, an event, an
     `error` or a `when` is plainly meant to be waited for; time alone may be meant besides completion.
     """
     completes = _completions(chart, _edges(chart))[0]
@@ -142,7 +142,7 @@ def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
             continue
         ways = chart.outgoing_edges(node.label)
         if node.origin.kind is OriginKind.STATECHART:
-            continue  # there is no template whose way out was replaced
+            continue  # there is no template whose completion transition was replaced
         if not ways or not all(_is_limit(item.expression) for item in ways):
             continue
         name, line = cut(node.name), ways[0].span.text.partition(":")[0].strip()
@@ -219,7 +219,7 @@ def _needs_completion(expression: TransitionExpression) -> bool:
 def _endless_waits(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator[Diagnostic]:
     """W402: a transition that waits for the completion of a state that can never complete.
 
-    The way to an END that nobody wrote a line for is not reported: endless processes are meant to be endless.
+    A transition to an END that has no line is not reported: endless processes are meant to be endless.
     What follows from a reported wait is not reported again.
     """
     completes, in_vain = _completions(chart, edges)
@@ -469,7 +469,7 @@ def _comes_to_rest(chart: Statechart, transitions: Sequence[Transition], contrad
 
 
 def _before_else(chart: Statechart, transition: Transition) -> Iterator[Value]:
-    """What does not hold where an `else` is taken; a way to another choice may be shut further on."""
+    """What does not hold where an `else` is taken; a transition to another choice may be shut further on."""
     if not transition.expression.otherwise:
         return
     for other in chart.outgoing_edges(transition.source):

@@ -19,7 +19,7 @@ from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
 _LONG = 5
-"""How many letters a name has to have for one of them to be a slip."""
+"""How many letters a name has to have for one of them to be a typing error."""
 
 
 _Named = Literal["activity", "formula", "participant"]
@@ -83,7 +83,7 @@ def close_names(
 
     `unused` are the participants that a role plays and no formula of it uses: there, less closeness will do.
     A description that no formula has is E204, which says what it is close to. The protocols of the standard
-    library have their own names: what a system calls its activities is no slip of those.
+    library have their own names: what a system calls its activities is not a misspelling of those.
 
     Close is: equal but for case and underscores, or one letter more, less, wrong or swapped in a name of five
     or more. Names that differ in a digit or a capital (`ScanA`, `ScanB`) are meant to differ.

@@ -1,7 +1,7 @@
 """Consequences: of the diagnostics of all phases, those that only follow from others are left out.
 
 One cause gives one message. A phase knows only its own part; here all are seen together. What is said twice
-is not wrong, but it hides what has to be mended first.
+is not wrong, but it hides what has to be fixed first.
 """
 
 from __future__ import annotations
@@ -413,7 +413,7 @@ def _of(found: Iterable[Diagnostic], *kinds: type[Problem]) -> list[Diagnostic]:
 
 
 def _occurrences(span: Span) -> int:
-    """How often the word at a place stands in its file: a slip is made once."""
+    """How often the word at a place stands in its file: a typing error is made once."""
     return _words(span.source.text).get(span.text, (0, 0))[0]
 
 
@@ -427,7 +427,7 @@ def _words(text: str) -> dict[str, tuple[int, int]]:
 
 
 def _blamed_on_its_declaration(item: Diagnostic) -> Diagnostic:
-    """Where several uses agree and nothing uses the name that is close, its declaration is the slip."""
+    """Where several uses agree and nothing uses the close name, its declaration is the misspelt one."""
     span, absence = item.span, _absence(item)
     if span is None or absence is None or not item.changes:
         return item

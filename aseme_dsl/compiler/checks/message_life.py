@@ -1,4 +1,4 @@
-"""Message life: what is published and never read, read and never published, or of several agents at once."""
+"""Message lifetime: published and never read, read and never published, or of several agents at once."""
 
 from __future__ import annotations
 
@@ -177,7 +177,7 @@ def _awaited_in_vain(
     home: Source | None,
     silent: Iterable[str],
 ) -> Iterator[Diagnostic]:
-    """N722 where nothing is said of any activity: only for what the one way out of a state waits for.
+    """N722 where no activity is described: only for what the one outgoing transition of a state waits for.
 
     While nothing comes there, the agent stays for good.
     """

@@ -21,11 +21,11 @@ Asked = dict[Channel, Span]
 def check_signals(
     chart: Statechart, activities: Mapping[str, Activity], symbols: Symbols
 ) -> Iterator[Diagnostic]:
-    """W521: a signal that was taken on the way in, or is looked at before the activity gets it.
+    """W521: a signal that was taken on entry, or is looked at before the activity gets it.
 
     A taken transition consumes the signals that it names, so that the choice in the state that it enters does
-    not find them; a `when` looks at every signal as it comes, and what was looked at is gone when the step
-    ends. Queued signals are not reported: there the next one may be waiting.
+    not find them; a `when` looks at every signal as it comes, and what was looked at is consumed when the
+    step ends. Queued signals are not reported: there the next one may be waiting.
     """
     asking = [(item, signals) for item in chart.transitions if (signals := _signals(item, symbols))]
     if not asking:
@@ -57,7 +57,7 @@ def _taken_on_the_way(
     signals: Asked,
     incoming: Mapping[str, Sequence[tuple[Transition, Asked]]],
 ) -> Iterator[Diagnostic]:
-    """What every way into the state around has taken, in the same step."""
+    """What every entry transition of the state around has taken, in the same step."""
     source = chart.by_label[transition.source]
     while source.type is StateType.CONDITION:
         ways = incoming.get(source.label, [])

@@ -27,7 +27,7 @@ def check_use(
     symbols: Symbols,
     memory: Memory,
 ) -> InPieces[tuple[Diagnostic, ...]]:
-    """Messages, signals, timers and variables over their life, in the charts of the roles.
+    """Messages, signals, timers and variables over their lifetime, in the charts of the roles.
 
     What protocols read and publish counts as read and published, whether a role plays them or not.
     """

@@ -149,7 +149,7 @@ class _Regions:
         return leaf.type is StateType.END and leaf.parent == source.label
 
     def _open(self, source: str, complete: bool, *, first: bool = False) -> tuple[Transition, ...]:
-        """The first way out of a state that is open, with the branches of a choice that it leads to."""
+        """The first enabled outgoing transition of a state, with the branches of a choice behind it."""
         region = next(label for label in self.active if _is_inside(source, label))
         for transition in self.chart.outgoing(source):
             expression = transition.expression

@@ -1,1 +1,1 @@
-"""Control: the lines of `control` blocks on the arrows of a chart."""
+"""Control: the lines of `control` blocks on the transitions of a chart."""

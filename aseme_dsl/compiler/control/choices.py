@@ -176,7 +176,7 @@ def _alternatives(
 
 @dataclass(frozen=True, slots=True)
 class Interruption:
-    """What cuts another short: the way into it, and the term that is cut."""
+    """What interrupts another term: its entry transition, and the term that it interrupts."""
 
     way: Alternative
     term: str
@@ -196,7 +196,7 @@ def _interruptions(terms: Terms, lines: Lines) -> list[Interruption]:
 
 
 def check_interruption(interruption: Interruption) -> Iterator[Diagnostic]:
-    """`A [> B` wants an event or `when` on every way into B (E420), and at least one (E421)."""
+    """`A [> B` wants an event or `when` on every entry transition of B (E420), and at least one (E421)."""
     way = interruption.way
     if not way.lines:
         yield Diagnostic(InterruptUndecided(interruption.term, interruption.cut), way.span)

@@ -1,4 +1,4 @@
-"""Control: transition expressions from the `control` blocks onto the arrows of a chart.
+"""Control: transition expressions from the `control` blocks onto the transitions of a chart.
 
 A line is read once, for its formula; the chart has it wherever the formula is expanded, and a protocol's
 lines go wherever the protocol is played.

@@ -21,10 +21,10 @@ def check_waits(
 ) -> Iterator[Diagnostic]:
     """W405 for each term of a sequence that begins with a choice whose branch has an event or `when`.
 
-    The choice may stand in another formula, which the term names. A line for the way into the term says that
-    the wait is meant, or interrupts what stands before. A choice that a message of an agent decides is a
-    place to wait at; `after` counts from the choice in any case. `controls` gives each formula the name that
-    its control block has.
+    The choice may stand in another formula, which the term names. A line for the entry transition of the term
+    says that the wait is meant, or interrupts what stands before. A choice that a message of an agent decides
+    is a place to wait at; `after` counts from the choice in any case. `controls` gives each formula the name
+    that its control block has.
     """
     for sequence in terms.parents:
         if sequence.operator.row.template is not Template.CHAIN:

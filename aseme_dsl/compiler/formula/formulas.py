@@ -252,7 +252,7 @@ Cycle = list[tuple[str, Formula]]
 
 
 def _cycles(formulas: Formulas) -> Iterator[Cycle]:
-    """A circle for each way in which formulas need themselves; no formula is in two of them."""
+    """A circle for each case of formulas that need themselves; no formula is in two of them."""
     path: list[str] = []
     reported: set[str] = set()
     for step, name in _depth_first(formulas):

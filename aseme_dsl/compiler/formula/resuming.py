@@ -1,4 +1,4 @@
-"""Resuming: `resume T`, the lines of control that go on with T where it was cut short."""
+"""Resuming: `resume T`, the lines of control that resume T where it was interrupted."""
 
 from __future__ import annotations
 

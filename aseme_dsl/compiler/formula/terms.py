@@ -88,7 +88,7 @@ def way(terms: Terms, verb: tree.Name, written: tree.Term) -> tuple[Way | None, 
 
 
 def ways(terms: Terms, term: Formula) -> dict[str, Way]:
-    """The verbs that a term has, each with the arrow that it means. The order is that of the template."""
+    """The verbs that a term has, each with the edge that it means. The order is that of the template."""
     found: dict[str, Way] = {}
     parent = terms.parents[term]
     template = term.operator.row.template
@@ -149,7 +149,7 @@ def _is_plain_loop(operator: Operator) -> bool:
 
 
 def _into_loop(terms: Terms, loop: Formula) -> Way:
-    """The way into the node of a loop; where the loop is the whole formula, into its body."""
+    """The entry transition of the state of a loop; where the loop is the whole formula, into its body."""
     parent = terms.parents[loop]
     while parent is not None and _is_plain_loop(parent.operator):
         loop, parent = parent, terms.parents[parent]

@@ -247,7 +247,7 @@ def member_of(checker: Checker, path: tree.Path) -> Member | None:
 
 
 def channel_of(checker: Checker, path: tree.Path) -> tuple[str | None, Channel, int] | None:
-    """The host and channel that a path begins with, and how many segments say so."""
+    """The sender and channel that a path begins with, and how many segments say so."""
     segments = path.segments
     if len(segments) > 1 and segments[1].text in COMM_TYPES:
         host, used = None, 0

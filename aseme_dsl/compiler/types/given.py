@@ -243,7 +243,7 @@ class _Work:
         self.diagnostics.append(Diagnostic(problem, node.span, related))
 
     def _is_lasting(self, value: Value) -> bool:
-        """Whether what it reads is still there when the state is entered: a signal may be used up (E524)."""
+        """Whether what it reads is still there when the state is entered: a signal may be consumed (E524)."""
         for part in walk(value):
             if isinstance(part, Member) and part.channel.comm is ChannelKind.SIGNAL:
                 self.diagnostics.append(Diagnostic(problems.SignalGiven(str(part.channel)), value.span))

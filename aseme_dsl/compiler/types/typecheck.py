@@ -91,7 +91,7 @@ def type_expression(
 
 
 def _is_decided(checker: Checker, value: Value | None) -> bool:
-    """Whether a condition is left to chance (E526): it would be another one each time it is looked at."""
+    """Whether a condition is random (E526): it would be another one each time it is looked at."""
     drawn = None if value is None else next((v for v in walk(value) if isinstance(v, amola.Random)), None)
     if drawn is not None:
         checker.report(values.RandomInCondition(), drawn.span)
@@ -256,7 +256,7 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
 
 
 def _is_drawn_once(checker: Checker, value: Value | None) -> bool:
-    """Whether a part of a logic expression, which may be asked twice, is not left to chance (E526)."""
+    """Whether a part of a logic expression, which may be asked twice, is not random (E526)."""
     drawn = None if value is None else next((v for v in walk(value) if isinstance(v, amola.Random)), None)
     if drawn is not None:
         checker.report(values.RandomInLogic(), drawn.span)

@@ -8,7 +8,7 @@ from aseme_dsl.diagrams.look.view import View, Way
 
 
 def state_tip(view: View, node: State) -> str:
-    """Label, type and name; where it came from; its ways out in the order in which they are tried."""
+    """Label, type, name and origin; its outgoing transitions in the order in which they are tried."""
     lines = [_title(node, len(node.name))]
     if node.activity and node.activity != node.name:
         lines.append(f"activity {node.activity}")

@@ -23,7 +23,8 @@ FORMATS = ("svg", "png", "pdf", "dot")
 _PURE = "graphviz-pure"
 """The program of the package of that name, which writes no PDF.
 
-To do it with svglib and reportlab instead takes 45 MB, and a font with Greek letters that nobody can rely on.
+To do it with svglib and reportlab instead takes 45 MB, and a font with Greek letters that not every machine
+has.
 """
 
 _ATTEMPTS: Sequence[tuple[str, ...]] = ((), ("-Gnewrank=true",))

@@ -124,7 +124,7 @@ class _Sheet:
                     )
 
     def _ends(self) -> dict[str, float]:
-        """Where the lifelines end of those who are gone, and nothing comes from any more."""
+        """Where the lifelines end of lost agents."""
         found: dict[str, float] = {}
         for number, row in enumerate(self.diagram.rows):
             y = self.top + _ROW * (number + 1)

@@ -1,4 +1,4 @@
-"""Python files: from the class of an activity to its places in the models, and what mends its code."""
+"""Python files: from the class of an activity to its places in the models, and what fixes its code."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Actions: what an editor offers to do about a place: to mend it, or to write it otherwise.
+"""Actions: what an editor offers to do about a place: to fix it, or to write it otherwise.
 
 Fixes carry their edits. A refactoring is offered by name and carried out when it is chosen, because it makes
 sure, by compiling, that the model means the same afterwards.
@@ -45,7 +45,7 @@ class ActionKind(StrEnum):
 class Action:
     """Something to do. Without `edits`, `carry_out` makes them: `name` says what, from `start` to `end`.
 
-    `mends` are the problems that are gone then. `explains` is a code whose page is shown instead.
+    `mends` are the problems that are fixed then. `explains` is a code whose page is shown instead.
     `cursor` is where the author has to go on writing, in the text that the edits make.
     """
 
@@ -133,7 +133,7 @@ def _all(view: View, here: list[Diagnostic]) -> Iterator[Action]:
 
 
 def mend(view: View) -> tuple[Edit, ...]:
-    """The edits that mend all in the file that has one right answer, and what shows itself only then."""
+    """The edits that fix all in the file that has one right answer, and what shows itself only then."""
     text = view.source.text
     seen = {text}
     chosen = _mendable(view, view.diagnostics)

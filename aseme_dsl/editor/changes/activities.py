@@ -76,7 +76,7 @@ def _module_at(view: View, offset: int) -> str | None:
 
 
 def lacks_file(view: View, problem: Diagnostic, folders: PythonFolders) -> str | None:
-    """The activity or module without code, if to write its file mends the problem."""
+    """The activity or module without code, if to write its file fixes the problem."""
     if problem.span is None or not isinstance(problem.problem, NoCode | CodeNamedOtherwise):
         return None
     return lacks_class(view, problem.span.start, folders)

@@ -151,7 +151,7 @@ def _snake(name: str) -> str:
 
 
 def _translation(owner: Owner, new: Owner, formula: str, name: str, selected: _Selected) -> Translate:
-    """Which way in the new formulas each way in the old ones is."""
+    """Which transition of the new formulas each transition of the old ones is."""
     whole, changed = owner.terms(formula).whole, new.terms(formula).whole
     outside = _paired_outside(whole, changed, selected)
     stands = _held(new.terms(name).whole, selected)
@@ -172,7 +172,7 @@ def _translation(owner: Owner, new: Owner, formula: str, name: str, selected: _S
 
 
 def _leads_out(selected: _Selected, way: Way) -> bool:
-    """Whether an arrow of the outermost terms of the selection is not inside the new formula."""
+    """Whether an edge of the outermost terms of the selection is not inside the new formula."""
     verb, term = way
     operands = [ungrouped(item) for item in selected.operands]
     if selected.last is None:

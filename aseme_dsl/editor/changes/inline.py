@@ -101,7 +101,7 @@ def _without(text: str, formula: tree.NamedFormula) -> Replaced:
 
 
 def _translation(owner: Owner, new: Owner, name: str, uses: dict[str, list[Formula]]) -> Translate:
-    """Which ways in the new formulas each way in the old ones is: those of the formula, at each use of it."""
+    """The transitions of the new formulas for each of the old ones: those of the formula, at each use."""
     inlined = owner.terms(name).whole
     found = unchanged_terms(owner, new, {name, *uses})
     sites: list[tuple[str, dict[Formula, Formula]]] = []

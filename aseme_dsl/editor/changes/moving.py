@@ -14,7 +14,7 @@ from aseme_dsl.editor.typing.completion import spelled
 from aseme_dsl.grammar.text import tree
 
 Translate = Callable[[str, Way], Sequence[tuple[str, Way]]]
-"""From a formula and a way in it to the formulas and ways that it is now."""
+"""From a formula and a transition of it to the formulas and transitions that it is now."""
 
 
 @dataclass(frozen=True, slots=True)

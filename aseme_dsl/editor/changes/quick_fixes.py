@@ -1,4 +1,4 @@
-"""Quick fixes: what can be done about one problem: mend it, allow it, declare what is missing, read of it."""
+"""Quick fixes: what can be done about one problem: fix it, allow it, declare what is missing, read of it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from aseme_dsl.source import Span
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """`is_the_one`: nothing else can have been meant. `mends`: the problem is gone then.
+    """`is_the_one`: nothing else can have been meant. `mends`: the problem is fixed then.
 
     `cursor` is where the author has to go on writing: an offset in the text that the edits make.
     """
@@ -46,7 +46,7 @@ def fixes(view: View, item: Diagnostic) -> Iterator[Fix]:
 
 
 def mending(item: Diagnostic) -> Iterator[Fix]:
-    """What mends a problem that has one right answer, wherever it is."""
+    """What fixes a problem that has one right answer, wherever it is."""
     if item.changes:
         yield Fix(_title(item), item.changes, is_the_one=True)
 

@@ -468,7 +468,7 @@ def _value(around: Around, path: tree.Path, use: Use = Use.READ) -> Iterator[Occ
 
 
 def _channel(around: Around, path: tree.Path, use: Use = Use.READ) -> Iterator[Occurrence]:
-    """`topic.state.Message.member`, with a host before it or not; or a topic alone."""
+    """`topic.state.Message.member`, with a sender before it or not; or a topic alone."""
     segments = path.segments
     start = 1 if len(segments) > 2 and segments[1].text not in COMM_TYPES else 0
     if start == 1 and segments[2].text not in COMM_TYPES:

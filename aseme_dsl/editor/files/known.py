@@ -133,7 +133,7 @@ def _events_in(item: tree.Declaration) -> frozenset[str]:
 def known_in(view: View) -> Known:
     """What is known of a file that is being typed in.
 
-    Where a slip has just swallowed declarations, that is what was known before it.
+    Where a typing error has just swallowed declarations, that is what was known before it.
     """
     if view.earlier is not None and view.program.inspection.symbols.lost:
         return Known(view.earlier.program)

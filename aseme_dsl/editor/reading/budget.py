@@ -18,7 +18,7 @@ AGAIN = 0.05
 
 
 class OutOfTime(BaseException):
-    """The budget of a call is used up. No `except Exception` on its way is meant."""
+    """The budget of a call is exhausted. No `except Exception` on its way is meant."""
 
 
 def may_interrupt() -> bool:

@@ -81,7 +81,7 @@ def topics(scope: Scope, known: Known, rank: int) -> Iterator[Item]:
 
 
 def agents(scope: Scope) -> Iterator[Item]:
-    """The hosts that a variable may name."""
+    """The senders that a variable may name."""
     for team in scope.symbols.teams:
         for agent in team.agents:
             yield Item(agent.name, ItemKind.AGENT, f"agent: {agent.role}", rank=7, goes_on=True)

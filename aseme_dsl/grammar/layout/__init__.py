@@ -1,4 +1,4 @@
-"""Layout: the one canonical way in which an `.aseme` file is written (`asemec fmt`)."""
+"""Layout: the one canonical form of an `.aseme` file (`asemec fmt`)."""
 
 from __future__ import annotations
 

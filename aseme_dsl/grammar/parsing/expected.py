@@ -106,7 +106,7 @@ def _attribute(rule: Any) -> str:
 
 @lru_cache(maxsize=1)
 def _watching() -> Any:
-    """Parsing expressions that tell which of them have been begun, and that mends nothing at the end."""
+    """Parsing expressions that tell which of them have been begun, and that fixes nothing at the end."""
     made = make_parser_model()
     for rule, _ in list(all_rules(made)):
         name = str(rule.rule_name)

@@ -1,7 +1,7 @@
 """The textX grammar as a parser that knows all places and goes on after an error.
 
 textX stops at the first error, gives no place to a name in a list, and says what it expected in regular
-expressions. Three changes to the parser of the grammar mend this:
+expressions. Three changes to the parser of the grammar fix this:
 
 - every terminal's value is a `Token`, a `str` that knows where it stands;
 - the failure that lies farthest in the text is remembered with all terminals that were tried there: when a

@@ -1,4 +1,4 @@
-"""The rules of the grammar as sequences, choices, repetitions and terminals, without what mends mistakes."""
+"""The rules of the grammar as sequences, choices, repetitions and terminals, without what fixes mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Activity talk: whether the agent messages in the Python of activities are those of their participants.
+"""Talk of activities: whether the agent messages in the Python of activities are those of their participants.
 
 `context.send("inform", Done(…), "manager")`, `context.receive("propose", "Bid")`, `context.last_received(…)`.
 """

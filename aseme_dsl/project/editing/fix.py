@@ -1,4 +1,4 @@
-"""Fix: files with what their diagnostics have one right answer for, mended until nothing is left to mend."""
+"""Fix: files with what their diagnostics have one right answer for, fixed until nothing is left to fix."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from aseme_dsl.project.files.write import DISK, Disk, Written, write_over
 from aseme_dsl.source import STANDARD_INPUT, Source, is_library_path
 
 ROUNDS = 50
-"""How often files are checked again, at most: each mended mistake may uncover others."""
+"""How often files are checked again, at most: each fixed mistake may uncover others."""
 
 _BYTE_ORDER_MARK = "\ufeff".encode()
 
 
 @dataclass(frozen=True, slots=True)
 class Fixed:
-    """What was mended, in the order of mending, and what is to be said of the files when all of it is.
+    """What was fixed, in the order of fixing, and what is to be said of the files when all of it is.
 
     `before` and `after` are the texts of the changed files, by path.
     """
@@ -35,10 +35,10 @@ class Fixed:
 
 
 def fix(inputs: Inputs) -> Fixed:
-    """Mend in memory what can be mended; nothing is written.
+    """Fix in memory what can be fixed; nothing is written.
 
-    Of changes that overlap, the first counts; then everything is checked again. Files on disk are mended, and
-    none of the standard library. Python is mended last, once: checked again, there may be more to mend in it.
+    Of changes that overlap, the first counts; then everything is checked again. Files on disk are fixed, and
+    none of the standard library. Python is fixed last, once: checked again, there may be more to fix in it.
     """
     checked = check(inputs)
     mended: list[Diagnostic] = []
@@ -91,7 +91,7 @@ def difference(fixed: Fixed) -> str:
 
 
 def is_mendable(item: Diagnostic, suffix: str = "") -> bool:
-    """Whether `fix` would mend it, in files whose names end with `suffix`."""
+    """Whether `fix` would fix it, in files whose names end with `suffix`."""
     sources = [edit.span.source for edit in item.changes]
     return bool(sources) and item.code not in UNSURE and all(_is_ours(source, suffix) for source in sources)
 

@@ -349,7 +349,7 @@ def _play_here(
 
 
 def _whole_team_over(request: Request, loaded: Loaded, configuration: Configuration) -> dict[str, Any]:
-    """The transport of a team that is all in this process, where agents of others may talk with it."""
+    """The transport of a team in this process; external agents may exchange messages with it."""
     from aseme_dsl.project.settings.platform_settings import IN_PROCESS
     from aseme_dsl.project.settings.platforms import link_of
     from aseme_dsl.runtime.transport.reliable_delivery import Post

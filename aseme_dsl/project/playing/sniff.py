@@ -163,7 +163,9 @@ class Sniffer:
                 yield from _deadlines(record, agent, moment, name)
             case "unexpected":
                 said = f"{record['performative']} {record.get('message', '')}".strip()
-                if "message" not in record:  # an outsider says what means nothing: no line tells that it came
+                if (
+                    "message" not in record
+                ):  # an external agent sends a message without meaning: no record tells that it came
                     yield self._meaningless(record, name)
                 text = f"did not expect {said}: {record['reason']}"
                 yield Mark(moment, name, text, str(record.get("conversation", "")))
@@ -231,7 +233,7 @@ class Sniffer:
             case "leave":
                 agent.inside.pop(branch, None)
                 agent.left[conversation] = moment
-                # Its own are the news that somebody is gone.
+                # Its own report lost agents.
                 untaken = [(who, number) for who, number in record.get("untaken", ()) if who != name]
                 if untaken:
                     messages = f"{len(untaken)} messages"

@@ -55,7 +55,7 @@ SHORTEST, LONGEST = 0.2, 5.0
 SETTLED = 10.0
 """A robot that has lived for so many seconds is started again at once, as if it were the first time."""
 ATTEMPTS = 8
-"""After so many short lives in a row a robot is given up."""
+"""After so many short incarnations in a row an agent process is given up."""
 FINE, FAILED, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
 _DELIBERATE = (FINE, WRONG_USE, INTERRUPTED, 143)
 """Exit codes of a robot that is not started again."""
@@ -258,7 +258,7 @@ class _Run:
             _write(child, str(self._origin))
 
     def _trace(self, child: _Child) -> Path:
-        """A file a robot, and a further one for each further life."""
+        """A file for each agent process, and another one for each further incarnation."""
         project = self._configuration.run
         given = self._request.trace or (project.trace if project else None) or self._folder / "trace.jsonl"
         life = f".{child.starts}" if child.starts > 1 else ""

@@ -160,7 +160,7 @@ class Doing(NamedTuple):  # unpacked in the loop that is timed: a tuple is the q
 
 
 def plain_begun(kind: type[Plain], course: Course, like_this: Chart) -> Plain:
-    """A plain chart with the variables that a chart has before its first step, and the same chance."""
+    """A plain chart with the variables of a chart before its first step, and the same random numbers."""
     chart = kind()
     board = board_of(chart)
     messages = messages_of(kind)

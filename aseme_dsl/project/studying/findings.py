@@ -29,7 +29,7 @@ class Estimate:
 
     @property
     def is_told_from_none(self) -> bool:
-        """Whether it is not zero by chance alone."""
+        """Whether it is not zero by random variation alone."""
         return self.low > 0 or self.high < 0
 
 
@@ -45,7 +45,7 @@ class Gain:
     share: Estimate | None
 
     def is_worth(self, least: float) -> bool:
-        """Whether it is at least that share, and more than chance may do. From nothing, anything is."""
+        """Whether it is at least that share, and more than random variation. From nothing, anything is."""
         enough = self.share is None or self.share.mean >= least
         return enough and self.difference.mean > 0 and self.difference.is_told_from_none
 
@@ -93,7 +93,7 @@ class Row:
 class Slower:
     """What would come of one activity if it were quicker: the gain, as a share of the measure.
 
-    `is_bottleneck`: it gains more than nothing, and no other gains more than it beyond chance.
+    `is_bottleneck`: it gains more than nothing, and no other gains more than it beyond random variation.
     """
 
     activity: str
@@ -157,7 +157,7 @@ def gain(before: Sequence[Run], after: Sequence[Run], *, less_is_better: bool) -
 
 
 def rows(played: Sequence[Played], *, less_is_better: bool) -> tuple[Row, ...]:
-    """A row for each case; gains are over the row before where only the last knob's value differs."""
+    """A row for each case; gains are over the row before where only the last parameter's value differs."""
     found: list[Row] = []
     for place, item in enumerate(played):
         before = played[place - 1] if place else None
@@ -210,10 +210,10 @@ def near(found: Sequence[Row], chosen: Row, *, less_is_better: bool) -> tuple[Ro
 
 
 def worth(found: Sequence[Row], least: float, *, less_is_better: bool) -> Row | None:
-    """The last row up to which each step gained at least that share, beyond chance.
+    """The last row up to which each step gained at least that share, beyond random variation.
 
-    None if none can be judged. The rows are those of one knob that says how many agents there are. Sizes that
-    give nothing are no end while a later one gives something.
+    None if none can be judged. The rows are those of one parameter that says how many agents there are. Sizes
+    that give nothing are no end while a later one gives something.
     """
     usable = judged(found)
     if not usable:
@@ -236,7 +236,7 @@ def gives_nothing(row: Row) -> bool:
 def later(
     found: Sequence[Row], chosen: Row, least: float, *, less_is_better: bool
 ) -> tuple[tuple[Row, Gain], ...]:
-    """The rows after the chosen one that gain at least that share over it, beyond chance."""
+    """The rows after the chosen one that gain at least that share over it, beyond random variation."""
     usable = judged(found)
     gains = [
         (row, gain(chosen.runs, row.runs, less_is_better=less_is_better))

@@ -34,7 +34,7 @@ class PlotsMissing(Exception):
 def measure_plot(
     knobs: Sequence[Knob], found: Sequence[Row], what: str, chosen: Row | None, chosen_as: str
 ) -> bytes:
-    """The measure with its intervals, a line for each combination of all knobs but the last.
+    """The measure with its intervals, a line for each combination of all parameters but the last.
 
     Combinations that gave the same are one line. What is chosen has a ring, called `chosen_as`.
 

@@ -212,7 +212,7 @@ class _Reading:
         name = record["agent"]
         if name not in self.agents:
             return
-        if "sequence" in record:  # it hears that another agent is gone
+        if "sequence" in record:  # it hears that another agent is lost
             self.say(record)
         elif record["what"] in ("open", "join"):
             self.branches[name, record["conversation"], record["participant"]] = record["branch"]

@@ -2,7 +2,7 @@
 
 This is the optimization phase of ASEME (P2, section 3): what the model leaves open as numbers is decided by
 simulation. Every variant is played with the same seeds, so that two variants differ by what was varied and
-not by chance; runs are spread over processes.
+not by random variation; runs are spread over processes.
 """
 
 from __future__ import annotations
@@ -204,7 +204,7 @@ def _as_they_end(futures: Sequence[Future[Run]]) -> Iterator[Future[Run]]:
 
 
 def _begin_worker(end: Connection) -> None:
-    """Ctrl-C is for the one who started the study; when that closes its side, or is gone, we end, too."""
+    """Ctrl-C is for the one who started the study; when that closes its side, or has ended, we end, too."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
     def wait_for_end() -> None:
@@ -295,7 +295,7 @@ def _run(package: Path, seed: int, plan: Plan) -> Run:
 
     configuration = plan.configuration
     project = configuration.run
-    if project is not None:  # a study leaves the project's own trace, states and talk alone
+    if project is not None:  # a study leaves the project's own trace, states and socket alone
         project = replace(project, trace=None, state=None, progress=None, summary=None)
         configuration = replace(configuration, run=project)
     clocks, faults = _Clocks(), _Faults()

@@ -42,11 +42,11 @@ class Knob:
 
 
 Variant = tuple[tuple[Knob, str], ...]
-"""A value for each knob."""
+"""A value for each parameter."""
 
 
 def knob(text: str) -> Knob:
-    """The knob that is written `carrier=1..8`, `carrier=2,4,8` or `keeper.limit=60,80`.
+    """The parameter that is written `carrier=1..8`, `carrier=2,4,8` or `keeper.limit=60,80`.
 
     Raises:
         VariationError: it is not written like that.
@@ -83,7 +83,7 @@ def knob(text: str) -> Knob:
 
 
 def variants(knobs: Sequence[Knob]) -> tuple[Variant, ...]:
-    """Every combination of the knobs' values, the last knob's changing fastest."""
+    """Every combination of the parameters' values, the last parameter's changing fastest."""
     values = itertools.product(*(item.values for item in knobs))
     return tuple(tuple(zip(knobs, combination, strict=True)) for combination in values)
 

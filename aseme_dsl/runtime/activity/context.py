@@ -24,7 +24,7 @@ class Cancelled(BaseException):
 
 @dataclass(frozen=True, slots=True)
 class Publish:
-    """Publish a message, to all or to one host."""
+    """Publish a message, to all or to one agent."""
 
     channel: str
     message: Any
@@ -149,7 +149,7 @@ class Context:
 
     @property
     def random(self) -> random.Random:
-        """Chance, the same in every run with the same seed; each start of an activity has its own."""
+        """Random generator of this activity start; equal seeds give equal numbers."""
         return self._port.random
 
     def log(self, text: str) -> None:
@@ -266,7 +266,7 @@ class Context:
         return self._port.now() - duration
 
     def consume(self, channel: str, sender: str | None = None) -> Any:
-        """The oldest waiting signal (of that sender), which is gone then, or None."""
+        """The oldest waiting signal (of that sender), which is consumed, or None."""
         item = self._port.take(channel, sender)
         return None if item is None else item.message
 

@@ -214,7 +214,7 @@ class Execution:
 
     @property
     def chance_seed(self) -> str:
-        """What the activity's chance depends on: the run's seed, the agent, the state, which start it is."""
+        """What the activity's random numbers depend on: the seed, the agent, the state and the start."""
         return f"{self.owner.agent.seed}/{self.agent}/{self.label}/{self.number}"
 
     def now(self) -> int:

@@ -265,7 +265,7 @@ class Executions:
         self._begin(node, start, now)
 
     def _begin_held(self, node: _Node, due: int) -> None:
-        """Begin what was held back until `due`. Its period is counted from then, however late it is now."""
+        """Begin what was delayed until `due`. Its period is counted from then, however late it is now."""
         start, every = node.next, node.info.every
         assert start is not None and every is not None
         now = self.agent.driver.clock.now()
@@ -276,7 +276,7 @@ class Executions:
         node.last_start = due + missed * every
 
     def _release(self, node: _Node, due: int) -> None:
-        """The period is over, if it is still this start that is held back."""
+        """The period is over, if it is still this start that is delayed."""
         if node.held is not None and node.held.moment == due:
             node.held = None
             if node.next is not None and node.current is None:

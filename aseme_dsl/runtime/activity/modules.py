@@ -1,10 +1,10 @@
 """Modules: what runs at its own frequency beside an agent's statechart (P2, section 2: Monas modules).
 
 A module is one object for as long as its agent plays; its `execute` is called every period, from the agent's
-first step on. It sees the agent's own blackboard, that of the root, and publishes as activities do. Beats lie
-on a grid that begins with the first: one that comes while the last has not returned is missed, counted and
-never made up for. One that raises is told in the trace; a new object takes its place, at the next beat after
-the first failure, later the longer it goes on failing. The agent goes on.
+first step on. It sees the agent's own blackboard, that of the root, and publishes as activities do. Releases
+lie on a grid that begins with the first: one that comes while the last has not returned is missed, counted
+and never made up for. One that raises is told in the trace; a new object takes its place, at the next release
+after the first failure, later the longer it goes on failing. The agent goes on.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from aseme_dsl.runtime.time.timers import Timer
 LONGEST_PAUSE = SECOND
 """How long a module that fails again and again pauses, if its period is not longer."""
 LONG = 2 * SECOND
-"""A beat that has not returned after this time is reported."""
+"""A release that has not returned after this time is reported."""
 
 
 def code_of(info: ModuleInfo, find: ActivityFinder) -> type[Any] | None:
@@ -76,7 +76,7 @@ class _Module:
     code: _Code
     kind: str
     origin: int = 0
-    """The moment of the first beat."""
+    """The moment of the first release."""
     beats: int = 0
     missed: int = 0
     failures: int = 0
@@ -165,10 +165,10 @@ class Modules:
         self._find = find
         self._generation += 1
 
-    # ---- beats -------------------------------------------------------------------------------
+    # ---- releases ----------------------------------------------------------------------------
 
     def _beat(self, module: _Module) -> None:
-        """It is time for a module: run it, unless it still runs or pauses; and go on with the next beat."""
+        """It is time for a module: run it, unless it still runs or pauses; then plan the next release."""
         if module.info.name not in self._modules or self.agent.over:
             return
         now = self.agent.driver.clock.now()
@@ -254,7 +254,7 @@ class Modules:
         return self._executions.frozen(execution)
 
     def returned(self, execution: Execution, error: BaseException | None) -> None:
-        """A beat has come to its end."""
+        """A release has ended."""
         if execution.has_returned:
             return
         execution.has_returned = True
@@ -296,7 +296,7 @@ class Modules:
         module.current = None
 
     def _open(self, module: _Module, execution: Execution) -> None:
-        """In virtual time, a beat has lasted what it takes: what it did counts."""
+        """In virtual time, a release has lasted what it takes: what it did counts."""
         if execution.cancelled:
             return
         execution.opens = None

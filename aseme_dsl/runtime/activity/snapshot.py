@@ -46,7 +46,7 @@ class BoardCopy(Board):
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """An activity's agent at one moment: what it declares to read, the variables it can see, its mail."""
+    """An activity's agent at one moment: what the activity reads, visible variables, agent messages."""
 
     agent: str
     activity: str

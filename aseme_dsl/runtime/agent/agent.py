@@ -429,7 +429,7 @@ class Agent:
         if carried.chart.started:
             self._show(labels)
         self.requests.prepared.renew(labels, self.understood)
-        with self.conversations.still():  # nobody posts mail for a branch by its old name
+        with self.conversations.still():  # no agent message is posted to a participant by its old name
             self.conversations.carry(self, labels, messages)
             waiting = (
                 self._renewed(item, labels) if isinstance(item, Posted) else item for item in self.take()
@@ -479,7 +479,7 @@ class Agent:
         self.begin()
 
     def crash(self) -> None:
-        """Stop dead, as a robot does that is switched off; what it knew is gone. Between two steps."""
+        """Stop dead, as a robot that is switched off; its knowledge is lost. Between two steps."""
         if not self.over:
             self.begin_as(type(self.chart)(self.name), self.executions.find, self.messages, dead=True)
             self.down = True

@@ -6,9 +6,9 @@ formula says around them (`(A | B)` that has become `(A | B | C)`), nor do their
 there several times, the first is the first, if both versions have it as often.
 
 All states that are active must be in the new version, and be active together there. Blackboards, histories,
-timers, variables and waiting mail follow by name and type; a variable in which the team now sets something
-else has that. Activities go on if the new version says the same of them, else they are cancelled and started
-anew. A concurrent part that is new begins at its start.
+timers, variables and waiting agent messages follow by name and type; a variable in which the team now sets
+something else has that. Activities go on if the new version says the same of them, else they are cancelled
+and started anew. A concurrent part that is new begins at its start.
 """
 
 from __future__ import annotations

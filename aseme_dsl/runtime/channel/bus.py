@@ -7,11 +7,11 @@ see it in the next step. It goes to another agent that reads its channel if
 * the other reads it under the publisher's name (`robot1.vision.state.Ball`); or
 * nothing in the other ever publishes on that channel: it can only mean what somebody else says.
 
-Everything else stays at home: each robot has its own `vision.state.Ball`. A message to a host goes to that
-host alone.
+Everything else stays at home: each robot has its own `vision.state.Ball`. A message to one agent goes to that
+agent alone.
 
 The rules. `from`: a publication by anybody else (by role, agent or activity) is refused. `every`: one that
-comes sooner than that after the last is held back until the time is over, and a newer one takes its place;
+comes sooner than that after the last is delayed until the time is over, and a newer one takes its place;
 data is a sample and is dropped instead, `queued` signals all go out, one at a time. `persist`: the last state
 is kept in the state directory and is there when the agent starts again. Whatever does not go out as it was
 published is told in the trace.
@@ -41,7 +41,7 @@ SELECT = "runtime.signal.SelectPlan"
 
 
 class _Held:
-    """What one sender has published on one channel for one host: when last, and what waits for its turn."""
+    """What one sender has published on a channel for one receiver: when last, and what waits for its turn."""
 
     __slots__ = ("last", "timer", "waiting", "was_full")
 
@@ -189,7 +189,7 @@ class Bus:
             held.timer = self._driver.at(due, lambda: self._release(agent, rules, host, held))
 
     def _release(self, agent: Receiver, rules: ChannelInfo, host: str | None, held: _Held) -> None:
-        """Send what was held back."""
+        """Send what was delayed."""
         assert rules.every is not None
         with self._driver.holding(), self._lock:
             held.timer = None
@@ -495,7 +495,7 @@ class Bus:
 
 
 def _reads(plan: Plan) -> dict[str, frozenset[str | None]]:
-    """The channels that a plan reads, each with the hosts that it names there (None: any)."""
+    """The channels that a plan reads, each with the senders that it names there (None: any)."""
     found: dict[str, set[str | None]] = {c: {None} for region in plan.regions for c in region.reads}
     for activity in (*plan.activities, *plan.modules):
         for name in activity.reads:

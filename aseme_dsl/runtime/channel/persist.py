@@ -117,7 +117,7 @@ class Kept:
     def load(
         self, agent: str, messages: dict[str, Any]
     ) -> tuple[list[tuple[str, str | None, Any]], list[str]]:
-        """What an agent said last as (channel, host, message), and what could not be read of it."""
+        """What an agent published last as (channel, receiver, message), and what could not be read of it."""
         path = self._path(agent)
         try:
             text = outside.read_text(path)

@@ -24,7 +24,7 @@ class Board:
 
     Generated subclasses have a typed slot for each message that the region's expressions read; it holds
     the message that an expression sees now, or None. `SLOTS` gives the slots of a channel as
-    (slot, host or None), `TIMED` the slots that have a companion `…_time` with the time of measurement.
+    (slot, sender or None), `TIMED` the slots that have a companion `…_time` with the time of measurement.
     """
 
     __slots__ = ("_data", "_seen", "_signals", "_states", "ahead", "asked", "drafts", "timers")
@@ -162,7 +162,7 @@ class Board:
                 board.ahead.add(item.identity)
 
     def take(self, channel: str, host: str | None = None) -> Sample | None:
-        """Read a signal as an activity does: it is gone afterwards."""
+        """Read a signal as an activity does: it is consumed."""
         item = self.newest(channel, host)
         if item is not None and channel in self._signals:
             self._drop(item)
@@ -191,7 +191,7 @@ class Board:
         self.drafts.setdefault((channel, host), {})[path] = value
 
     def take_drafts(self, channel: str, kind: Any) -> list[tuple[str | None, Any]]:
-        """The drafts of a channel as (host, message); one of defaults for all where there is none."""
+        """The drafts of a channel as (receiver, message); one of defaults for all where there is none."""
         hosts = [host for other, host in self.drafts if other == channel]
         if not hosts:
             return [(None, kind())]

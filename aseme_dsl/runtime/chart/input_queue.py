@@ -41,10 +41,10 @@ class Writer(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Posted:
-    """An input on its way into a step, with its identity.
+    """An input for a step, with its identity.
 
-    What an activity wrote is dropped if the `execution` was cancelled meanwhile, mail if the branch is not in
-    its `conversation` any more.
+    What an activity wrote is dropped if the `execution` was cancelled meanwhile, an agent message if the
+    branch is not in its `conversation` any more.
     """
 
     identity: Identity

@@ -50,7 +50,7 @@ class Sample:
 class Completed:
     """The activity that was started with `token` in the state `label` has returned.
 
-    `outcome` is the way in which it has ended, if it has several.
+    `outcome` is the outcome, if it has several.
     """
 
     label: str

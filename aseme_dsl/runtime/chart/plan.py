@@ -5,7 +5,7 @@ Nothing in the product interprets a plan; the class in `step.py` beside it is wh
 Conditions and values are nested tuples whose first item says what they are:
 
     ("const", value)  ("enum", "PlayerState", "PLAYING", 3)  ("variable", name)
-    ("member", host or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
+    ("member", sender or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
     ("taken", path)  ("sender",)  ("reason",)       (of the agent message that the transition takes)
     ("call", name, value, …)  ("builtin", name, value, …)  ("has", member or variable)
     ("list", value, …)  ("element", list, value, ("name",))  ("size", list)  ("contains", list, value)
@@ -162,7 +162,7 @@ class BranchInfo:
     """The hash of what the protocol's participants say, in which order: agents for which it is the same may
     take part in one conversation."""
     loses: tuple[str, ...] = ()
-    """The participants of which it waits to hear that an agent is gone."""
+    """The participants of which it waits to hear that an agent is lost."""
     counts: tuple[str, ...] = ()
     """The participants whose answers a condition counts (`all_answered(q)`)."""
     participants: tuple[tuple[str, int, int | None], ...] = ()

@@ -3,17 +3,17 @@
 The operator asks a robot for a challenge, and uses it for one request:
 
     {"version": 1, "control": "challenge"}
-        system, agent, life and nonce of the robot
+        system, agent, incarnation and nonce of the robot
     {"version": 1, "control": "request", "life": "…", "nonce": "…", "own": "…", "key": "k3f9a2c81",
      "request": "{…}", "proof": "…"}
         `own` is a nonce of the operator, `request` a request as `control` knows it, as a text.
         answer, as a text, and proof
 
-A proof is the HMAC-SHA256, under the key, of all that it is about: system, agent, life and both nonces, the
-request, and for the answer that, too. So what is said to one robot, in one of its lives, once, is good for
-nothing else, and the operator knows that the robot has answered. No clock is asked. A nonce is spent by the
-first proven request that names it. The robot knows its own nonces by a tag in them and keeps none that is not
-spent: nobody can push an operator's challenge out by asking for many.
+A proof is the HMAC-SHA256, under the key, of all that it is about: system, agent, incarnation and both
+nonces, the request, and for the answer that, too. So what is sent to one agent, in one incarnation, once, is
+good for nothing else, and the operator knows that the agent has answered. No clock is asked. A nonce is
+consumed by the first proven request that names it. The robot knows its own nonces by a tag in them and keeps
+none that is not consumed: no client can push an operator's challenge out by asking for many.
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ class Gate:
         return hmac.digest(self._own, chance + agent.encode(), "sha256")[:_TAG]
 
     def _is_open(self, agent: str, nonce: str) -> bool:
-        """Whether this gate has given a nonce for this agent, and it is not spent."""
+        """Whether this gate has given a nonce for this agent, and it is not consumed."""
         if not _CHALLENGE.fullmatch(nonce):
             return False
         made = bytes.fromhex(nonce)

@@ -205,7 +205,7 @@ class Conversations:
             self._parts.returned(name, same=life is not None and before == life)
 
     def vanished(self, name: str, reason: Reason = "crashed") -> None:
-        """An agent elsewhere is gone: tell it in each conversation here that counts on it."""
+        """An agent elsewhere is lost: record it in each conversation here that counts on it."""
         with self._driver.holding(), self._lock:
             self.directory.disappeared(name)
             self._management.disappeared(name)
@@ -263,7 +263,7 @@ class Conversations:
             return self._parts.taken_by(agent, branch)
 
     def arrives(self, agent: Receiver, mail: AgentMessage, conversation: str | None) -> bool:
-        """Whether mail that was under way still finds its participant; tells and answers if it does not."""
+        """Whether an agent message still finds its participant; records and answers if it does not."""
         with self._driver.holding(), self._lock:
             return self._delivery.arrives(agent, mail, conversation)
 

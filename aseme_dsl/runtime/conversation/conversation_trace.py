@@ -151,7 +151,7 @@ class ConversationTrace:
         in_reply_to: str = "",
         reason: str | None = None,
     ) -> None:
-        """An agent opens, joins or leaves a conversation, or hears that another one is gone or `settled`."""
+        """An agent opens, joins or leaves a conversation, or hears that another one is lost or `settled`."""
         info = place.info
         self._trace.write(
             "conversation",

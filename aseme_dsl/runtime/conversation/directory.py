@@ -490,7 +490,7 @@ class AgentDirectory:
         return Subscription(self._window.directory, pattern)
 
     def residents(self) -> tuple[Resident, ...]:
-        """The white pages: which agents there are, and which were there and are gone."""
+        """The white pages: which agents there are, and which are lost."""
         return self._window.directory.residents()
 
     def register(self, *services: Service, lease: float | None = None) -> None:

@@ -1,8 +1,8 @@
-"""Outsiders: what agents that are not of the team say and hear, as messages of the document and back.
+"""External agents: what agents that are not of the team send and receive, as messages of the system and back.
 
-An outsider says of a message what FIPA has parameters for, and its content as JSON. Which message of the
-document that is, and of which participant for which, follows from what the receiver takes part in or may take
-part in.
+An external agent gives with a message what FIPA has parameters for, and its content as JSON. Which message of
+the document that is, and of which participant for which, follows from what the receiver takes part in or may
+take part in.
 """
 
 from __future__ import annotations
@@ -41,12 +41,12 @@ LONGEST = 2000
 
 
 class NotUnderstood(Exception):
-    """A message of an outsider means nothing to its receiver; the text says why."""
+    """A message of an external agent means nothing to its receiver; the text says why."""
 
 
 @dataclass(frozen=True, slots=True)
 class Understood:
-    """What a message of an outsider means: from which participant it is, and for which branches."""
+    """What a message of an external agent means: from which participant it is, and for which participants."""
 
     performative: str
     message: str
@@ -62,7 +62,7 @@ def parameter(message: FipaMessage, name: str) -> str:
 
 
 def plays(protocol: str, wanted: str) -> bool:
-    """Whether a protocol is the one that an outsider calls so: `fipa-contract-net` is `contract_net`."""
+    """Whether an external agent means this protocol by a name: `fipa-contract-net` is `contract_net`."""
     return _folded(protocol) == _folded(wanted)
 
 
@@ -71,14 +71,14 @@ def _folded(protocol: str) -> str:
 
 
 def played_as(wanted: str, infos: Sequence[BranchInfo]) -> list[BranchInfo]:
-    """The branches of the protocol that an outsider calls so: of that very name, or else of one like it."""
+    """The participants of the protocol that an external agent names: of that very name, or of one like it."""
     exact = [info for info in infos if info.protocol in (wanted, protocol_of(wanted))]
     return exact or [info for info in infos if not wanted or plays(info.protocol, wanted)]
 
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """What a message of an outsider may be understood by, besides itself.
+    """What a message of an external agent may be understood by, besides itself.
 
     `infos` are the branches that it may be for, in groups, the likeliest first; `part` is the one that its
     sender has in the conversation, `answered` what the message is that it answers, as performative and type,
@@ -252,7 +252,7 @@ def written(
     reason: str = "",
     reply_by: datetime | Span | None = None,
 ) -> FipaMessage:
-    """A message of the document as an outsider gets it; `reason` is why something is not understood."""
+    """A message of the system as an external agent gets it; `reason` is why something is not understood."""
     content = to_json(acl.content)
     if reason:
         content = {"reason": reason, "content": content}
@@ -277,7 +277,7 @@ def written(
 
 
 def answer(message: FipaMessage, sender: str, performative: str, reason: str, reply_with: str) -> FipaMessage:
-    """What is said to an outsider about a message that could not be handed to anybody, and why."""
+    """The answer to an external agent whose message has no receiver, and why."""
     said = message.content
     content = {"reason": reason, "content": said if isinstance(said, str) else None}
     return FipaMessage(
@@ -295,7 +295,7 @@ def answer(message: FipaMessage, sender: str, performative: str, reason: str, re
 
 
 def deadline(message: FipaMessage, clock: Clock) -> int | None:
-    """Until when an outsider wants an answer, in ns of the run; None if it does not say so.
+    """Until when an external agent wants an answer, in ns of the run; None if it does not say so.
 
     Raises:
         ValueError: what it says is not a moment.

@@ -17,7 +17,7 @@ Messages = Mapping[str, Any]
 def converted(message: Any, messages: Messages) -> Any:
     """A message as one of these classes: what has the same name and type there is taken over.
 
-    Members that are new have their default, those that are gone or of another type are lost. Raises
+    Fields that are new have their default, those that are removed or of another type are lost. Raises
     LookupError if there is no message of that name.
     """
     kind: Any = type(message)

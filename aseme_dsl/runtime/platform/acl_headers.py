@@ -1,4 +1,4 @@
-"""Notes: envelopes and messages of outsiders as headers and a text, which any FIPA agent can read.
+"""Notes: envelopes and messages of external agents as headers and a text, which any FIPA agent can read.
 
 The headers are FIPA's parameters of an agent message under the names that they have in its text form:
 `performative`, `conversation-id`, `protocol`, `ontology`, `language`, `reply-with`, `in-reply-to`, … The text
@@ -169,7 +169,7 @@ def _tuple(name: str, value: object) -> tuple[Any, ...]:
     return tuple(value)
 
 
-# ---- outsiders ---------------------------------------------------------------------------------
+# ---- external agents ---------------------------------------------------------------------------
 
 _FIPA = {
     "language": "language",
@@ -184,7 +184,7 @@ _FURTHER = {"performative", "reply-to", "reply-by", OURS}
 
 
 def said(message: FipaMessage) -> tuple[dict[str, str], str]:
-    """The headers and the text of a message to an outsider. A content in bytes goes as far as it is UTF-8."""
+    """The headers and the text of a message to an external agent. Bytes are sent as far as they are UTF-8."""
     headers = {"performative": message.performative}
     for header, name in _FIPA.items():
         value = getattr(message, name)
@@ -204,8 +204,8 @@ def said(message: FipaMessage) -> tuple[dict[str, str], str]:
 
 
 def heard(sender: str, to: str, headers: Headers, body: str) -> FipaMessage:
-    """The message of an outsider: what it does not say is empty; what FIPA does not know is kept as it was
-    said, and so is a deadline that is not a moment.
+    """The message of an external agent: what it does not say is empty. What FIPA does not know is kept as
+    it was, and so is a deadline that is not a moment.
     """
     by = _moment(headers.get("reply-by", ""))
     unread = set(headers) - _FIPA.keys() - _FURTHER

@@ -1,9 +1,9 @@
-"""The link over an agent platform: letters as notes, who is there by what processes say of themselves.
+"""The link over an agent platform: messages as notes, who is there by what processes say of themselves.
 
-A process tells each other one of the team that it is there, with its life and its agents' addresses, and
-again a few times in each `lease`; who is silent for a lease is not there any more. Whom nobody has heard of
-is asked for at the address that it has in every life. Only what comes from an address of the team counts as
-the team's; everybody else is an outsider, whose messages are handed on as such.
+A process tells each other one of the team that it is there, with its incarnation and its agents' addresses,
+and again a few times in each `lease`; who is silent for a lease is not there any more. Whom nobody has heard
+of is asked for at the address that it has in every incarnation. Only what comes from an address of the team
+counts as the team's; every other agent is external, whose messages are handed on as such.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ FIRST, LAST = 0.25, 4.0
 
 @dataclass(frozen=True, slots=True)
 class _Known:
-    """Where an agent elsewhere is, and which life it leads."""
+    """Where an agent elsewhere is, and which incarnation it is."""
 
     life: int
     address: str
@@ -74,7 +74,7 @@ class PlatformLink:
         self._hears: Hears
         self._known: dict[str, _Known] = {}
         self._heard: dict[int, float] = {}
-        """When something came from a life last."""
+        """When something came from an incarnation last."""
         self._asked_at: dict[str, tuple[float, float]] = {}
         """When an agent is asked for next, and how long it is waited after that."""
         self._questions: dict[str, _Question] = {}
@@ -104,7 +104,7 @@ class PlatformLink:
             self._note(address, {"bye": self._life})
         self._platform.close()
 
-    # ---- letters -----------------------------------------------------------------------------
+    # ---- messages ----------------------------------------------------------------------------
 
     def send(
         self, to: str, sender: str, way: str, envelope: Envelope, stamp: Stamp, payload: bytes, sure: bool
@@ -116,7 +116,7 @@ class PlatformLink:
             self._platform.send(sender, known.address, headers, payload.decode(), kept=False)
 
     def say(self, to: str, sender: str, message: FipaMessage) -> bool:
-        """Say something to an outsider; False if that is no address."""
+        """Send something to an external agent; False if that is no address."""
         if not self._platform.is_address(to):
             return False
         headers, body = acl_headers.said(message)
@@ -161,7 +161,7 @@ class PlatformLink:
             self._platform.send(to, origin, answer, reason, kept=True)
 
     def returned(self, agent: str, address: str, name: str, reason: str) -> None:
-        """What one of our agents said to an outsider was not delivered."""
+        """What one of our agents sent to an external agent was not delivered."""
         if self._platform.agent_at(address) is None:
             self._hears.returned(agent, self._platform.name_at(address), name, reason)
 
@@ -197,7 +197,7 @@ class PlatformLink:
                 self._note(self._platform.address_of(name), self._here(asked=True))
 
     def _processes(self) -> dict[int, str]:
-        """An address in each other process, by its life."""
+        """An address in each other process, by its incarnation."""
         with self._lock:
             return {known.life: known.address for known in reversed(tuple(self._known.values()))}
 
@@ -236,7 +236,7 @@ class PlatformLink:
                     raise EnvelopeError(f"it says that {name} is at {address}, where it is not")
                 known = self._known.get(name)
                 if known is not None and known.life > life and known.life in self._heard:
-                    continue  # it is of a life that another has followed
+                    continue  # it is of an incarnation that another has followed
                 self._known[name] = _Known(life, address)
                 if known != self._known[name]:
                     news.append(name)  # also of a new address: what went to the old one is lost
@@ -247,7 +247,7 @@ class PlatformLink:
             self._hears.appeared(name, life)
 
     def _gone(self, life: Any) -> None:
-        """The process of a life is not there any more."""
+        """The process of an incarnation is not there any more."""
         with self._lock:
             self._heard.pop(life, None)
             gone = [name for name, known in self._known.items() if known.life == life]

@@ -147,7 +147,7 @@ class SpadePlatform:
             self._connections[sender].send(stanza.written(address, headers, body, "headline"), None)
 
     def meet(self, address: str) -> None:
-        """Show ourselves to it: the server then tells it when we are gone (RFC 6121, section 4.6)."""
+        """Show ourselves to it: the server then tells it when we are unreachable (RFC 6121, section 4.6)."""
         to = quoteattr(address)
         for connection in self._connections.values():
             connection.send(f"<presence to={to}/>", None)

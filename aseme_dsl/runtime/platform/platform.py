@@ -55,11 +55,11 @@ class Platform(Protocol):
         ...
 
     def address_of(self, agent: str) -> str:
-        """Where an agent of the team can be asked for, whichever life it leads."""
+        """Where an agent of the team can be asked for, whichever incarnation it is."""
         ...
 
     def agent_at(self, address: str) -> str | None:
-        """Which agent of the team an address belongs to; None: to an outsider."""
+        """Which agent of the team an address belongs to; None: to an external agent."""
         ...
 
     def is_address(self, text: str) -> bool:
@@ -67,7 +67,7 @@ class Platform(Protocol):
         ...
 
     def name_at(self, address: str) -> str:
-        """What an outsider is called who has this address: what remains when it connects again."""
+        """The name of an external agent with this address: what remains when it connects again."""
         ...
 
     def here(self) -> dict[str, str]:
@@ -79,7 +79,7 @@ class Platform(Protocol):
         ...
 
     def meet(self, address: str) -> None:
-        """Whoever has this address is to hear, where the platform can tell it, when we are gone."""
+        """Let the agent at this address learn, if the platform can tell it, when we are unreachable."""
         ...
 
     def close(self) -> None:

@@ -8,9 +8,9 @@ same bookkeeping as above real ones (`transport.stream`), with its promises:
 * data is a sample, sent once: what is lost is lost, what is doubled counts once, and what comes late has its
   own time. The same holds for topics that go by radio.
 
-What the letters say is not encoded, and agents do not learn that another one is gone. An agent that crashes
-loses what it knew and what comes for it until it starts again; each such message is told in the trace, and so
-is each sample that is lost.
+The content of messages is not encoded, and agents do not learn that another one is lost. An agent that
+crashes loses what it knew and what comes for it until it starts again; each such message is told in the
+trace, and so is each sample that is lost.
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ class _Way:
     owes: bool = False
     """Whether something has come since the last acknowledgement."""
     beats: bool = False
-    """Whether a beat is to come."""
+    """Whether a release is to come."""
 
 
 class Links:
@@ -111,7 +111,7 @@ class Links:
     ) -> None:
         """Carry a message of a kind; `give` gives it to its receiver.
 
-        The kind is signal, state, data, radio or mail, `what` its channel or the conversation of mail.
+        The kind is signal, state, data, radio or agent message, `what` its channel or the conversation.
         """
         way = self._ways.get((sender, receiver))
         if way is None:
@@ -161,7 +161,7 @@ class Links:
         self._transmit(way.sender, way.receiver, lambda: self._arrive(way, place, letter.item))
 
     def _arrive(self, way: _Way, place: int, letter: _Letter) -> None:
-        """A letter has come to its receiver."""
+        """A message has come to its receiver."""
         had_gap = way.into.has_gap
         for item in way.into.take(place, letter) or ():
             item.give()

@@ -334,7 +334,7 @@ class Trace:
         return found
 
     def activity(self, what: str, moment: int, agent: str, effect: Start | Cancel, **members: object) -> None:
-        """Something in the life of an activity: start, wait, missed, end, crash, cancel, late, overrun."""
+        """An event of an activity: start, wait, missed, end, crash, cancel, late, overrun."""
         if members.keys() <= _NUMBERS and self._is_only_written("activity", what):
             # Most lines of a trace are these; put together by hand they cost a quarter.
             line = (

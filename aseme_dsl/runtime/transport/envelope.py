@@ -12,8 +12,8 @@ its payload; sender, receiver and channel are the sample's key. In another langu
       uint32 format = 1;                // 1
       Kind kind = 2;
       string model = 3;                 // MODEL of the generated package
-      fixed64 incarnation = 4;          // which life of the sender
-      fixed64 addressee = 5;            // which life of the receiver it is for
+      fixed64 incarnation = 4;          // which incarnation of the sender
+      fixed64 addressee = 5;            // which incarnation of the receiver it is for
       uint64 place = 6;                 // in the stream from sender to receiver, from 1; 0: not in the stream
       uint64 sample = 7;                // counts what is not in the stream, from 1
       uint64 sequence = 8;              // of the sender's identity for it

@@ -51,7 +51,7 @@ class Hears(Protocol):
         ...
 
     def returned(self, agent: str, to: str, name: str, reason: str) -> None:
-        """What one of our agents said to an outsider was not delivered; `name` is its `reply-with`."""
+        """What one of our agents sent to an external agent was not delivered; `name` is its `reply-with`."""
         ...
 
     def disconnected(self, agent: str, reason: str) -> None:
@@ -86,10 +86,10 @@ class Link(Protocol):
 
     @property
     def lease(self) -> int | None:
-        """Who answers no PING for so many ns is gone; None: the link itself asks who is there.
+        """An agent that answers no PING for so many ns is unreachable; None: the link itself asks.
 
-        With a lease, what `appeared` says may be a copy of something old: it counts when that life says
-        something to this one of ours.
+        With a lease, what `appeared` says may be a copy of something old: it counts when that incarnation
+        says something to this one of ours.
         """
         ...
 

@@ -30,10 +30,10 @@ class TransportError(Exception):
 class Peer:
     """What is known of an agent in another process.
 
-    `incarnation` tells one life of it from the next; None: it has not been seen yet. The counts are of what
-    came from it: taken, doubled, out of order, refused (of another model, or not for us), unreadable (no
-    message at all), late (of a life that is over), and data that was dropped on the way. `lost` counts what
-    could not be brought to it.
+    `incarnation` tells one incarnation of it from the next; None: it has not been seen yet. The counts are of
+    what came from it: taken, doubled, out of order, refused (of another model, or not for us), unreadable (no
+    message at all), late (of an incarnation that is over), and data that was dropped on the way. `lost`
+    counts what could not be brought to it.
     """
 
     name: str
@@ -113,9 +113,9 @@ class Transport:
     networked = False
     """Whether some of the team run elsewhere."""
     life = ""
-    """What tells this process's conversations from those of an earlier life; empty without others."""
+    """What tells this process's conversations from those of an earlier incarnation; empty without others."""
     behind = 0
-    """Behind this number the identities of agents begin: those of an earlier life are not used again."""
+    """Identities of agents are above this number: those of an earlier incarnation are not used again."""
 
     def machine(self, clock: Clock) -> dict[str, int] | None:
         """Which clock the machine has, and its time when the run began, if other traces need that."""
@@ -149,7 +149,7 @@ class Transport:
         """
 
     def carry_outside(self, message: FipaMessage, to: AgentIdentifier) -> bool:
-        """Carry a message to an agent that is not of the team; False if there is no way to it. Does not wait.
+        """Carry a message to an external agent; False if there is no route to it. Does not wait.
 
         What such agents say is handed to `Conversations.receive_external`.
         """

@@ -5,7 +5,7 @@ lost, doubled or overtaken while both live, also if the link between them breaks
 once, and what is dropped on the way is counted. Whoever comes is told the latest states of everybody that
 concern it, and the data that its program still asks for. What is meant for an agent that is not there waits
 for it: agent messages and queued signals in order, of other signals the newest, as on the board of an agent
-that does not look. What was on its way to an agent when it died is lost, and told so in the trace.
+that does not look. What was on its way to an agent when it died is lost, and recorded in the trace.
 
 Times are those of the machine's monotonic clock, which all processes of one machine share. Of another
 machine's the difference is measured, as in NTP (RFC 5905, section 8), by the quickest of the last few
@@ -67,7 +67,7 @@ class Post(Transport):
         self.state = Delivery(link, codec, incarnation, clock_identity())
         self.inbox = Inbox(self.state)
         self.life = f"{incarnation:x}-"
-        # In microseconds: no life has more identities than that, and they stay exact as JSON numbers.
+        # In microseconds: no incarnation has more identities than that, and they stay exact as JSON numbers.
         self.behind = incarnation // 1000
         self._thread: threading.Thread | None = None
 
@@ -78,7 +78,7 @@ class Post(Transport):
 
     @property
     def incarnation(self) -> int:
-        """What tells this life of our agents from earlier ones."""
+        """What tells this incarnation of our agents from earlier ones."""
         return self.state.incarnation
 
     def machine(self, clock: Clock) -> dict[str, int] | None:
@@ -145,10 +145,10 @@ class Post(Transport):
                 until = now + words
 
     def _unfinished(self, recently: float) -> int:
-        """How many letters may still be acknowledged.
+        """How many messages may still be acknowledged.
 
-        Who has gone since `recently` may have had them all: what says so may come after the news that it is
-        gone, by another connection.
+        An agent that was lost after `recently` may have had them all: its acknowledgement may come after the
+        news of the loss, by another connection.
         """
         state = self.state
         with state.lock:
@@ -292,7 +292,7 @@ class Post(Transport):
     def renew(self, schema: Schema, model: str) -> None:
         """The agents of this process go on under another version of the model.
 
-        What is on its way to or from an agent of the other version is refused when it arrives, and told.
+        What is on its way to or from an agent of the other version is refused when it arrives, and recorded.
         """
         self.state.codec = replace(self.state.codec, schema=schema, model=model)
 

@@ -1,7 +1,7 @@
 """Which network a robot uses, who may use it with it, and how that is proven.
 
 Without a word about it nothing leaves the machine, and nothing listens on a port: the robots of one user meet
-in a folder (`meeting`). Whoever talks beyond this machine proves by a certificate who it is.
+in a folder (`meeting`). A process that communicates beyond this machine proves by a certificate who it is.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Streams: that what one agent sends to another arrives once each, and in order, over links that break.
 
-Every letter has a place in the stream from one life of its sender to one life of its receiver. The receiver
-hands letters on in order, says up to which place all have come and which are missing, and drops what it has
-had. The sender keeps a letter until it is acknowledged, sends again what is missing or has been on its way
-for too long, and has only so much on its way at once: a receiver that stands still holds up nobody else. A
-newer state takes the place of an older one that still waits.
+Every message has a place in the stream from one incarnation of its sender to one incarnation of its receiver.
+The receiver hands messages on in order, says up to which place all have come and which are missing, and drops
+what it has had. The sender keeps a message until it is acknowledged, sends again what is missing or has been
+on its way for too long, and has only so much on its way at once: a receiver that stands still holds up nobody
+else. A newer state takes the place of an older one that still waits.
 
 Here is only the bookkeeping: no clock, no link, no lock.
 """
@@ -19,21 +19,21 @@ from typing import Generic, TypeVar
 T = TypeVar("T")
 
 WINDOW = 256
-"""How many letters may be on their way at once."""
+"""How many messages may be on their way at once."""
 WINDOW_BYTES = 128 * 1024
-"""How many bytes may be on their way at once, if it is more than one letter."""
+"""How many bytes may be on their way at once, if it is more than one message."""
 WAITING = 20_000
-"""How many letters may wait; then the oldest is given up."""
+"""How many messages may wait; then the oldest is given up."""
 PATIENCE = 100_000_000
-"""After how many ns without an acknowledgement a letter is sent again."""
+"""After how many ns without an acknowledgement a message is sent again."""
 AGAIN = 15_000_000
-"""What is missing is not sent again within so many ns: several acknowledgements may miss the same letter."""
+"""What is missing is not sent again within so many ns: several acknowledgements may miss the same message."""
 LONGEST = 5 * PATIENCE
 """At most so many ns lie between two attempts; with another patience, in proportion."""
 EARLY = 4 * WINDOW
-"""How far ahead of what is due a letter may be."""
+"""How far ahead of what is due a message may be."""
 EARLY_BYTES = 4 * WINDOW_BYTES
-"""So many bytes are kept of what is ahead, if it is more than one letter; the rest is asked for again."""
+"""So many bytes are kept of what is ahead, if it is more than one message; the rest is asked for again."""
 RECENT = 1024
 """So many samples back it is remembered which have come."""
 
@@ -64,7 +64,7 @@ class Outgoing(Generic[T]):
     )
 
     def __init__(self, patience: int = PATIENCE) -> None:
-        """`patience`: after how many ns without an acknowledgement a letter is sent again, at first."""
+        """`patience`: after how many ns without an acknowledgement a message is sent again, at first."""
         self._shortest = patience
         self._waiting: OrderedDict[int, Letter[T]] = OrderedDict()
         """What waits, by numbers that grow."""
@@ -84,11 +84,11 @@ class Outgoing(Generic[T]):
 
     @property
     def flying(self) -> int:
-        """How many letters are on their way."""
+        """How many messages are on their way."""
         return len(self._flying)
 
     def put(self, letter: Letter[T]) -> list[Letter[T]]:
-        """Add a letter; those that are given up for it, replaced or because too many wait."""
+        """Add a message; those that are given up for it, replaced or because too many wait."""
         gone: list[Letter[T]] = []
         if letter.replaces is not None and letter.replaces in self._newest:
             gone.append(self._waiting.pop(self._newest.pop(letter.replaces)))
@@ -153,7 +153,7 @@ class Outgoing(Generic[T]):
         self._last, self._patience = -LONGEST // PATIENCE * self._shortest, self._shortest
 
     def restart(self) -> tuple[list[Letter[T]], list[Letter[T]]]:
-        """The receiver begins a new life: what was on its way to the old one, what waits for the new."""
+        """The receiver begins a new incarnation: what was sent to the old one, what waits for the new."""
         flying, waiting = list(self._flying.values()), list(self._waiting.values())
         self._flying.clear()
         self._sent.clear()

@@ -1,6 +1,6 @@
 """Processes: resident worker processes for activities of kind `process`; `worker.py` is their other end.
 
-Both talk in pickled tuples, each after four bytes with its length: over the worker's standard input and what
+Both exchange pickled tuples, each after four bytes with its length: over the worker's standard input and what
 was its standard output when it started.
 """
 
@@ -58,7 +58,7 @@ def get(file: IO[bytes]) -> bytes | None:
 
 
 class _Process:
-    """One worker process and the thread that talks with it, so that no step waits for a pipe."""
+    """One worker process and the thread that communicates with it, so that no step waits for a pipe."""
 
     def __init__(self, pool: Processes) -> None:
         self.pool = pool
@@ -89,7 +89,7 @@ class _Process:
         Who sends just now looks for that afterwards; nobody waits for a worker that does not listen.
         """
         if self._sending.acquire(blocking=False):
-            with contextlib.suppress(OSError):  # the worker is gone, which its thread will see
+            with contextlib.suppress(OSError):  # the worker has ended, which its thread will see
                 if self.execution is execution:
                     self._put(("cancel",))
             self._sending.release()

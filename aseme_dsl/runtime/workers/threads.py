@@ -1,7 +1,7 @@
 """Threads: the resident threads in which activities of kind `thread` run.
 
-An activity may begin while the thread of the one before it is still on its way out, and takes another one.
-How often that coincides is chance, so the threads that may be needed are made beforehand; and when all are
+An activity may begin while the thread of the one before it has not ended yet, and takes another one.
+How often that coincides is random, so the threads that may be needed are made beforehand; and when all are
 taken, one that is about to be free is preferred to a new one. So their number does not grow in a long run.
 """
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 BEFOREHAND = 256
-"""So many threads are made beforehand at the most; a crowd of small agents does not need them all at once."""
+"""So many threads are made beforehand at the most: many small agents do not need them all at once."""
 
 
 class _Worker:

@@ -99,7 +99,7 @@ class _Worker:
 
 
 _ORPHAN = 2.0
-"""How long, in seconds, an activity may go on whose robot is gone."""
+"""How long, in seconds, an activity may go on whose agent process has ended."""
 _CANCEL = pickle.dumps(("cancel",))
 _CLOSE = pickle.dumps(("close",))
 

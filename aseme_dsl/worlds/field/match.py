@@ -1,6 +1,6 @@
 """A match: the world in which two teams of robots play, step by step.
 
-Everything that is left to chance is drawn from one ``random.Random(seed)``, in the same order whatever the
+Everything random is drawn from one ``random.Random(seed)``, in the same order whatever the
 machine and however the time is cut into calls: one seed and the same commands give the same match to the bit.
 A robot is driven only through its body; :meth:`Match.truth` is for tests and pictures.
 """

@@ -1,4 +1,4 @@
-"""The one shape of chance on the field: a bell curve that is the same on every Python."""
+"""The one random distribution on the field: a bell curve that is the same on every Python."""
 
 from __future__ import annotations
 

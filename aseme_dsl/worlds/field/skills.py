@@ -102,7 +102,7 @@ def ball_place(percept: Percept) -> Point | None:
 
 
 def gap(ball_distance: float) -> float:
-    """The free way in cm between the feet and a ball that is seen at a distance (between the middles)."""
+    """The free distance in cm between the feet and a ball; the distance seen is between the middles."""
     return max(0.0, ball_distance - TOUCH)
 
 

@@ -209,7 +209,7 @@ def _stuck(
 
 
 def _cuts_short(way: Transition) -> bool:
-    """Whether a way out of a composite is open while something inside is not complete."""
+    """Whether an outgoing transition of a composite is enabled while something inside is not complete."""
     return bool(way.expression.events) or way.expression.when
 
 

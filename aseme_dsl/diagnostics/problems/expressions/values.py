@@ -205,7 +205,7 @@ class TooLarge(Problem):
         return "the longest duration is 292 years" if self.is_duration else "a double can be larger"
 
 
-# ---- E520, E521 and E526: outcomes and chance ---------------------------------------------------
+# ---- E520, E521 and E526: outcomes and random values---------------------------------------------
 
 
 class OutcomeInQuotes(Problem):

@@ -219,7 +219,7 @@ class Delivery:
         self._outside.carry(agent.name, external_agents.written(answer, to, reason), to)
 
     def arrives(self, agent: Receiver, mail: AgentMessage, conversation: str | None) -> bool:
-        """Whether mail that was under way still finds its participant; tells and answers if it does not."""
+        """Whether an agent message still finds its participant; records and answers if it does not."""
         place = self._members.desks[agent.name].branches.get(mail.branch)
         if conversation is None or (place is not None and place.conversation == conversation):
             return True

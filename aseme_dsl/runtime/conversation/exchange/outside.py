@@ -33,7 +33,7 @@ class Outside:
         return self._asked.get(name, "")
 
     def carry(self, sender: str, message: FipaMessage, to: Iterable[AgentIdentifier]) -> None:
-        """Have a message carried to an agent that is not of the team; tell if there is no way to it."""
+        """Have a message carried to an agent that is not of the team; tell if there is no route to it."""
         if message.conversation:
             self._asked[message.reply_with] = message.conversation
             if len(self._asked) > REMEMBERED:

@@ -127,9 +127,10 @@ class Parts:
         self._delivery.losses.returned(name, same=same)
 
     def tell_gone(self, name: str, reason: Reason, *, elsewhere: bool) -> None:
-        """Tell of an agent that is gone in the middle of the conversations that count on it.
+        """Record a lost agent in the conversations that count on it.
 
-        A branch with a transition for it gets it as mail, once for each participant that the agent was.
+        A participant with a transition for it gets it as an agent message, once for each participant that the
+        agent was.
         """
         for known, conversation in list(self._members.conversations.items()):
             parts = [

@@ -90,7 +90,7 @@ class Inbox:
         vanished(self._state, agent, incarnation)
 
     def returned(self, agent: str, to: str, name: str, reason: str) -> None:
-        """What one of our agents said to an outsider was not delivered; `name` is its `reply-with`."""
+        """What one of our agents sent to an external agent was not delivered; `name` is its `reply-with`."""
         text = f"{name or 'a message'} could not be brought to {to}: {reason}"
         self._state.team.trace.fault(self._state.now(), agent, text)
         self._state.team.conversations.vanished(to)

@@ -1,4 +1,4 @@
-"""Presence: which agents elsewhere are there, and which life each of them leads."""
+"""Presence: which agents elsewhere are reachable, and which incarnation each of them is."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.stream import Incoming, Letter, Samples
 
 MOST_HOPED = 4
-"""So many lives of an agent are asked whether they are there."""
+"""So many incarnations of an agent are asked whether they are there."""
 TWIN_SECONDS = 2.0
-"""How long a newer life of an agent may take to answer, and after how long it is asked again."""
+"""How long a newer incarnation of an agent may take to answer, and after how long it is asked again."""
 PINGS = 4
-"""So many PINGs in each lease; who answers none of so many is gone."""
+"""So many PINGs in each lease; an agent that answers none of so many is unreachable."""
 
 
 def appeared(state: Delivery, agent: str, incarnation: int) -> None:
@@ -73,7 +73,7 @@ def replaced(state: Delivery, agent: str) -> None:
 
 
 def ask_twin(state: Delivery, agent: str, life: int) -> None:
-    """Stop if a newer life of one of our agents answers, as long as something says that it is there."""
+    """Stop if a newer incarnation of one of our agents answers, as long as something reports it."""
     while not state.closing and life in state.twins:
         if state.link.ask(agent, "history", b"{}", TWIN_SECONDS, life):
             replaced(state, agent)
@@ -82,14 +82,14 @@ def ask_twin(state: Delivery, agent: str, life: int) -> None:
 
 
 def come_back(state: Delivery, other: Other) -> None:
-    """An agent that was gone leads the same life still. Called with the lock."""
+    """An agent that was unreachable is the same incarnation still. Called with the lock."""
     other.alive = True
     tell(state, other, "reconnected")
     hurry(state, [key for key in state.ways if key[1] == other.name])
 
 
 def end_before(state: Delivery, agent: str, life: int) -> None:
-    """An agent leads one life: the one before has ended, also if it was not seen to. Called without the
+    """An agent has one incarnation: the one before has ended, also if it was not seen to. Called without the
     lock, since conversations are told."""
     other = state.others.get(agent)
     if other is None or not other.alive or other.life is None:
@@ -139,7 +139,7 @@ def begin_life(state: Delivery, other: Other, life: int) -> None:
         flying, waiting = way.out.restart()
         lose(state, name, flying, "it ended while this was on its way")
         way.into, way.samples, way.owed, way.sample = Incoming(), Samples(), 0, 0
-        way.pinged = 0  # what was asked stays: the answer may be how this life began
+        way.pinged = 0  # what was asked stays: the answer may be how this incarnation began
         for kept in state.archive.news_for(mine, name):
             way.out.put(Letter(kept.sent, len(kept.sent.payload), kept.replaces))
         for letter in waiting:
@@ -150,13 +150,13 @@ def begin_life(state: Delivery, other: Other, life: int) -> None:
 
 
 def hoped(state: Delivery, other: Other) -> list[int]:
-    """The lives of an agent that may be its next one, and have said nothing to us yet."""
+    """The incarnations of an agent that may be its next one, and have said nothing to us yet."""
     found = [life for life in other.present if life != other.life and is_next(state, other, life)]
     return sorted(found)[-MOST_HOPED:]
 
 
 def knock(state: Delivery, other: Other) -> None:
-    """Have lives say themselves that they are there: tokens may be copies. Called with the lock."""
+    """Have incarnations say themselves that they are there: tokens may be copies. Called with the lock."""
     mine = state.mine
     for life in hoped(state, other):
         envelope = state.envelope(envelopes.PING)
@@ -165,7 +165,7 @@ def knock(state: Delivery, other: Other) -> None:
 
 
 def is_next(state: Delivery, other: Other, life: int) -> bool:
-    """Whether this life comes after the one that is known.
+    """Whether this incarnation comes after the one that is known.
 
     A robot whose clock was set back begins one with a lower number: it counts when the other has ended.
     """
@@ -175,18 +175,18 @@ def is_next(state: Delivery, other: Other, life: int) -> bool:
 
 
 def is_fresh(state: Delivery, envelope: Envelope) -> bool:
-    """Whether an envelope was made for this life of ours: what is replayed may be for an earlier one."""
+    """Whether an envelope was made for this incarnation of ours: a replayed one may be for an earlier."""
     return envelope.addressee == state.incarnation or (state.lease is None and envelope.addressee == 0)
 
 
 def is_current(state: Delivery, other: Other, envelope: Envelope) -> bool:
-    """Whether an envelope is from the life that its sender leads, and for ours. Called with the lock."""
+    """Whether an envelope is from the incarnation of its sender, and for ours. Called with the lock."""
     life = envelope.incarnation
     if life != other.life and not is_next(state, other, life):
         count(state, other, "late", "it is of an earlier incarnation of its sender")
         return False
     if not is_fresh(state, envelope):
-        if envelope.kind == envelopes.PING:  # who looks for another life of ours is none of our business
+        if envelope.kind == envelopes.PING:  # a search for another incarnation of ours does not concern us
             other.counts["late"] = other.counts.get("late", 0) + 1
         else:
             count(state, other, "late", "it is for an earlier incarnation of its receiver")

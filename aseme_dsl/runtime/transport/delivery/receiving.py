@@ -27,7 +27,7 @@ from aseme_dsl.runtime.transport.delivery.state import Delivery
 from aseme_dsl.runtime.transport.envelope import Envelope
 
 OWED = 64
-"""After so many letters an acknowledgement is sent at once."""
+"""After so many messages an acknowledgement is sent at once."""
 
 
 def accepted(
@@ -65,7 +65,7 @@ def accepted(
 
 
 def sender_of(state: Delivery, to: str, sender: str) -> Other | None:
-    """Who has sent something to one of ours; None for a stranger, told. Called with the lock."""
+    """The sender of something to one of ours; None for an untrusted one, recorded. Called with the lock."""
     if state.closing or to not in state.here:
         return None
     other = state.others.get(sender)

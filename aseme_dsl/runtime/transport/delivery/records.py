@@ -16,14 +16,14 @@ QUESTIONS = 8
 
 @dataclass(frozen=True, slots=True)
 class Sent:
-    """What a letter is about: enough to send it, and to tell of it if it is lost."""
+    """What a message is about: enough to send it, and to record it if it is lost."""
 
     way: str
     envelope: Envelope
     payload: bytes
     sender: str
     what: str
-    """signal, state, data or mail."""
+    """signal, state, data or agent message."""
 
     @property
     def identity(self) -> Identity:
@@ -41,7 +41,7 @@ class Way:
     out: Outgoing[Sent] = field(default_factory=Outgoing)
     into: Incoming[Got] = field(default_factory=Incoming)
     owed: int = 0
-    """How many letters have come since the last acknowledgement."""
+    """How many messages have come since the last acknowledgement."""
     owed_since: int = 0
     """When the first of them came, in ns."""
     sample: int = 0
@@ -56,15 +56,15 @@ class Way:
 
 @dataclass(slots=True)
 class Other:
-    """An agent elsewhere: which life it leads, and what came from it."""
+    """An agent elsewhere: which incarnation it is, and what came from it."""
 
     name: str
     alive: bool = False
     life: int | None = None
     present: set[int] = field(default_factory=set)
-    """The lives that say that they are there; there may be two for a while."""
+    """The incarnations that say that they are there; there may be two for a while."""
     ended: set[int] = field(default_factory=set)
-    """The lives that were gone: where links have a lease, only the answer to a PING brings one back."""
+    """The incarnations that were unreachable: with a lease, only the answer to a PING brings one back."""
     unanswered: int = 0
     """How many PINGs were sent since the last answer."""
     answered_at: int = 0

@@ -69,7 +69,7 @@ def hand_over(state: Delivery, other: Other, sent: Sent, place: int = 0, sample:
 
 
 def say(state: Delivery, mine: str, name: str, way: str, envelope: Envelope, life: int | None = None) -> None:
-    """Send something of the post's own, to the life that the other one leads or to another."""
+    """Send something of the post's own, to the incarnation of the other one or to another."""
     stamp = Stamp(state.others[name].life or 0 if life is None else life)
     state.link.send(name, mine, way, envelope, stamp, b"", True)
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.ports import Receiver
 
 SOON = 33_000_000
-"""An acknowledgement is not put off where it would be by less than so many ns: the beat puts it off, too."""
+"""An acknowledgement is put off by at least so many ns, or not at all: the upkeep puts it off, too."""
 
 
 class Delivery:
@@ -46,9 +46,9 @@ class Delivery:
         """Set when what comes may be handed on."""
         self.strangers: set[str] = set()
         self.strange = 0
-        """How much has come from strangers, and from nobody who says a name."""
+        """How much has come from untrusted senders, and from senders without a name."""
         self.twins: set[int] = set()
-        """Newer lives of our own agents of which something says that they are there."""
+        """Newer incarnations of our own agents of which something says that they are there."""
 
     @property
     def mine(self) -> str:
@@ -60,7 +60,7 @@ class Delivery:
         return self.team.driver.clock.now()
 
     def envelope(self, kind: int, sequence: int = 0, moment: int = 0, **members: Any) -> Envelope:
-        """An envelope of this life of ours, of now or of a moment of the machine's clock."""
+        """An envelope of this incarnation of ours, of now or of a moment of the machine's clock."""
         return Envelope(
             kind,
             self.codec.model,
