@@ -169,9 +169,9 @@ def test_what_a_value_would_become_another_for_is_refused(tmp_path: Path) -> Non
     batch.bb.power = [True, 2, 0.5]
     assert (batch.bb.shots.tolist(), batch.bb.seen.tolist()) == ([1, 2, 3], [False, True, True])
     for name, values, text in (
-        ("shots", [1, 2.5, 3], "2.5 is no whole number"),
-        ("shots", float("nan"), "nan is no whole number"),
-        ("seen", [0, 1, 2], "2 is no truth"),
+        ("shots", [1, 2.5, 3], "2.5 is not a whole number"),
+        ("shots", float("nan"), "nan is not a whole number"),
+        ("seen", [0, 1, 2], "2 is not a truth"),
     ):
         with pytest.raises(ValueError, match=f"{name} cannot be set: {text}"):
             setattr(batch.bb, name, values)

@@ -242,7 +242,7 @@ def test_what_is_not_there_is_said_before_anything_is_played(
     ("vary", "text"),
     [
         ("carrier", "is not written carrier=1..8"),
-        ("carrier=8..1", "8..1 is no range"),
+        ("carrier=8..1", "8..1 is not a range"),
         ("carrier=1..1000000", "1..1000000 are more than 1000 values, which is the most"),
         ("carrier=0..2", "a number from 1 on"),
         ("carrier=1-3", "or a range as 1..8"),
@@ -267,7 +267,7 @@ def test_without_a_measure_it_says_what_may_be_measured(here: Here, feed: Path) 
 def test_a_value_of_another_type_is_refused(here: Here, trips: Path) -> None:
     done = here("optimise", trips, "--vary", "one.trips=many", "--measure", "Walk")
     assert done.code == 1
-    assert "'many' is no int, which trips of walker is" in done.err
+    assert "'many' is not of the type int, which trips of walker is" in done.err
 
 
 def test_where_the_report_cannot_go_nothing_is_played(

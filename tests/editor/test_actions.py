@@ -74,7 +74,7 @@ def test_all_that_has_one_right_answer_is_mended_at_once() -> None:
     marked = SOCCER.replace("Ball.visible]", "Ball.visibel‸]", 1).replace(
         "PlayerState.FINISHED", "PlayerState.FINISHD"
     )
-    assert done(marked, "Mend everything") == SOCCER
+    assert done(marked, "Fix everything") == SOCCER
 
 
 def test_a_warning_is_allowed_above_its_line() -> None:

@@ -77,7 +77,7 @@ def test_agents_of_a_range_are_renamed_with_their_numbers() -> None:
         ("^decision   =", "TellMates", "something else would be meant"),
         ("let ^playing", "vision", "with this name, "),
         ("let ^playing", "and", "cannot be"),
-        ("^initialize . activate", "initial-ize", "is no name"),
+        ("^initialize . activate", "initial-ize", "is not a name"),
         ("vision.state.^Ball.visible && vision", "Sphere", "the standard library declares it"),
         ("enter ^NoGame", "NoGame", ""),
     ],

@@ -436,7 +436,7 @@ async def test_an_activity_is_renamed_with_its_file_and_class(project: Project) 
 @pytest.mark.parametrize(
     ("marked", "name", "reason"),
     [
-        ("[^tries", "for ever", "is no name"),
+        ("[^tries", "for ever", "is not a name"),
         ("(^look |", "handing", "handing"),
         ("look = ^Scan", "Jump", "there is a activity `Jump` already"),
         ("[^tries", "true", "true"),

@@ -35,7 +35,7 @@ def test_textx_check(tmp_path: Path) -> None:
     found = run("check", str(broken))
     assert found.returncode == 1
     assert f"{broken}:2:28: expected an activity" in found.stdout + found.stderr
-    assert f"{broken}:3:1: 'srmm' is no word" in found.stdout + found.stderr
+    assert f"{broken}:3:1: 'srmm' is not a word" in found.stdout + found.stderr
 
 
 def test_the_grammar_alone_refuses_mistakes_too(tmp_path: Path) -> None:

@@ -23,7 +23,7 @@ FORMATS = ("svg", "png", "pdf", "dot")
 _PURE = "graphviz-pure"
 """The program of the package of that name, which writes no PDF.
 
-To do it with svglib and reportlab instead takes 45 MB, and a font with Greek letters that not every machine
+To do it with svglib and reportlab instead takes 38 MB, and a font with Greek letters that not every machine
 has.
 """
 

@@ -6,8 +6,8 @@ costs is measured, and no more of them are asked for at a time than takes a hund
 those that are edited most, of the others some each time.
 """
 
-# watchfiles hears of a change 40 ms sooner where inotify works. It refuses files that do not exist yet, hears
-# nothing on network drives, and polls five times as slowly: this would have to stay beside it.
+# watchfiles sees a change 40 ms sooner where inotify works. It refuses files that do not exist yet, sees
+# nothing on network drives, and polls three times as slowly: this would have to stay beside it.
 
 from __future__ import annotations
 

@@ -194,10 +194,10 @@ def test_what_is_no_message_is_told_with_its_place(
 @pytest.mark.parametrize(
     ("message", "reason"),
     [
-        (FipaMessage("in form"), "'in form' is no word"),
-        (FipaMessage("inform", AgentIdentifier("7up")), "'7up' is no word"),
+        (FipaMessage("in form"), "'in form' is not a word"),
+        (FipaMessage("inform", AgentIdentifier("7up")), "'7up' is not a word"),
         (FipaMessage("inform", AgentIdentifier("a", ("x y",))), "'x y' cannot be an address"),
-        (FipaMessage("inform", protocol="a b"), "'a b' is no word"),
+        (FipaMessage("inform", protocol="a b"), "'a b' is not a word"),
         (FipaMessage("inform", parameters=(("a b", 1),)), "'a b' cannot be the name"),
         (FipaMessage("inform", parameters=(("Sender", 1),)), "'Sender' cannot be the name"),
         (FipaMessage("inform", parameters=(("X-a", 1), ("x-a", 1))), "'x-a' cannot be the name"),

@@ -94,9 +94,9 @@ def test_a_long_content_is_not_read() -> None:
     [
         (Form("p", (b"\xff",)), "is not a text in UTF-8"),
         (Form("p", (math.nan,)), "nan is not a number of SL"),
-        (Form("p q", ("a",)), "is no word"),
+        (Form("p q", ("a",)), "is not a word"),
         (Form("p", (), (("a b", 1),)), "cannot be a name"),
-        (Form("p", ("\ud800",)), "is no text"),
+        (Form("p", ("\ud800",)), "is not a text"),
         (Form("done", ("a",)), "done takes an action"),
     ],
 )
