@@ -3,7 +3,7 @@
 unknowns    what a snapshot gives values to: messages, members, variables, timers, what functions return
 evaluate    whether a condition holds when some of them are known
 encoding    conditions as formulas of z3, with absence and faults exactly as they run
-snapshot    whether conditions can hold and fail together, and the simplest values that make them
+solver      whether conditions can hold and fail together, and the simplest values that make them
 ways        the outgoing transitions of a state, through its choices
 choice      which choices are looked at, and what may be found
 findings    overlaps, gaps, and branches that are never or always open

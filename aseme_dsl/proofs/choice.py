@@ -34,7 +34,7 @@ from aseme_dsl.proofs.unknowns import (
 from aseme_dsl.proofs.ways import COMPLETION, MOST, Fork, forks, interruptions, paths
 
 if TYPE_CHECKING:
-    from aseme_dsl.proofs.snapshot import Way, Witness
+    from aseme_dsl.proofs.solver import Way, Witness
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,7 +21,7 @@ from aseme_dsl.proofs.choice import (
     ends_open,
 )
 from aseme_dsl.proofs.prover import Prover
-from aseme_dsl.proofs.snapshot import Assumptions, Claim, Snapshot, Undecided, Way, Witness, calls_in
+from aseme_dsl.proofs.solver import Assumptions, Claim, Snapshot, Undecided, Way, Witness, calls_in
 from aseme_dsl.proofs.states import facts_of_states
 from aseme_dsl.proofs.unknowns import CALL, PRESENCES, Key, identity, is_unknown_function, sources
 from aseme_dsl.proofs.ways import WHEN, paths

@@ -10,7 +10,7 @@ from aseme_dsl.amola import expression as e
 from aseme_dsl.proofs.unknowns import Vocabulary
 
 if TYPE_CHECKING:
-    from aseme_dsl.proofs.snapshot import Snapshot
+    from aseme_dsl.proofs.solver import Snapshot
 
 
 class Prover:
@@ -36,7 +36,7 @@ class Prover:
 
     def snapshot(self, conditions: Sequence[e.Value], facts: Sequence[e.Value] = ()) -> Snapshot:
         """What these conditions see at a moment, in which the facts hold. Raises ImportError without z3."""
-        from aseme_dsl.proofs.snapshot import Snapshot
+        from aseme_dsl.proofs.solver import Snapshot
 
         return Snapshot(conditions, self.vocabulary, self._context, facts)
 
@@ -45,7 +45,7 @@ class Prover:
 
         Raises Undecided, and ImportError without z3.
         """
-        from aseme_dsl.proofs.snapshot import Claim
+        from aseme_dsl.proofs.solver import Claim
 
         claim = Claim(tuple(holding), tuple((condition,) for condition in failing))
         return self.snapshot(claim.conditions).is_possible(claim)

@@ -16,7 +16,7 @@ from aseme_dsl.compiler.names.resolve import resolve
 from aseme_dsl.compiler.read.load import load
 from aseme_dsl.compiler.types.scopes import global_scope
 from aseme_dsl.proofs.prover import Prover
-from aseme_dsl.proofs.snapshot import Claim, Witness
+from aseme_dsl.proofs.solver import Claim, Witness
 from aseme_dsl.proofs.unknowns import Key, Vocabulary
 from aseme_dsl.source import Source
 from tests.oracle.interpreter import Reference, Region

@@ -168,7 +168,7 @@ def contradiction(prover: Prover) -> Contradict:
             return True
         if len(holding) + len(failing) < 2 or not prover.is_there:
             return False
-        from aseme_dsl.proofs.snapshot import Undecided
+        from aseme_dsl.proofs.solver import Undecided
 
         try:
             return not prover.is_possible(holding, failing)

@@ -1,4 +1,4 @@
-"""Snapshot: whether conditions can hold and fail together, and the simplest values that make them.
+"""Solver: whether conditions can hold and fail together, and the simplest values that make them.
 
 The answer is the same on every run: z3 has fixed seeds and a budget that is counted, not timed, and of all
 values the first of a list (0, what the conditions mention, its neighbours) are taken, unknown by unknown.
