@@ -142,7 +142,7 @@ class Publishing:
         )
 
     def _fix(self, program: Program, item: diagnostics.Diagnostic) -> dict[str, Any] | None:
-        """What mends it, as a workspace edit's changes, for clients that apply it themselves."""
+        """What fixes it, as a workspace edit's changes, for clients that apply it themselves."""
         if not item.changes:
             return None
         changes: dict[str, list[object]] = {}

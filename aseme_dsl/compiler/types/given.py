@@ -308,7 +308,7 @@ def supply(
 
 
 def _unsuitable(name: str, value: Value) -> Iterable[Diagnostic]:
-    """E592 for a signal, which the first look uses up; E526 for chance, which is another at each look."""
+    """E592 for a signal, which the first look consumes; E526 for random values, which differ at each look."""
     for part in walk(value):
         if isinstance(part, Member) and part.channel.comm is ChannelKind.SIGNAL:
             yield Diagnostic(of_names.InputFromSignal(name, str(part.channel)), part.span)

@@ -243,7 +243,7 @@ class Sniffer:
             case "suspend":
                 yield Mark(moment, name, "is suspended", conversation)
             case "resume":
-                yield Mark(moment, name, "goes on", conversation)
+                yield Mark(moment, name, "is resumed", conversation)
             case "back":
                 yield Mark(moment, name, f"meets {record['peer']} again", conversation)
             case "gone" if record.get("reason") != "completed":  # that is how most parts end

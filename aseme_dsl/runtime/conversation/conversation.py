@@ -64,7 +64,7 @@ class Conversations:
         self._told = told = ConversationTrace(driver, trace)
         self._members = members = Members(self.directory)
         self._lives: dict[str, int | None] = {}
-        """Which life each agent elsewhere led when it was there last."""
+        """Which incarnation each agent elsewhere was when it was there last."""
         counting = Counting(told, self.directory.is_gone)
         self._outside = outside = Outside(told, transport)
         self._management = Management(self.directory, system, self._tell_outside, members.plans)
@@ -198,7 +198,7 @@ class Conversations:
                 self._hearing.receive(to, message)
 
     def appeared(self, name: str, life: int | None = None) -> None:
-        """An agent of the team that runs elsewhere is there; `life` tells its lives apart."""
+        """An agent of the team that runs elsewhere is there; `life` tells its incarnations apart."""
         with self._driver.holding(), self._lock:
             self.directory.appeared(name, self._members.plans[name])
             before, self._lives[name] = self._lives.get(name), life
@@ -223,7 +223,7 @@ class Conversations:
             self._parts.joined(agent, branch)
 
     def suspended(self, agent: Receiver, branch: str) -> None:
-        """A branch was left that may be resumed: its conversation stays open, and mail waits in it."""
+        """A branch was left that may be resumed: its conversation stays open, with its messages."""
         with self._driver.holding(), self._lock:
             self._parts.suspended(agent, branch)
 

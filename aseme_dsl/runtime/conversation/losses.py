@@ -72,7 +72,7 @@ class Losses:
                 del owed[:-REMEMBERED]
 
     def returned(self, name: str, *, same: bool) -> None:
-        """An agent elsewhere can be reached again; in the same life it is told what it has missed."""
+        """An agent elsewhere can be reached again; the same incarnation is told what it has missed."""
         for loss, members in self._owed.pop(name, ()):
             if same:
                 self._transport.carry(loss, name, members)

@@ -70,7 +70,7 @@ class Hearing:
             self._hear(agent, message, sender, identity)
 
     def _hear(self, agent: Receiver, message: FipaMessage, sender: str, identity: Identity) -> None:
-        """Hand on what an outsider says, if it is understood."""
+        """Hand on a message of an external agent, if it is understood."""
         if self._delivery.free.is_known(message) and self._hear_free(agent, message, identity, ""):
             return
         name = ""
@@ -176,7 +176,7 @@ class Hearing:
         name: str,
         conversation: Conversation | None,
     ) -> external_agents.Understood:
-        """What a message of an outsider means in a conversation. Raises NotUnderstood."""
+        """What a message of an external agent means in a conversation. Raises NotUnderstood."""
         branches = agent.plan.branches
         if conversation is None:
             protocol = message.protocol
@@ -211,7 +211,7 @@ class Hearing:
         return external_agents.understood(message, agent.plan, context, agent.kinds)
 
     def _answers_nothing(self, message: FipaMessage, sender: str, conversation: Conversation) -> str:
-        """Why the message that an outsider says it answers is none that it was sent; empty if it is."""
+        """Why the message that an external agent claims to answer was not sent to it; empty if it was."""
         answered = message.in_reply_to
         if not answered or conversation.forgotten:
             return ""
@@ -224,7 +224,7 @@ class Hearing:
         return f"{sender} was sent no {answered[:100]} in this conversation, which it answers"
 
     def _deadline(self, agent: Receiver, message: FipaMessage, sender: str) -> int | None:
-        """Until when an outsider wants an answer; None, and told, if what it says of that cannot be read."""
+        """Until when an external agent wants an answer; None, and recorded, if that cannot be read."""
         try:
             return external_agents.deadline(message, self._clock)
         except ValueError as problem:
@@ -235,7 +235,7 @@ class Hearing:
     def _not_understood(
         self, to: str, message: FipaMessage, identity: Identity, reason: str, *, answered: bool = True
     ) -> None:
-        """Tell of a message of an outsider that nobody can be given, and answer it."""
+        """Record a message of an external agent that has no receiver, and answer it."""
         self._told.meaningless(to, message, identity, reason)
         conversation = self._members.conversations.get(
             message.conversation or self._outside.asked(message.in_reply_to)
@@ -259,7 +259,7 @@ class Hearing:
 
 
 def _said_outside(message: FipaMessage) -> tuple[Any, ...]:
-    """What tells one message of an outsider from the next."""
+    """What tells one message of an external agent from the next."""
     return message.reply_with, message.conversation, message.performative.lower(), message.content
 
 

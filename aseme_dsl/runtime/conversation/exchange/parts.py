@@ -47,7 +47,7 @@ class Parts:
                 self._delivery.unexpected(agent, acl, f"{acl.to} does not receive it")
 
     def suspended(self, agent: Receiver, branch: str) -> None:
-        """A branch was left that may be resumed: its conversation stays open, and mail waits in it."""
+        """A branch was left that may be resumed: its conversation stays open, with its messages."""
         desk = self._members.desks[agent.name]
         place = desk.branches[branch]
         place.suspended = True
@@ -113,7 +113,7 @@ class Parts:
             self._members.directory.disappeared(agent.name)
 
     def returned(self, name: str, *, same: bool) -> None:
-        """An agent elsewhere is there again: in the same life, it takes part as before, or in another.
+        """An agent elsewhere is there again: as the same incarnation, it takes part as before, or in another.
 
         What was told of its loss stays told; what ended here meanwhile, it is told now.
         """

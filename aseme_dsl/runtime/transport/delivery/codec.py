@@ -36,7 +36,7 @@ class Codec:
             try:
                 return Text(payload.decode())
             except UnicodeDecodeError as problem:
-                raise WireError(f"{len(payload)} bytes are no text in UTF-8: {problem}") from None
+                raise WireError(f"{len(payload)} bytes are not a text in UTF-8: {problem}") from None
         if self.readable:
             return self.schema.decode_json(kind, payload)
         return self.schema.decode(kind, payload)
