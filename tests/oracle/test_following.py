@@ -38,6 +38,11 @@ class Recording(Reference):
         self.notes.append(f"+{label}")
         super().enter(label, *arguments)
 
+    def be_in(self, label: str, *arguments: Any) -> None:
+        if self.notes[-1] != f"+{label}":  # of a part that goes on, `enter` has noted its branch
+            self.notes.append(f"+{label}")
+        super().be_in(label, *arguments)
+
     def leave(self, label: str) -> None:
         super().leave(label)
         self.notes.append(f"-{label}")
