@@ -207,7 +207,7 @@ def test_two_systems_do_not_disturb_each_other(tmp_path: Path) -> None:
         ({"name": "\ud800"}, "All.name"),
         ({"raw": "text"}, "All.raw"),
         ({"numbers": ("x",)}, "All.numbers"),
-        ({"outer": 3}, "int is no message"),
+        ({"outer": 3}, "int is not a message"),
     ],
 )
 def test_what_cannot_be_encoded_is_named(messages: ModuleType, members: dict[str, Any], words: str) -> None:
