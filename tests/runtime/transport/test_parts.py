@@ -318,10 +318,10 @@ def test_an_agent_message_has_the_time_at_which_it_was_sent() -> None:
     ann = part(net, ["ann"], {"Hold": Hold}, OtherMachine(air.link()), origin=began).start()
     bob = part(net, ["bob"], {"Offer": Offer}, air.link(), origin=began).start()
     wait_until(lambda: ann.team.transport.is_there("bob"))
-    wait_until(lambda: bob.team.peers()["ann"].uncertainty)
+    before = wait_until(lambda: bob.team.peers()["ann"].uncertainty)
     known.set()
     wait_until(lambda: seen)
-    uncertainty = max(bob.team.peers()["ann"].uncertainty or 0, 1_000_000)
+    uncertainty = max(before or 0, bob.team.peers()["ann"].uncertainty or 0, 1_000_000)
     ann.stop()
     bob.stop()
     (said,) = [r["time"] for r in ann.of("agent_message", performative="cfp")]
