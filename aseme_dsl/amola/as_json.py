@@ -13,7 +13,6 @@ import json
 import posixpath
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import PurePath
-from typing import Any
 
 from aseme_dsl.amola.aip import Aip, DeclaredVariable, NamedFormula, Participant
 from aseme_dsl.amola.expression import Literal, action_text, duration_text, events_text, value_text
@@ -29,7 +28,7 @@ from aseme_dsl.source import Span, is_library_path
 FORMAT = 1
 """The version of the form of all models."""
 
-Json = dict[str, Any]
+Json = dict[str, object]
 
 
 def models_json(system: System) -> dict[str, Json]:
@@ -37,7 +36,7 @@ def models_json(system: System) -> dict[str, Json]:
     return {name: make(*inputs) for name, make, inputs in model_makers(system)}
 
 
-def model_makers(system: System) -> Iterator[tuple[str, Callable[..., Json], tuple[Any, ...]]]:
+def model_makers(system: System) -> Iterator[tuple[str, Callable[..., Json], tuple[object, ...]]]:
     """The same, each model as what makes it of what: of its own parts of the system, and nothing else."""
     folder = folder_of(system)
     yield "sag.json", sag_json, (system.sag, system.name, folder)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from aseme_dsl.diagnostics.identity import below_here, fingerprints
 from aseme_dsl.diagnostics.model import Diagnostic, Severity
@@ -11,7 +10,7 @@ from aseme_dsl.diagnostics.model import Diagnostic, Severity
 _SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.NOTE: "info"}
 
 
-def codequality(diagnostics: Iterable[Diagnostic]) -> list[dict[str, Any]]:
+def codequality(diagnostics: Iterable[Diagnostic]) -> list[dict[str, object]]:
     """One issue a problem, as GitLab documents it for tools of one's own.
 
     A path is relative to the working directory where it is below that. A problem that is in no line is shown
@@ -21,7 +20,7 @@ def codequality(diagnostics: Iterable[Diagnostic]) -> list[dict[str, Any]]:
     return [_issue(item, own) for item, own in zip(found, fingerprints(found), strict=True)]
 
 
-def _issue(item: Diagnostic, fingerprint: str) -> dict[str, Any]:
+def _issue(item: Diagnostic, fingerprint: str) -> dict[str, object]:
     text = item.message if item.hint is None else f"{item.message}; {item.hint}"
     path, lines = item.path or "asemec", {"begin": 1}
     if item.span is not None:

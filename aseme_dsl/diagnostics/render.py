@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Callable, Iterable
-from typing import Any
 
 from aseme_dsl.diagnostics.model import Diagnostic, Severity, Suppressed
 from aseme_dsl.source import Span
@@ -157,7 +156,7 @@ def _linked(code: str, link: Link | None) -> str:
     return f"\x1b]8;;{address}\x1b\\{code}\x1b]8;;\x1b\\" if address else code
 
 
-def place_json(span: Span) -> dict[str, Any]:
+def place_json(span: Span) -> dict[str, object]:
     """A place as plain data: the file, and the range in lines and columns from 1, its end exclusive."""
     line, column = span.source.position(span.start)
     end_line, end_column = span.source.position(span.end)
@@ -170,7 +169,7 @@ def place_json(span: Span) -> dict[str, Any]:
     }
 
 
-def render_json(diagnostics: Iterable[Diagnostic]) -> list[dict[str, Any]]:
+def render_json(diagnostics: Iterable[Diagnostic]) -> list[dict[str, object]]:
     """The same as plain data, for `--json`.
 
     `edits` is everything that fixes the problem; `fix` is the one replacement of the text at its place.
@@ -190,7 +189,7 @@ def render_json(diagnostics: Iterable[Diagnostic]) -> list[dict[str, Any]]:
     ]
 
 
-def suppressed_json(suppressed: Iterable[Suppressed]) -> list[dict[str, Any]]:
+def suppressed_json(suppressed: Iterable[Suppressed]) -> list[dict[str, object]]:
     """What comments in the sources allow, each with the comment's place and reason."""
     found = tuple(suppressed)
     items = render_json(item.diagnostic for item in found)

@@ -211,7 +211,7 @@ class Snapshot:
 
     # ---- the simplest values ------------------------------------------------------------------
 
-    def _simplest(self, claim: Claim, assumptions: Assumptions) -> dict[Key, Any]:
+    def _simplest(self, claim: Claim, assumptions: Assumptions) -> dict[Key, object]:
         """Fix one unknown after the other to the first candidate that leaves the claim possible."""
         model = self._solver.model()
         values: dict[Key, Any] = {}
@@ -284,7 +284,7 @@ class Snapshot:
             return Fraction(value.numerator_as_long(), value.denominator_as_long())
         raise Undecided
 
-    def _as_they_run(self, values: dict[Key, object]) -> dict[Key, Any]:
+    def _as_they_run(self, values: dict[Key, object]) -> dict[Key, object]:
         """Real numbers as floats; places among the texts as texts."""
         between: dict[int, set[Fraction]] = {}
         for key, value in values.items():

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sized
 from contextlib import AbstractContextManager
-from typing import Any, Protocol, TypeVar
+from typing import Protocol, TypeVar
 
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.input_queue import Errand, Posted, Writer
@@ -42,7 +42,7 @@ class Receiver(Protocol):
         execution: Writer | None = None,
         conversation: str | None = None,
     ) -> None: ...
-    def understood(self, content: object) -> Any: ...
+    def understood(self, content: object) -> object: ...
     @property
     def listens(self) -> bool:
         """Whether it has behaviours that may receive messages outside of every protocol."""

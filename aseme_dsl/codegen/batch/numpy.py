@@ -241,7 +241,13 @@ class ForNumpy:
 _EQUAL = {"is": "==", "is not": "!="}
 """What comparisons are between numbers."""
 
-_FOLDED: Mapping[str, Callable[..., Any]] = {"abs": abs, "float": float, "int": int, "max": max, "min": min}
+_FOLDED: Mapping[str, Callable[..., object]] = {
+    "abs": abs,
+    "float": float,
+    "int": int,
+    "max": max,
+    "min": min,
+}
 
 _OPERATIONS: Mapping[str, Callable[[Any, Any], Any]] = {
     "+": operator.add,

@@ -98,7 +98,7 @@ class Memory:
         return cast(_T, self._entry(function, inputs).result)
 
     def each(
-        self, function: Callable[..., _T], inputs: Iterable[tuple[Any, ...]], *common: Any
+        self, function: Callable[..., _T], inputs: Iterable[tuple[object, ...]], *common: object
     ) -> tuple[_T, ...]:
         """`recall(function, *item, *common)` for each of the inputs; see `each_in_pieces`."""
         return finished(self.each_in_pieces(function, inputs, *common))

@@ -539,7 +539,7 @@ def occurrences(declaration: tree.Declaration, world: World) -> tuple[Occurrence
     found: list[Occurrence] = []
     lets = world.symbols.lets
     top = Around(world, values=_lets(lets, ""), lets=_meanings(lets, ""))
-    todo: list[tuple[Any, Around]] = [(declaration, top)]
+    todo: list[tuple[object, Around]] = [(declaration, top)]
     while todo:
         node, around = todo.pop()
         around = replace(_inside(node, around), node=node)

@@ -63,7 +63,7 @@ def _include(key: str) -> dict[str, str]:
     return {"include": f"#{key}"}
 
 
-def _comment(pattern: str, kind: str) -> dict[str, Any]:
+def _comment(pattern: str, kind: str) -> dict[str, object]:
     if kind == "line":
         return {"name": "comment.line.double-slash.aseme", "match": pattern}
     return {"name": "comment.block.aseme", "begin": r"/\*", "end": r"\*/"}

@@ -52,7 +52,7 @@ class Prepared:
         """
         return self._take(plan, branch, message, source)
 
-    def take_around(self, plan: Plan, branch: str, message: str, source: str) -> Any:
+    def take_around(self, plan: Plan, branch: str, message: str, source: str) -> object:
         """The draft from around a branch for the message that opens its conversation; None without one."""
         for outer in _around(plan, branch):
             content = self._take(plan, outer, message, source)
@@ -60,7 +60,7 @@ class Prepared:
                 return content
         return None
 
-    def _take(self, plan: Plan, branch: Branch, message: str, source: str) -> Any:
+    def _take(self, plan: Plan, branch: Branch, message: str, source: str) -> object:
         drafts = [item for item in self._drafts.get(branch, ()) if item.message == message]
         if not drafts:
             return None
@@ -71,11 +71,11 @@ class Prepared:
         self._drafts[branch] = [item for item in self._drafts[branch] if id(item) not in gone]
         return found.content
 
-    def repeated(self, branch: str, message: str) -> Any:
+    def repeated(self, branch: str, message: str) -> object:
         """What the last message of a type said in this conversation, None without one."""
         return self._sent.get((branch, message))
 
-    def sent(self, branch: str, message: str, content: Any) -> None:
+    def sent(self, branch: str, message: str, content: object) -> None:
         """A message was sent in the conversation of a branch."""
         self._sent[branch, message] = content
 

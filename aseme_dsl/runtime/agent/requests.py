@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.execution import Execution, Host
@@ -25,7 +24,7 @@ class Requests:
         self.prepared = Prepared()
         """What was prepared as the content of messages."""
 
-    def content_of(self, effect: Sending) -> Any:
+    def content_of(self, effect: Sending) -> object:
         """The content of what a transition sends: what it fills in, or what was prepared for it.
 
         None if nothing was. Activities without code prepare defaults, which the trace tells.
@@ -35,7 +34,7 @@ class Requests:
             self.prepared.sent(effect.branch, effect.message, content)
         return content
 
-    def _prepared_for(self, effect: Sending) -> Any:
+    def _prepared_for(self, effect: Sending) -> object:
         agent, prepared = self._agent, self.prepared
         plan, branch, message = agent.plan, effect.branch, effect.message
         source = plan.transitions[effect.way[0]].source if effect.way else branch

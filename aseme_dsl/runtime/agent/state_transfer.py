@@ -86,7 +86,7 @@ class _Tree:
             is_named = _NAME.fullmatch(outer) is not None
             self.named[state.label] = (*self.named[around], outer) if is_named else self.named[around]
 
-    def groups(self, kind: str) -> dict[Any, list[str]]:
+    def groups(self, kind: str) -> dict[object, list[str]]:
         """The labels by key, in document order: by the exact place, the full path, the path of names."""
         found: dict[Any, list[str]] = defaultdict(list)
         for state in self.plan.states:
@@ -95,7 +95,7 @@ class _Tree:
                 found[key].append(state.label)
         return found
 
-    def key(self, state: State, kind: str) -> Any:
+    def key(self, state: State, kind: str) -> object:
         what = (state.type, state.activity, state.branch)
         match kind:
             case "exact":

@@ -21,7 +21,7 @@ class FunctionError(Exception):
     """A function of the document cannot be found, or gives something else than it declares."""
 
 
-def find_function(target: str) -> Callable[..., Any]:
+def find_function(target: str) -> Callable[..., object]:
     """The Python function `module:name`.
 
     Raises:
@@ -57,7 +57,7 @@ def results_of(declared: str) -> tuple[type, ...]:
     return TYPES.get(declared, (object,))
 
 
-def checked(name: str, value: object, expected: tuple[type, ...]) -> Any:
+def checked(name: str, value: object, expected: tuple[type, ...]) -> object:
     """What a function has given, if it is of the expected types.
 
     Raises:
@@ -68,7 +68,7 @@ def checked(name: str, value: object, expected: tuple[type, ...]) -> Any:
     return value
 
 
-def function_at(target: str, name: str, declared: str) -> Callable[..., Any]:
+def function_at(target: str, name: str, declared: str) -> Callable[..., object]:
     """The function `module:name`, which is looked for at the first call, and whose results are checked."""
     found: list[Callable[..., Any]] = []
     expected = results_of(declared)

@@ -18,7 +18,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from io import BufferedReader
 from pathlib import Path
-from typing import Any
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.control.connections import MOST, Places, Timely
@@ -109,7 +108,7 @@ def endpoints(output: Path) -> list[Path]:
     return found
 
 
-def ask(path: Path, request: dict[str, object], timeout: float = 5.0) -> dict[str, Any]:
+def ask(path: Path, request: dict[str, object], timeout: float = 5.0) -> dict[str, object]:
     """The reply to a request (without its `version`, which is put in).
 
     Raises:

@@ -25,7 +25,6 @@ import secrets
 import threading
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
 
 from aseme_dsl.outside import loads
 from aseme_dsl.runtime.control.control import FORMAT, LARGEST, Control, Reply
@@ -183,7 +182,7 @@ def ask(
     raise GateError(f"{agent} refuses: {refusals[0]}" if refusals else f"{agent} does not answer")
 
 
-def _objects(answers: Iterable[bytes]) -> Iterable[dict[str, Any]]:
+def _objects(answers: Iterable[bytes]) -> Iterable[dict[str, object]]:
     for data in answers:
         try:
             found = loads(data, 2 * _ANSWER)

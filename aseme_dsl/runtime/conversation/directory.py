@@ -391,7 +391,7 @@ def _joined(base: Entry, more: Entry) -> Entry:
     )
 
 
-def as_json(service: Service) -> dict[str, Any]:
+def as_json(service: Service) -> dict[str, object]:
     """A service as JSON, named as FIPA names it; what is empty is left out."""
     found: dict[str, Any] = {
         "type": service.type,

@@ -229,7 +229,7 @@ class Management:
             text = management_sl.done(sl, manager)
         self._answer(question.to, question.message, "inform", text)
 
-    def _prepared(self, question: _Question, action: str) -> Callable[[], Any]:
+    def _prepared(self, question: _Question, action: str) -> Callable[[], object]:
         """What does an action and gives its result. Raises _Refused."""
         content, sender = question.content, question.sender
         _only(content, ("action", "description", "max-results"), "the content", CONTENT)
@@ -254,7 +254,7 @@ class Management:
         change = self._directory.register if action == "register" else self._directory.modify
         return lambda: [_described(change(mine, lease), lease)]
 
-    def _deregistered(self, name: str) -> list[Any]:
+    def _deregistered(self, name: str) -> list[object]:
         self._directory.deregister(name)
         return []
 
@@ -321,7 +321,7 @@ class Management:
 # ---- contents ----------------------------------------------------------------------------------
 
 
-def _content(message: FipaMessage) -> Any:
+def _content(message: FipaMessage) -> object:
     text = message.content
     if message.language.lower() not in ("", JSON):
         reason = f"contents are in {JSON} or fipa-sl0"
@@ -337,7 +337,7 @@ def _content(message: FipaMessage) -> Any:
     return found
 
 
-def _object(value: object, what: str) -> dict[str, Any]:
+def _object(value: object, what: str) -> dict[str, object]:
     if not isinstance(value, dict):
         raise _Refused("not-understood", "unrecognised-value", f"{what} is not a JSON object")
     return value
@@ -387,7 +387,7 @@ def _entry(given: dict[str, Any]) -> tuple[Entry, int | None]:
     return entry, None if lease is None else round(lease * SECOND)
 
 
-def _service(given: dict[str, Any]) -> Service:
+def _service(given: dict[str, object]) -> Service:
     _only(given, _SERVICE, "a service", SERVICE)
     properties = _object(given.get("properties", {}), "properties")
     protocols, ontologies, languages = _lists(given, SERVICE)
@@ -422,7 +422,7 @@ def _lists(given: dict[str, object], what: str) -> tuple[tuple[str, ...], ...]:
     return tuple(map(protocol_of, protocols)), *others
 
 
-def _described(entry: Entry, lease: int | None = None) -> dict[str, Any]:
+def _described(entry: Entry, lease: int | None = None) -> dict[str, object]:
     """An entry as JSON; what is empty is left out."""
     found: dict[str, Any] = {
         "name": entry.name,

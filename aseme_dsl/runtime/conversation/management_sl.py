@@ -114,7 +114,7 @@ def _take_arguments(content: dict[str, object], function: Form, manager: str, ac
         raise SlError("unexpected-argument", _shown(arguments[0]))
 
 
-def _object(form: Form) -> dict[str, Any]:
+def _object(form: Form) -> dict[str, object]:
     """A description as JSON."""
     if form.terms:
         raise SlError("unrecognised-value", f"a {form.name} has named parameters only")
@@ -149,7 +149,7 @@ def _property(item: Term) -> tuple[str, str]:
     return name, value if isinstance(value, str) else dumps(value)[1:-1]
 
 
-def _value(term: Term) -> Any:
+def _value(term: Term) -> object:
     if isinstance(term, Form):
         if term.name in ("set", "sequence"):
             return [_value(item) for item in term.terms]

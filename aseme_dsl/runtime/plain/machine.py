@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from aseme_dsl.runtime.plain.plain import Plain, unknown_event
 
@@ -59,7 +59,7 @@ class Machine(Generic[C]):
         make, (_, chart, *rest) = self.__reduce__()
         return make(type(self), copy.copy(chart), *rest)  # never two machines of one chart
 
-    def __reduce__(self) -> tuple[Callable[..., Machine[C]], tuple[Any, ...]]:
+    def __reduce__(self) -> tuple[Callable[..., Machine[C]], tuple[object, ...]]:
         if self._queue:
             raise RuntimeError(f"{self!r} cannot be copied while steps wait")
         return _machine, (type(self), self.chart, self._trace, self._strict)

@@ -105,7 +105,7 @@ def _on_the_wall(moment: int) -> str:
         return (datetime.max if left > 0 else datetime.min).replace(tzinfo=UTC).isoformat()
 
 
-def ours(headers: Headers) -> dict[str, Any]:
+def ours(headers: Headers) -> dict[str, object]:
     """What the header `aseme` says. Raises EnvelopeError if it is not a JSON object."""
     try:
         found = outside.loads(headers[OURS])
@@ -153,7 +153,7 @@ def read_letter(said: Mapping[str, Any], headers: Headers, payload: bytes, syste
     return Envelope(**values)
 
 
-def _tuple(name: str, value: object) -> tuple[Any, ...]:
+def _tuple(name: str, value: object) -> tuple[object, ...]:
     if not isinstance(value, list):
         raise EnvelopeError(f"its {name} is not a list")
     if name == _PAIRS:

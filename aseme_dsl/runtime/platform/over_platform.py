@@ -187,7 +187,7 @@ class PlatformLink:
         for address in self._processes().values():
             self._note(address, self._here())
 
-    def _here(self, **members: object) -> dict[str, Any]:
+    def _here(self, **members: object) -> dict[str, object]:
         return {"here": self._platform.here(), "life": self._life, **members}
 
     def _ask_for_others(self, now: float) -> None:

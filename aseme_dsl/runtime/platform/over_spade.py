@@ -51,7 +51,7 @@ LARGEST = 150_000
 """Prosody closes the connection of whoever sends more than 256 kB at once."""
 
 
-def import_spade() -> Any:
+def import_spade() -> object:
     """The module. Raises TransportError, saying how to install it, where it is not (or not all it needs)."""
     try:
         import greenlet  # which SPADE needs, and does not ask for

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, has_code, kind_of
 from aseme_dsl.runtime.activity.modules import code_of
@@ -288,7 +288,7 @@ class Swap:
         )
 
 
-def plan_record(plan: Plan) -> dict[str, Any]:
+def plan_record(plan: Plan) -> dict[str, object]:
     """A plan for a reader of the trace: what the labels and numbers of later lines mean."""
     return {
         "states": [{"label": state.label, "name": state.name, "type": state.type} for state in plan.states],

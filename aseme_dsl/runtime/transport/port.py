@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from aseme_dsl.runtime.chart.inputs import Identity, Reason
 from aseme_dsl.runtime.time.clock import Clock
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.ports import Receiver
     from aseme_dsl.runtime.trace.trace import Trace
 
-Answer = Callable[[str, bytes], dict[str, Any]]
+Answer = Callable[[str, bytes], dict[str, object]]
 """What answers a control request to an agent, as it came; the answer is a JSON object. May be called from any
 thread, and never raises."""
 
@@ -165,14 +165,14 @@ class Transport:
 
     def history(
         self, sender: str, channel: str, since: int, until: int, timeout: float = 1.0
-    ) -> list[tuple[int, Any]]:
+    ) -> list[tuple[int, object]]:
         """The data that an agent elsewhere has published in a span of the run's time, as (time, message).
 
         Waits for the answer. Raises TransportError if none comes.
         """
         raise TransportError(f"{sender} does not run in another process")
 
-    def ask(self, name: str, request: dict[str, object], timeout: float = 1.0) -> dict[str, Any]:
+    def ask(self, name: str, request: dict[str, object], timeout: float = 1.0) -> dict[str, object]:
         """Put a control request to an agent elsewhere. Raises TransportError if no answer comes."""
         raise TransportError(f"{name} does not run in another process")
 

@@ -258,7 +258,7 @@ class Post(Transport):
 
     def history(
         self, sender: str, channel: str, since: int, until: int, timeout: float = 1.0
-    ) -> list[tuple[int, Any]]:
+    ) -> list[tuple[int, object]]:
         state = self.state
         other = state.others.get(sender)
         kind = state.codec.schema.channels.get(channel)
@@ -281,7 +281,7 @@ class Post(Transport):
             raise TransportError(f"{sender} does not answer")
         return sorted(found, key=lambda item: item[0])
 
-    def ask(self, name: str, request: dict[str, object], timeout: float = 1.0) -> dict[str, Any]:
+    def ask(self, name: str, request: dict[str, object], timeout: float = 1.0) -> dict[str, object]:
         for _, payload in self.state.link.ask(name, "control", json.dumps(request).encode(), timeout):
             with contextlib.suppress(ValueError):
                 answer = outside.loads(payload)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.conversation import external_agents
@@ -258,7 +257,7 @@ class Hearing:
             self._outside.carry(to, answer, answer.receivers)
 
 
-def _said_outside(message: FipaMessage) -> tuple[Any, ...]:
+def _said_outside(message: FipaMessage) -> tuple[object, ...]:
     """What tells one message of an external agent from the next."""
     return message.reply_with, message.conversation, message.performative.lower(), message.content
 

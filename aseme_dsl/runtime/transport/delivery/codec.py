@@ -30,7 +30,7 @@ class Codec:
             raise WireError(f"it has {len(payload)} bytes, and at the most {self.largest} travel here")
         return payload
 
-    def read(self, kind: type[Any], payload: bytes) -> Any:
+    def read(self, kind: type[object], payload: bytes) -> object:
         """The message that a payload is. Raises WireError."""
         if kind is Text:
             try:

@@ -32,7 +32,7 @@ OWED = 64
 
 def accepted(
     state: Delivery, to: str, other: Other, read: Envelope, payload: bytes, came: int
-) -> Sequence[tuple[Envelope, Any] | None]:
+) -> Sequence[tuple[Envelope, object] | None]:
     """What can be handed on after something has come. Called with the lock."""
     way = state.ways[to, other.name]
     if read.kind == envelopes.ACKNOWLEDGE:
