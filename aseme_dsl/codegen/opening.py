@@ -20,7 +20,8 @@ def openings_of(eac: Statechart, participant: Participant) -> tuple[Kind, ...]:
 
     Conditions hold, and activities return. Time and other events count only where nothing can be taken
     before, and an interrupt (`[>`) only where nothing inside can take anything: a `cancel` does not open what
-    it cancels. A message that no transition takes is one for the activities, from the beginning.
+    it cancels. Nor does a transition under a condition, of a state inside which something can be taken: the
+    condition is for later. A message that no transition takes is one for the activities, from the beginning.
     """
     subchart = subchart_of(eac, participant.name)
     listed = [
@@ -35,7 +36,7 @@ def openings_of(eac: Statechart, participant: Participant) -> tuple[Kind, ...]:
     for with_events in (False, True):
         reached = _reached_in_silence(eac, subchart.label, inside, with_events)
         first = [item for item in inside if item.source in reached]
-        found = set(_taken(item for item in first if not item.first))
+        found = set(_taken(item for item in first if not item.first and not _is_for_later(item, inside)))
         if any(eac.node(label).type is StateType.BASIC for label in reached):
             found |= set(listed) - set(_taken(inside))
         if found or any(_sends(item) for item in first):
@@ -74,10 +75,20 @@ def _reached_in_silence(
                 and item.source in reached
                 and item.target not in reached
                 and _is_silent(item, with_events)
+                and not _is_for_later(item, inside)
             ) and _is_complete(eac, item, reached):
                 reached |= _entered(eac, item.target)
                 changed = True
     return reached
+
+
+def _is_for_later(transition: Transition, inside: list[Transition]) -> bool:
+    """Whether a transition cuts short, under a condition, what can take a message itself."""
+    expression = transition.expression
+    if expression.condition is None or not (expression.events or expression.when):
+        return False
+    within = f"{transition.source}."
+    return any(item.source.startswith(within) and any(_taken([item])) for item in inside)
 
 
 def _is_silent(transition: Transition, with_events: bool) -> bool:

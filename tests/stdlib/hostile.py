@@ -172,7 +172,7 @@ def taken(run: Played) -> list[tuple[int, str, str, Kind]]:
         if record["kind"] == "agent_message":
             known[record["agent"], record["sequence"]] = (record["performative"], record["message"])
         elif record["kind"] == "received":
-            known[record["sender"], record["sequence"]] = (record["performative"], record["message"])
+            known[tuple(record["input"])] = (record["performative"], record["message"])
     found = []
     for step in run.of("step"):
         for sender, sequence in step.get("agent_messages", ()):
