@@ -979,7 +979,7 @@ class Reference:
         """Be in a state of a part that goes on, as it was left; nothing that belongs to an entry is done."""
         self.active.add(label)
         if label in self.suspended:  # a part inside: its time stood still with that of the part around it
-            moment, kept = self.suspended.pop(label)
+            moment, kept, _ = self.suspended.pop(label)
             own = self.region_of(label)
             due_then = {n: due + self.now - moment for n, due in kept.get(own, {}).items()}
             self.regions[own].timers |= due_then

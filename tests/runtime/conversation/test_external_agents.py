@@ -154,11 +154,11 @@ MISTAKES = {
     ),
     "another type": (
         {"performative": "request", "content": {"n": "three"}},
-        "it is no Question: n: a int is wanted, not 'three'",
+        "it is not a Question: n: a int is wanted, not 'three'",
     ),
     "a member too many": (
         {"performative": "request", "content": {"m": 3}},
-        "it is no Question: Question has no member m; it has n",
+        "it is not a Question: Question has no member m; it has n",
     ),
     "another message": (
         {"performative": "request", "content": {}, "parameters": (("X-message", "Answer"),)},
