@@ -83,7 +83,7 @@ def _reached_in_silence(
 
 
 def _is_for_later(transition: Transition, inside: list[Transition]) -> bool:
-    """Whether a transition cuts short, under a condition, what can take a message itself."""
+    """Whether a transition interrupts, under a condition, what can take a message itself."""
     expression = transition.expression
     if expression.condition is None or not (expression.events or expression.when):
         return False

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from aseme_dsl.source import Source
+from aseme_dsl.source import Source, is_library_path
 from aseme_dsl.standard_library import standard_library
 
 _DECLARED = re.compile(r"^(enum|message|topic|function|let|aip)\s+(\w+)(\s*\{[^}]*|[^\n]*)", re.MULTILINE)
@@ -37,7 +37,9 @@ def _declared() -> dict[str, tuple[tuple[str, str, str], ...]]:
 
 
 def is_of_library(source: Source) -> bool:
-    """Whether a text is that of a file of the standard library, wherever it is said to be."""
+    """Whether a text is that of a file of the standard library, wherever it is said to be, or a part of it."""
+    if is_library_path(source.path):
+        return True
     name = source.path.replace("\\", "/").rpartition("/")[2]
     return name in _files() and source.text == _text_of(name)
 

@@ -137,7 +137,7 @@ def test_a_place_in_an_inline_table_is_its_line(tmp_path: Path) -> None:
 def test_malformed_toml_has_a_place(tmp_path: Path, text: str, line: int) -> None:
     found = problem(tmp_path, text)
     assert found.code == "E010"
-    assert "no valid TOML" in found.message
+    assert "not valid TOML" in found.message
     assert found.span is not None
     assert found.span.line == line
     assert render_text([found])
