@@ -222,7 +222,7 @@ def test_what_a_platform_is_given_is_in_no_environment_but_that_of_its_robots() 
 def test_a_language_server_in_another_s_process_leaves_its_collector_alone(name: str) -> None:
     server = make_server("1", Project(), lambda root: PythonFolders())
     before = globals_of_the_process()
-    tidy: Callable[[], None] = getattr(server, name)
+    tidy: Callable[[], None] = getattr(server.tidying, name)
     tidy()
     assert globals_of_the_process() == before
 
