@@ -410,7 +410,7 @@ def test_what_an_agent_does_several_times_at_once_is_counted_as_often(here: Here
     )
     done = here("optimise", trips, "--measure", "time", "--runs", "1", "-o", trips.parent / "found")
     assert "Lift 200 %, Carry 100 %" in done.out
-    assert "what an agent does several times at once is counted as often" in done.out
+    assert "What an agent does several times at once is counted as often" in done.out
 
 
 FALLING = """\

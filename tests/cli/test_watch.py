@@ -161,13 +161,13 @@ def test_what_is_broken_is_told_and_the_last_good_output_stays(project: Path, wa
 def test_files_that_are_renamed_deleted_and_come_back(project: Path, watching: Watching) -> None:
     (project / "robot.aseme").rename(project / "android.aseme")
     said = watching.until("the previous build is unchanged")
-    assert "robot.aseme is gone" in said and "error[E004]: there is no file robot.aseme" in said
+    assert "robot.aseme was deleted" in said and "error[E004]: there is no file robot.aseme" in said
     save(project / "walker.aseme", SYSTEM.replace("robot.aseme", "android.aseme"))
     assert "walker.aseme changed" in watching.until("Walker -> out")
     save(project / "android.aseme", LIBRARY.replace("Walk takes 1s", "Walk takes 3s"))
     assert "android.aseme changed" in watching.until("Walker -> out")
     (project / "walker.aseme").unlink()
-    assert "walker.aseme is gone" in watching.until("the previous build is unchanged")
+    assert "walker.aseme was deleted" in watching.until("the previous build is unchanged")
     save(project / "walker.aseme", SYSTEM.replace("robot.aseme", "android.aseme"))
     assert "walker.aseme is new" in watching.until("Walker -> out")
 
@@ -188,7 +188,7 @@ def test_configuration_activities_and_output_count_too(project: Path, watching: 
     said = watching.until("the previous build is unchanged")
     assert "pyproject.toml is new" in said and "pyproject.toml:2" in said
     (project / "pyproject.toml").unlink()
-    assert "pyproject.toml is gone" in watching.until("Walker -> out")
+    assert "pyproject.toml was deleted" in watching.until("Walker -> out")
     activity = project / "out" / "monas" / "activities" / "walk.py"
     text = activity.read_text("utf-8")
     save(activity, f"{text}        context.read('eyes.state.Seem')\n")

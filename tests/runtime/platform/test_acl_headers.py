@@ -125,7 +125,7 @@ def test_an_agent_message_is_one_for_everybody() -> None:
     ("change", "reason"),
     [
         ({"aseme": "no JSON"}, "its header aseme is not JSON"),
-        ({"aseme": "[1]"}, "no JSON object"),
+        ({"aseme": "[1]"}, "not a JSON object"),
         ({"aseme": '{"kind":1}'}, "its checksum is another"),
         ({"aseme": '{"kind":9,"check":0}'}, "there is no kind 9"),
         ({"aseme": '{"kind":"1","check":0}'}, "its kind is not of the type int"),
