@@ -105,7 +105,7 @@ def test_of_a_crowd_some_die_and_the_others_talk_on(seed: int) -> None:
     team = run.team.conversations
     opened = Counter(r["what"] for r in run.of("conversation"))
     assert opened["join"] > 100
-    assert team._conversations == {}
+    assert team._members.conversations == {}
     for name in workers[::2]:
         assert not [
             r
