@@ -37,7 +37,7 @@ def _declared() -> dict[str, tuple[tuple[str, str, str], ...]]:
 
 
 def is_of_library(source: Source) -> bool:
-    """Whether a text is that of a file of the standard library, wherever it is said to be, or a part of it."""
+    """Whether a text is that of a file of the standard library, wherever that is, or a part of it."""
     if is_library_path(source.path):
         return True
     name = source.path.replace("\\", "/").rpartition("/")[2]
