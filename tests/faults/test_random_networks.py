@@ -9,6 +9,7 @@ import pytest
 from aseme_dsl.grammar.text.network_words import read_network
 from aseme_dsl.runtime import Context
 from tests.runtime.playing import MS, SECOND, check_line
+from tests.support.generated import Generated, generate
 from tests.support.networks import BAD, Part, noting, runs
 
 FIRST = """
@@ -136,13 +137,15 @@ class Speak:
 NOTES: dict[str, type] = {}
 
 
-def heard(network: str | None, seed: int = 1) -> dict[str, list[tuple[int, int]]]:
-    """For each channel what the hearer's steps took: when it was sent, and when it came, in ms."""
-    from tests.support.generated import generate
-
+def talk() -> Generated:
     made = generate(TALK)
     NOTES["kind"] = made.messages.Note
-    (run,) = runs(made, network, seeds=[seed], until=3 * SECOND, activities={"Speak": Speak})
+    return made
+
+
+def heard(network: str | None, seed: int = 1) -> dict[str, list[tuple[int, int]]]:
+    """For each channel what the hearer's steps took: when it was sent, and when it came, in ms."""
+    (run,) = runs(talk(), network, seeds=[seed], until=3 * SECOND, activities={"Speak": Speak})
     for record in run.records:
         check_line(record)
     sent = {(r["agent"], r["sequence"]): r for r in run.records if r["kind"] == "message"}
@@ -193,7 +196,7 @@ def test_signals_and_states_come_once_and_in_order_however_bad_it_is() -> None:
 
 
 def test_a_lost_message_is_in_the_trace_and_no_fault() -> None:
-    (run,) = runs(TALK, "loss=50%", seeds=[1], until=SECOND, activities={"Speak": Speak})
+    (run,) = runs(talk(), "loss=50%", seeds=[1], until=SECOND, activities={"Speak": Speak})
     lost = [r for r in run.records if r["kind"] == "lost"]
     assert lost and {r["channel"] for r in lost} == {"line.data.Note", "air.state.Note"}
     assert {(r["agent"], r["peer"]) for r in lost} == {("one", "ear")}
