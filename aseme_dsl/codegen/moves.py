@@ -43,8 +43,13 @@ def sent_by_transitions(eac: Statechart, subchart: str) -> dict[tuple[str, str],
 
 def sent_by_abandon(eac: Statechart, subchart: str) -> frozenset[tuple[str, str]]:
     """The messages that a participant sends when it is left before its END."""
-    return frozenset(
-        (action.performative, action.message)
+    return frozenset((item.performative, item.message) for item in farewells_of(eac, subchart))
+
+
+def farewells_of(eac: Statechart, subchart: str) -> tuple[Send, ...]:
+    """What sends when a participant is left before its END."""
+    return tuple(
+        action
         for transition in eac.abandons.get(subchart, ())
         for action in transition.expression.actions
         if isinstance(action, Send)
@@ -80,4 +85,4 @@ def _may_send(node: State, message: AgentMessage) -> bool:
     return not message.by or node.activity in message.by
 
 
-__all__ = ["Move", "moves_of", "sent_by_abandon", "sent_by_transitions", "subchart_of"]
+__all__ = ["Move", "farewells_of", "moves_of", "sent_by_abandon", "sent_by_transitions", "subchart_of"]

@@ -21,7 +21,7 @@ from aseme_dsl.amola.statechart import (
 from aseme_dsl.amola.system import Agent, System
 from aseme_dsl.codegen.automaton import TooManyStates, automaton_of
 from aseme_dsl.codegen.code.values import function_key
-from aseme_dsl.codegen.moves import moves_of, subchart_of
+from aseme_dsl.codegen.moves import farewells_of, moves_of, subchart_of
 from aseme_dsl.codegen.opening import openings_of
 from aseme_dsl.codegen.place import place
 from aseme_dsl.codegen.program.flat import FlatChart
@@ -496,13 +496,8 @@ def _spoken(system: System, eac: Statechart, participant: Participant) -> str:
         subchart = subchart_of(eac, participant.name)
         return "" if subchart is None else _branch_text(system, eac, FlatChart(eac), subchart)
     subchart = subchart_of(eac, participant.name)
-    abandons = eac.abandons.get(subchart.label, ()) if subchart is not None else ()
-    sent = [
-        (action.performative, action.message, action.participant)
-        for transition in abandons
-        for action in transition.expression.actions
-        if isinstance(action, e.Send)
-    ]
+    farewells = farewells_of(eac, subchart.label) if subchart is not None else ()
+    sent = [(item.performative, item.message, item.participant) for item in farewells]
     return repr((automaton.ways, sorted(automaton.ends), *([sent] if sent else [])))
 
 

@@ -607,9 +607,8 @@ class Agent:
                 return
             self._missing = (ways[-1].target if ways else effect.branch), reason
             return
-        receivers: Collection[str] = ()
         if effect.to is not None:
-            receivers = (effect.to,)
+            receivers: Collection[str] = (effect.to,)
             self.conversations.send_to_agent(
                 self, effect.branch, performative, message, content, effect.to, effect.reply_by
             )

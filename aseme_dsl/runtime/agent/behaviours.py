@@ -26,6 +26,7 @@ from aseme_dsl.runtime.agent.behaviour_scheduler import ROOT, BehaviourScheduler
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.following import Following, Shape
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Happened, Identity, Outcome, Written
+from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.conversation.directory import AgentDirectory, Directory, Offer, Service, Withdraw
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.message.free import ACLMessage, MessageTemplate
@@ -521,7 +522,7 @@ class JadeLikeAgent:
             state.activity
             for item in branches
             for state in self.plan.states
-            if _is_in(state.label, item.label)
+            if is_in(state.label, item.label)
         }
         for activity, callback in table.items():
             if callback.method in names and not inside & {
@@ -595,7 +596,7 @@ class JadeLikeAgent:
         name = f"handle_{mail.performative}"
         method = getattr(item, name, None)
         if method is not None and not fipa_callbacks.is_activity(item.protocol, item.participant, name):
-            self._try(item.name, item.at, lambda: _returned_nothing(method(mail), name), name)
+            self._try(item.name, item.at, lambda: fipa_callbacks.check_nothing(method(mail), name), name)
         is_answer = mail.performative in (*fipa_callbacks.RESPONSES, *fipa_callbacks.RESULTS)
         if is_answer and (item.protocol, item.participant) in fipa_callbacks.ANSWERED_ONCE:
             self._tell_responses(item, mail)
@@ -606,7 +607,7 @@ class JadeLikeAgent:
         method = getattr(item, name, None)
         if method is not None and item.tells_responses():
             responses = [mail] if mail.performative in fipa_callbacks.RESPONSES else []
-            self._try(item.name, item.at, lambda: _returned_nothing(method(responses), name), name)
+            self._try(item.name, item.at, lambda: fipa_callbacks.check_nothing(method(responses), name), name)
 
     def callback(self, label: str) -> type[Any] | None:
         """The activity of a state that is a method of its participant's behaviour, if it is one."""
@@ -804,13 +805,3 @@ def _built(kind: type[Behaviour], agent: JadeLikeAgent) -> Behaviour:
         raise TypeError(f"{kind.__name__}.__init__ does not call that of its base")
     made.build()
     return made
-
-
-def _returned_nothing(made: Any, name: str) -> None:
-    """Raises TypeError if what only hears of a message has returned something."""
-    if made is not None:
-        raise TypeError(f"{name} returned {made!r}: it returns nothing, since the protocol says what is sent")
-
-
-def _is_in(label: str, state: str) -> bool:
-    return f"{label}.".startswith(f"{state}.")

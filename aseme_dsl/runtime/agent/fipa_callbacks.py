@@ -309,11 +309,13 @@ def _nothing(
 ) -> Generator[Any, None, None]:
     """Call what only hears of messages. Raises TypeError if it wants to answer them."""
     made = yield from _value(method, messages)
+    check_nothing(made, f"{getattr(method, '__name__', callback.method)} of {behaviour.name}")
+
+
+def check_nothing(made: object, name: str) -> None:
+    """Raises TypeError if what only hears of a message has returned something."""
     if made is not None:
-        raise TypeError(
-            f"{getattr(method, '__name__', callback.method)} of {behaviour.name} returned {made!r}: it"
-            " returns nothing, since the protocol says what is sent"
-        )
+        raise TypeError(f"{name} returned {made!r}: it returns nothing, since the protocol says what is sent")
 
 
 def _value(method: Any, *arguments: Any) -> Generator[Any, None, Any]:
@@ -359,6 +361,7 @@ __all__ = [
     "FailureException",
     "RefuseException",
     "activity_of",
+    "check_nothing",
     "is_activity",
     "methods_of",
 ]

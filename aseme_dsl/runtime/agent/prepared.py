@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.chart.plan import Plan, is_in
 
 Branch = str | None
 """The label of a protocol branch, None for what is in none."""
@@ -64,7 +64,7 @@ class Prepared:
         drafts = [item for item in self._drafts.get(branch, ()) if item.message == message]
         if not drafts:
             return None
-        own = [item for item in drafts if _is_in(item.label, source)]
+        own = [item for item in drafts if is_in(item.label, source)]
         serial = [item for item in drafts if branch is None or not _are_concurrent(plan, item.label, source)]
         found = (own or serial or drafts)[-1]
         gone = {id(item) for item in (found, *(own or serial))}
@@ -130,10 +130,6 @@ def _around(plan: Plan, branch: str) -> Iterable[Branch]:
     """The branches around a branch, innermost first, and then what is in none."""
     outer = [info.label for info in plan.branches if branch.startswith(f"{info.label}.")]
     return (*sorted(outer, key=len, reverse=True), None)
-
-
-def _is_in(label: str, state: str) -> bool:
-    return f"{label}.".startswith(f"{state}.")
 
 
 def _are_concurrent(plan: Plan, one: str, other: str) -> bool:

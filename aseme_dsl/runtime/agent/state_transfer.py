@@ -24,7 +24,7 @@ from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.chart import INACTIVE, Chart
 from aseme_dsl.runtime.chart.history import History
 from aseme_dsl.runtime.chart.inputs import Cancel, Effect, Sample
-from aseme_dsl.runtime.chart.plan import ActivityInfo, Plan, State, Transition
+from aseme_dsl.runtime.chart.plan import ActivityInfo, Plan, State, Transition, is_in
 from aseme_dsl.runtime.message.convert import Messages, arrived, converted, like, mailed, same_shape
 
 _NAME = re.compile(r"[A-Za-z_]\w*")
@@ -407,7 +407,7 @@ class _Carrying:
             old = self.old.COUNTS.get(before.get(label, ""))
             if old is not None:
                 setattr(self.new, slot, getattr(self.old, old))
-            elif any(leaf == label or leaf.startswith(f"{label}.") for leaf in leaves):
+            elif any(is_in(leaf, label) for leaf in leaves):
                 setattr(self.new, slot, 1)
 
     def _outcomes(self) -> None:

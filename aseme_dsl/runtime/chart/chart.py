@@ -31,6 +31,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Start,
     Suspended,
 )
+from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.chart.state import ChartState
 from aseme_dsl.runtime.chart.stepping import (
     RECEIVE,
@@ -163,39 +164,40 @@ class Chart(ChartState):
     def hold(self, label: str) -> None:
         """The branches in a state that is left now, and may be resumed, are suspended."""
         if self.failure is None:
-            self.held.update(branch for branch in self.mail if _is_in(branch, label))
+            self.held.update(branch for branch in self.mail if is_in(branch, label))
 
     def proceed(self, branch: str) -> bool:
         """A branch that was suspended goes on, and the time that stood still in it; whether it was."""
         if branch not in self.suspended:
             return False
-        moment, timers = self.suspended.pop(branch)
-        passed = self.now - moment
+        passed = self._resume(branch)
         for label, slot in self.TIMES.items():
-            if _is_in(label, branch):
+            if is_in(label, branch):
                 setattr(self, slot, getattr(self, slot) + passed)
-        if timers:
-            self._timers(branch).update({name: due + passed for name, due in timers.items()})
         for number, label in enumerate(self.REGIONS):
-            if _is_in(label, branch):
+            if is_in(label, branch):
                 inner = getattr(self, f"b{number}").timers
                 inner.update({name: due + passed for name, due in inner.items()})
-        self.effects.append(Resumed(branch))
         return True
 
     def proceed_inside(self, branch: str) -> None:
         """A branch inside one that goes on was suspended with it: its time stood still with that."""
         if branch in self.suspended:
-            moment, timers = self.suspended.pop(branch)
-            passed = self.now - moment
-            if timers:
-                self._timers(branch).update({name: due + passed for name, due in timers.items()})
-            self.effects.append(Resumed(branch))
+            self._resume(branch)
+
+    def _resume(self, branch: str) -> int:
+        """A branch is suspended no more, and its own timers run again; for how long it was, in ns."""
+        moment, timers = self.suspended.pop(branch)
+        passed = self.now - moment
+        if timers:
+            self._timers(branch).update({name: due + passed for name, due in timers.items()})
+        self.effects.append(Resumed(branch))
+        return passed
 
     def discard(self, label: str, but: str = "") -> None:
         """What was suspended in a state goes on no more, but for what is held or in the state `but`."""
-        for branch in [item for item in self.suspended if _is_in(item, label) and item not in self.held]:
-            if not but or not _is_in(branch, but):
+        for branch in [item for item in self.suspended if is_in(item, label) and item not in self.held]:
+            if not but or not is_in(branch, but):
                 del self.suspended[branch]
                 self.part(branch)
 
@@ -377,8 +379,3 @@ class Chart(ChartState):
             ):
                 board.ahead.add(item.identity)
                 put(self, region, board, item)
-
-
-def _is_in(label: str, state: str) -> bool:
-    """Whether a state is another one or inside it."""
-    return label == state or label.startswith(f"{state}.")

@@ -291,6 +291,11 @@ class Plan:
 _registry: dict[tuple[str, str], Plan] = {}
 
 
+def is_in(label: str, state: str) -> bool:
+    """Whether a state, by its label, is another one or inside it."""
+    return label == state or label.startswith(f"{state}.")
+
+
 def register(plan: Plan) -> Plan:
     """Make a plan known under its system and name; a later one of the same name replaces it."""
     _registry[plan.system, plan.name] = plan

@@ -8,8 +8,8 @@ branch that is left takes part no more. What a participant does not list as rece
 wait already, and what comes for a participation that is over, is unexpected: it is told in the trace and
 answered `not_understood`.
 
-Agents that are not of the team may take part, too: what they say is understood or not (`outsiders`), and then
-handed on like any other message. A message that was received before is told, and no more.
+External agents may take part, too: what they say is understood or not (`exchange.hearing`), then handed on
+like any other message. A message that was received before is told, and no more.
 """
 
 from __future__ import annotations

@@ -7,16 +7,16 @@ one, and the other way round: what a participant may send is said in its protoco
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import Identity
-from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.conversation import external_agents
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
+from aseme_dsl.runtime.conversation.exchange.members import Members
 from aseme_dsl.runtime.conversation.moves import MoveError
-from aseme_dsl.runtime.conversation.participation import REMEMBERED, Conversation
+from aseme_dsl.runtime.conversation.participation import remember
 from aseme_dsl.runtime.message.acl import (
     JSON,
     AclMessage,
@@ -41,16 +41,14 @@ class FreeMessages:
         self,
         told: ConversationTrace,
         clock: Clock,
-        plans: Mapping[str, Plan],
-        conversations: Mapping[str, Conversation],
+        members: Members,
         bring: Callable[[str, AclMessage], None],
         outside: Callable[[str, FipaMessage, Iterable[AgentIdentifier]], None],
         refuse: Callable[[Receiver, AclMessage, str], None],
     ) -> None:
         self._told = told
         self._clock = clock
-        self._plans = plans
-        self._conversations = conversations
+        self._members = members
         self._bring = bring
         self._outside = outside
         self._refuse = refuse
@@ -64,8 +62,8 @@ class FreeMessages:
 
     def protocol_of(self, protocol: str) -> str | None:
         """The protocol of the system that a message means by this name, if some agent plays it."""
-        played = dict.fromkeys(info.protocol for plan in self._plans.values() for info in plan.branches)
-        return next((name for name in played if protocol and external_agents.plays(name, protocol)), None)
+        played = self._members.protocols() if protocol else ()
+        return next((name for name in played if external_agents.plays(name, protocol)), None)
 
     def is_free(self, acl: AclMessage) -> bool:
         """Whether a message belongs to no protocol of the system."""
@@ -87,8 +85,8 @@ class FreeMessages:
                 f"a behaviour may not send {said}: {protocol} is a protocol of this system, whose messages"
                 " its participants send"
             )
-        if message.conversation_id in self._conversations:
-            known = self._conversations[message.conversation_id].protocol
+        if message.conversation_id in self._members.conversations:
+            known = self._members.conversations[message.conversation_id].protocol
             raise MoveError(
                 f"a behaviour may not send {said}: {message.conversation_id} is a conversation of {known}"
             )
@@ -120,7 +118,7 @@ class FreeMessages:
         )
         self._told.sent(acl, ())
         for name in acl.receivers:
-            if name in self._plans:
+            if name in self._members.plans:
                 self._bring(name, acl)
             else:
                 self.carry_outside(acl, name)
@@ -151,9 +149,7 @@ class FreeMessages:
     def _note(self, key: tuple[str, str]) -> None:
         if key[1]:
             self._known.pop(key, None)
-            self._known[key] = None
-            if len(self._known) > REMEMBERED:
-                del self._known[next(iter(self._known))]
+            remember(self._known, key, None)
 
     # ---- delivering --------------------------------------------------------------------------
 
@@ -181,7 +177,7 @@ class FreeMessages:
 
     def is_known(self, message: FipaMessage) -> bool:
         """Whether an external agent answers a free message, or goes on with one's conversation."""
-        if message.conversation in self._conversations:
+        if message.conversation in self._members.conversations:
             return False
         return ("said", message.in_reply_to) in self._known or ("in", message.conversation) in self._known
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
+from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, is_in
 
 
 class MoveError(LookupError):
@@ -33,7 +33,7 @@ def check_move(
             f"activity {activity} may not send {said}: a transition of {info.participant} sends it"
         )
     _, _, states, repeatedly = move
-    if not any(label == state or label.startswith(f"{state}.") for state in states):
+    if not any(is_in(label, state) for state in states):
         names = dict.fromkeys(plan.by_label[state].activity or plan.by_label[state].name for state in states)
         raise MoveError(
             f"activity {activity} may not send {said}: {info.protocol}.{info.participant} leaves that to "

@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Reason
 from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation.invitations import Invitations, Part
 from aseme_dsl.runtime.message.acl import AgentIdentifier
 
+K = TypeVar("K")
+V = TypeVar("V")
+
 REMEMBERED = 4096
 """So many messages from elsewhere are known again, and of so many conversations that are over it is known who
 has left them."""
+
+
+def remember(known: dict[K, V], key: K, value: V) -> bool:
+    """Know a value by its key, as the newest of `REMEMBERED`; whether the oldest is forgotten for it."""
+    known[key] = value
+    is_full = len(known) > REMEMBERED
+    if is_full:
+        del known[next(iter(known))]
+    return is_full
 
 
 @dataclass(slots=True)
@@ -78,9 +90,7 @@ class Conversation:
         """Remember that an agent that is not of the team was sent a message."""
         known = self.said_outside.get(name)
         receivers = (receiver,) if known is None else (*known.receivers, receiver)
-        self.said_outside[name] = SaidOutside(performative, message, receivers)
-        if len(self.said_outside) > REMEMBERED:
-            del self.said_outside[next(iter(self.said_outside))]
+        if remember(self.said_outside, name, SaidOutside(performative, message, receivers)):
             self.forgotten = True
 
 
@@ -104,7 +114,5 @@ class Desk:
         """Whether a message has come before; from now on it has."""
         if message in self.heard:
             return True
-        self.heard[message] = None
-        if len(self.heard) > REMEMBERED:
-            del self.heard[next(iter(self.heard))]
+        remember(self.heard, message, None)
         return False

@@ -238,9 +238,8 @@ def _is_bare(text: str) -> bool:
     """Whether a string can stand without quotes, and is read as a string then."""
     if not _WORD.fullmatch(text) or any(map(str.isspace, text)):  # other readers take any space for one
         return False
-    reader = _Reader(b"")
     try:
-        return reader.constant(text, 0) is not None and isinstance(reader.constant(text, 0), str)
+        return isinstance(_Reader(b"").constant(text, 0), str)
     except AclTextError:
         return False
 

@@ -13,7 +13,7 @@ from aseme_dsl.runtime.conversation.exchange.members import Members
 from aseme_dsl.runtime.conversation.exchange.outside import Outside
 from aseme_dsl.runtime.conversation.free_messages import FreeMessages
 from aseme_dsl.runtime.conversation.losses import Losses
-from aseme_dsl.runtime.conversation.participation import REMEMBERED, Conversation, Participation
+from aseme_dsl.runtime.conversation.participation import Conversation, Participation, remember
 from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, AclMessage, AgentIdentifier, name_of
 from aseme_dsl.runtime.ports import Links, Receiver
 from aseme_dsl.runtime.time.clock import Clock
@@ -49,9 +49,7 @@ class Delivery:
         self.losses = Losses(
             told, counting, members.agents, members.desks, members.plans, transport, links, self.bring
         )
-        self.free = FreeMessages(
-            told, clock, members.plans, members.conversations, self.bring, outside.carry, self.unexpected
-        )
+        self.free = FreeMessages(told, clock, members, self.bring, outside.carry, self.unexpected)
 
     def bring(self, name: str, acl: AclMessage) -> None:
         """Deliver a message to an agent here, or have it carried to one elsewhere."""
@@ -255,9 +253,7 @@ class Delivery:
             return
         del self._members.conversations[name]
         if self._transport.networked or conversation.outsiders:
-            self._members.over[name] = conversation.past
-            if len(self._members.over) > REMEMBERED:
-                del self._members.over[next(iter(self._members.over))]
+            remember(self._members.over, name, conversation.past)
 
     def _refuse_early(self, name: str, conversation: Conversation) -> None:
         """Nobody can send what opens a conversation any more: answer what waits for that."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from aseme_dsl.runtime.chart.inputs import Reason
@@ -70,13 +70,20 @@ class Members:
 
     def players(self, protocol: str, participant: str) -> list[str]:
         """The agents of the team that play a participant, in the team's order."""
+        return self._by_part().get((protocol, participant), [])
+
+    def protocols(self) -> Iterable[str]:
+        """The protocols that some agent of the team plays."""
+        return dict.fromkeys(protocol for protocol, _ in self._by_part())
+
+    def _by_part(self) -> dict[Part, list[str]]:
         playing = self._playing
         if playing is None:
             playing = self._playing = {}
             for name, plan in self.plans.items():
                 for part in dict.fromkeys((info.protocol, info.participant) for info in plan.branches):
                     playing.setdefault(part, []).append(name)
-        return playing.get((protocol, participant), [])
+        return playing
 
     def present(self, agent: Receiver, protocol: str, participant: str) -> list[str]:
         """The other agents that play a participant and are there, in the team's order."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
-from aseme_dsl.runtime.conversation.participation import REMEMBERED
+from aseme_dsl.runtime.conversation.participation import remember
 from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage
 from aseme_dsl.runtime.transport.port import Transport
 
@@ -35,9 +35,7 @@ class Outside:
     def carry(self, sender: str, message: FipaMessage, to: Iterable[AgentIdentifier]) -> None:
         """Have a message carried to an agent that is not of the team; tell if there is no route to it."""
         if message.conversation:
-            self._asked[message.reply_with] = message.conversation
-            if len(self._asked) > REMEMBERED:
-                del self._asked[next(iter(self._asked))]
+            remember(self._asked, message.reply_with, message.conversation)
         for receiver in to:
             hears = self._here.get(receiver.name)
             if hears is not None:
