@@ -236,7 +236,7 @@ def _name(name: str) -> str:
 
 def _is_bare(text: str) -> bool:
     """Whether a string can stand without quotes, and is read as a string then."""
-    if not _WORD.fullmatch(text) or any(map(str.isspace, text)):  # other readers take any space for one
+    if not _WORD.fullmatch(text) or any(map(str.isspace, text)):  # so that no reader takes it for a blank
         return False
     try:
         return isinstance(_Reader(b"").constant(text, 0), str)
