@@ -274,6 +274,12 @@ class OtherMachine:
         return getattr(self.link, name)
 
 
+class BehindMachine(OtherMachine):
+    """A link from a machine whose clock is behind: a time that is not corrected is too early."""
+
+    SKEW = -10_000_000_000
+
+
 def test_the_clock_of_another_machine_is_measured(talk: Generated, box: Box) -> None:
     air = Air()
     began = time.monotonic_ns()
@@ -315,7 +321,7 @@ def test_an_agent_message_has_the_time_at_which_it_was_sent() -> None:
             assert mail is not None and mail.sent is not None
             seen.append((mail.sent, context.now_ns))
 
-    ann = part(net, ["ann"], {"Hold": Hold}, OtherMachine(air.link()), origin=began).start()
+    ann = part(net, ["ann"], {"Hold": Hold}, BehindMachine(air.link()), origin=began).start()
     bob = part(net, ["bob"], {"Offer": Offer}, air.link(), origin=began).start()
     wait_until(lambda: ann.team.transport.is_there("bob"))
     before = wait_until(lambda: bob.team.peers()["ann"].uncertainty)
@@ -326,7 +332,8 @@ def test_an_agent_message_has_the_time_at_which_it_was_sent() -> None:
     bob.stop()
     (said,) = [r["time"] for r in ann.of("agent_message", performative="cfp")]
     (heard,) = [r for r in bob.of("received", performative="cfp")]
-    assert abs(heard["sent"] - said) <= uncertainty and heard["sent"] <= heard["time"]
+    # On a busy machine, some time passes from the record to the link.
+    assert said - uncertainty <= heard["sent"] <= heard["time"]
     assert seen[0][0] == heard["sent"] <= seen[0][1]
     assert {part.of("header")[0]["machine"]["origin"] for part in (ann, bob)} == {began}
 
