@@ -104,6 +104,10 @@ def _message(system: System, message: Message, shown: str) -> Iterator[str]:
         yield ""
     for field in message.fields:
         yield from _member(system, field)
+    if message.fields:
+        yield ""
+        yield "    def __post_init__(self) -> None:"
+        yield "        wire.check(self)"
 
 
 def _member(system: System, field: Field) -> Iterator[str]:

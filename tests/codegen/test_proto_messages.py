@@ -203,11 +203,7 @@ def test_two_systems_do_not_disturb_each_other(tmp_path: Path) -> None:
     ("members", "words"),
     [
         ({"number": 2**63}, "All.number = 9223372036854775808"),
-        ({"number": 1.5}, "All.number = 1.5"),
         ({"name": "\ud800"}, "All.name"),
-        ({"raw": "text"}, "All.raw"),
-        ({"numbers": ("x",)}, "All.numbers"),
-        ({"outer": 3}, "int is not a message"),
     ],
 )
 def test_what_cannot_be_encoded_is_named(messages: ModuleType, members: dict[str, Any], words: str) -> None:
@@ -307,8 +303,6 @@ def test_a_small_message_takes_few_bytes(messages: ModuleType) -> None:
         ({"measure": 1e300}, "Small.measure = 1e+300 does not fit"),
         ({"time": 2**63}, "Small.time"),
         ({"perhaps": -(2**31) - 1}, "Small.perhaps"),
-        ({"kind": 256}, "Small.kind = 256 does not fit the radio's 1 byte"),
-        ({"number": "x"}, "Small.number = 'x'"),
     ],
 )
 def test_what_does_not_fit_is_named(messages: ModuleType, members: dict[str, Any], words: str) -> None:

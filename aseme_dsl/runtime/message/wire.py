@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.message.as_json import from_json, member_types, to_json
+from aseme_dsl.runtime.message.checked import check as check  # for generated modules
 
 if TYPE_CHECKING:
     from google.protobuf.message import Message as ProtoMessage
