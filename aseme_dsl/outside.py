@@ -13,7 +13,6 @@ import stat
 from collections.abc import Iterator
 from io import BufferedReader, BufferedWriter
 from pathlib import Path
-from typing import Any
 
 LARGEST = 256 << 20
 """The largest file, in bytes, that is read as a whole, unless its reader says otherwise."""
@@ -117,7 +116,7 @@ def read_text(path: str | os.PathLike[str], largest: int = LARGEST, encoding: st
     return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
-def loads(data: str | bytes, largest: int = LARGEST, deepest: int = DEEPEST) -> Any:
+def loads(data: str | bytes, largest: int = LARGEST, deepest: int = DEEPEST) -> object:
     """What a piece of JSON says (UTF-8, if bytes).
 
     Raises:
@@ -130,7 +129,8 @@ def loads(data: str | bytes, largest: int = LARGEST, deepest: int = DEEPEST) -> 
         raise ValueError(f"more than {deepest} lists and objects in each other")
     import json  # most commands read none
 
-    return json.loads(text)
+    found: object = json.loads(text)
+    return found
 
 
 def depth(text: str) -> int:

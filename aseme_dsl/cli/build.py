@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 import click
 
@@ -107,15 +107,15 @@ def command(
         _built,
         targets,
         output,
-        {
-            "only": only,
-            "backends": backends,
-            "activities": activities,
-            "templates": templates,
-            "labels": labels,
-            "native": native,
-            "force": force,
-        },
+        _Chosen(
+            only=only,
+            backends=backends,
+            activities=activities,
+            templates=templates,
+            labels=labels,
+            native=native,
+            force=force,
+        ),
     )
     if watch:
         from aseme_dsl.cli import watching
@@ -143,12 +143,24 @@ def command(
     return int(failed or has_errors(found))
 
 
+class _Chosen(TypedDict):
+    """What the options choose, as `choose` takes it."""
+
+    only: tuple[str, ...]
+    backends: tuple[str, ...]
+    activities: Path | None
+    templates: Path | None
+    labels: str | None
+    native: bool
+    force: bool
+
+
 _Done = tuple["Inputs", list["Compiled"], list["Built"], list[Diagnostic]]
 """What was meant, what it compiled to, what was built of it, and all that there is to say."""
 
 
 def _built(
-    targets: tuple[str, ...], output: Path | None, chosen: dict[str, Any], workshop: Workshop | None
+    targets: tuple[str, ...], output: Path | None, chosen: _Chosen, workshop: Workshop | None
 ) -> _Done:
     """Compile and build once; with an error in any of the systems, none is built."""
     from aseme_dsl.project.building.build import build, choose
@@ -259,7 +271,7 @@ def _lines(built: Built, stats: bool) -> list[str]:
     return [said, *(f"  {line}" for line in (count_lines(built.count) if stats else ()))]
 
 
-def _json(built: Built) -> dict[str, Any]:
+def _json(built: Built) -> dict[str, object]:
     from dataclasses import asdict
 
     return {

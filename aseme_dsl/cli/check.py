@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -156,7 +156,7 @@ def _tip(checked: Checked) -> str:
     return tip if not number else f"{tip}; to fix {plural(number, 'problem')}: asemec check --fix"
 
 
-def _json(checked: Checked, fixed: Fixed | None) -> dict[str, Any]:
+def _json(checked: Checked, fixed: Fixed | None) -> dict[str, object]:
     from aseme_dsl.diagnostics import render_json
     from aseme_dsl.diagnostics.render import suppressed_json
 

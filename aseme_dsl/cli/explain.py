@@ -7,7 +7,7 @@ import shutil
 import sys
 import textwrap
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -153,7 +153,7 @@ def _painted(text: str, code: Code) -> str:
     return click.style(text, fg=_COLOURS[Severity(code.severity)], bold=True)
 
 
-def _code_json(code: Code) -> dict[str, Any]:
+def _code_json(code: Code) -> dict[str, object]:
     return {
         "code": code.code,
         "severity": code.severity,
@@ -162,7 +162,7 @@ def _code_json(code: Code) -> dict[str, Any]:
     }
 
 
-def _page_json(code: str) -> dict[str, Any]:
+def _page_json(code: str) -> dict[str, object]:
     from aseme_dsl.diagnostics.pages import page
 
     found = page(code)
@@ -174,7 +174,7 @@ def _page_json(code: str) -> dict[str, Any]:
     }
 
 
-def _example_json(example: Example) -> dict[str, Any]:
+def _example_json(example: Example) -> dict[str, object]:
     return {
         "files": [{"name": file.name, "text": file.text} for file in example.files],
         "console": example.console or None,

@@ -10,7 +10,7 @@ import threading
 import time
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -40,6 +40,7 @@ from aseme_dsl.cli.shared import (
     check_outputs,
     colour_option,
     folder_option,
+    gathered,
     given_options,
     leave_at_once,
     play_backend_option,
@@ -141,11 +142,11 @@ class _Options:
 @click.option("--in-version", "version", hidden=True)
 @click.option("--supervised", is_flag=True, hidden=True)
 @colour_option
-def command(**given: Any) -> int:
+@gathered(_Options)
+def command(options: _Options) -> int:
     """Run; 1 if there are errors, it cannot be run, or the agent fails."""
     from aseme_dsl.project.playing.play import NoSuchPlan, PlayError
 
-    options = _Options(**given)
     if options.trace is not None:
         inputs: list[Path | str] = [options.target, *([options.script] if options.script is not None else [])]
         check_outputs([(options.trace, "trace")], inputs)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -283,7 +283,7 @@ def _leave(study: Study, folder: Path, as_json: bool, colour: str) -> int:
             if (folder / name).is_file():
                 (folder / name).unlink()
     if as_json:
-        result: dict[str, Any] = {**data, "folder": str(folder), "files": left}
+        result: dict[str, object] = {**data, "folder": str(folder), "files": left}
         print_json({"result": result, **diagnostics_json(problems)})
     else:
         click.echo(text)

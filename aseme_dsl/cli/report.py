@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import click
 
@@ -28,7 +27,7 @@ class Report:
     diagnostics: Sequence[Diagnostic]
     suppressed: Sequence[Suppressed]
     files: Sequence[str]
-    result: Callable[[], dict[str, Any]]
+    result: Callable[[], dict[str, object]]
     closing: str
     strict: bool = False
 

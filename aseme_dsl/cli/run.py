@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 import click
 
@@ -40,6 +40,7 @@ from aseme_dsl.cli.shared import (
     count_lines,
     diagnostics_json,
     folder_option,
+    gathered,
     given_options,
     json_option,
     leave_at_once,
@@ -174,9 +175,9 @@ class _Prepared:
 @telling_options
 @json_option
 @colour_option
-def command(**given: Any) -> int:
+@gathered(_Options)
+def command(options: _Options) -> int:
     """Run; 1 if the file has errors, it cannot be run, or an agent fails or is in a deadlock."""
-    options = _Options(**given)
     _check_usage(options)
     if code := refuse_options(_without_effect(options), options.target, options.as_json, options.colour):
         return code
@@ -454,7 +455,7 @@ def _supervise(
                 "code": robot.code,
                 "starts": robot.starts,
                 "traces": [str(path) for path in robot.traces],
-                "end": robot.end.get("result"),
+                "end": robot.end.result,
             }
             for robot in ended.robots
         ]
@@ -466,7 +467,7 @@ def _supervise(
     for robot in ended.robots:
         starts = f", started {robot.starts} times" if robot.starts > 1 else ""
         click.echo(f"  {robot.name}{starts}  trace: {', '.join(map(str, robot.traces))}")
-        for line in robot.end.get("lines", ()):
+        for line in robot.end.lines:
             click.echo(f"    {line}")
     return code
 
@@ -476,23 +477,33 @@ def count_processes(robots: int) -> str:
     return "1 process" if robots == 1 else f"{robots} processes"
 
 
+class _Compiled(TypedDict):
+    """A compiled role and its agents, as `--list` shows it."""
+
+    plan: str
+    states: int
+    transitions: int
+    model: str
+    agents: list[str]
+
+
 def _list(systems: Iterable[Loaded], as_json: bool) -> int:
     """The compiled roles, as registered."""
-    rows: list[dict[str, Any]] = [
-        {
-            "plan": f"{plan.system}.{plan.name}",
-            "states": len(plan.states),
-            "transitions": len(plan.transitions),
-            "model": plan.model,
-            "agents": [name for name, role in loaded.team if role == plan.name],
-        }
+    rows = [
+        _Compiled(
+            plan=f"{plan.system}.{plan.name}",
+            states=len(plan.states),
+            transitions=len(plan.transitions),
+            model=plan.model,
+            agents=[name for name, role in loaded.team if role == plan.name],
+        )
         for loaded in systems
         for plan in loaded.plans
     ]
     if as_json:
         print_json({"plans": rows})
         return 0
-    width = max((len(str(row["plan"])) for row in rows), default=0)
+    width = max((len(row["plan"]) for row in rows), default=0)
     for row in rows:
         agents = ", ".join(row["agents"]) or "no agent"
         size = f"{row['states']:4} states {row['transitions']:4} transitions"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -39,7 +39,7 @@ def exit_code(result: RunResult, allowed: Iterable[str], interrupted: int) -> in
     return int(bool(result.failed or stuck or result.trace_error is not None))
 
 
-def end_data(result: RunResult) -> dict[str, Any]:
+def end_data(result: RunResult) -> dict[str, object]:
     """What a run left open, and its faults, as JSON."""
     from dataclasses import asdict
 

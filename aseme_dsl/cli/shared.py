@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 import shutil
 import sys
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from functools import wraps
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any, NoReturn, TypeVar
+from typing import IO, TYPE_CHECKING, NoReturn, TypeVar
 
 import click
 from click.core import ParameterSource
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from aseme_dsl.project.files.write import Written
 
 CommandT = TypeVar("CommandT", bound=Callable[..., object])
+OptionsT = TypeVar("OptionsT")
 
 FORMAT = 1
 """The version of what `--json` prints."""
@@ -40,10 +42,25 @@ FORMAT = 1
 class FilePath(click.Path):
     """A path that need not exist. The empty one is refused: it would mean this folder, which nobody meant."""
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+    def convert(
+        self, value: str | os.PathLike[str], param: click.Parameter | None, ctx: click.Context | None
+    ) -> str | bytes | os.PathLike[str]:
         if value == "":
             self.fail("the path must not be empty.", param, ctx)
         return super().convert(value, param, ctx)
+
+
+def gathered(kind: Callable[..., OptionsT]) -> Callable[[Callable[[OptionsT], int]], Callable[..., int]]:
+    """Gives a command all its options in one object, which `kind` makes of them."""
+
+    def gather(command: Callable[[OptionsT], int]) -> Callable[..., int]:
+        @wraps(command)
+        def with_options(**given: object) -> int:
+            return command(kind(**given))
+
+        return with_options
+
+    return gather
 
 
 def json_option(command: CommandT) -> CommandT:
@@ -160,7 +177,7 @@ class Refused(click.ClickException):
         self.found = tuple(found)
         self._colour = colour
 
-    def show(self, file: IO[Any] | None = None) -> None:
+    def show(self, file: object = None) -> None:
         """Print them on standard error."""
         print_diagnostics(self.found, self._colour)
 
@@ -192,7 +209,7 @@ def refuse_options(found: Sequence[OptionWithoutEffect], target: str, as_json: b
     return WRONG_USE
 
 
-def print_json(result: dict[str, object]) -> None:
+def print_json(result: Mapping[str, object]) -> None:
     """A result for programs: one JSON document, which begins with the version of its format."""
     import json
 

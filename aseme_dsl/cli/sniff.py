@@ -9,7 +9,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -33,7 +33,7 @@ from aseme_dsl.diagnostics.problems.running import WithJson
 if TYPE_CHECKING:
     from aseme_dsl.diagrams.sequence.sequence import Row, SequenceDiagram
     from aseme_dsl.project.playing.sniff import Wanted
-    from aseme_dsl.runtime.trace.trace_reading import Record
+    from aseme_dsl.runtime.trace.records import Record
 
 _PAUSE = 0.1
 """Seconds between two looks at a trace that is being written."""
@@ -139,6 +139,7 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -
     from aseme_dsl.project.playing.merging import Beginning, shifts
     from aseme_dsl.project.playing.sniff import Sniffer, line_of
     from aseme_dsl.project.settings.target import traces_of
+    from aseme_dsl.runtime.trace.records import agents_of
 
     followers = [TraceFollower(path) for path in paths]
     sniffer = Sniffer(wanted)
@@ -156,7 +157,7 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -
                         shift = dict(zip(began, shifts(list(began.values())), strict=True))
                     if record["kind"] == "header":
                         sniffer.header(record)
-                        width = max([width, *(len(agent["name"]) for agent in record["agents"])])
+                        width = max([width, *(len(agent["name"]) for agent in agents_of(record))])
                     for row in sniffer.rows(_shifted(record, shift.get(item.path, 0))):
                         text = json.dumps(_row(row), ensure_ascii=False) if as_json else line_of(row, width)
                         sys.stdout.write(f"{text}\n")
@@ -279,7 +280,7 @@ def _drawn(diagram: SequenceDiagram, format_: str) -> str:
     return "".join(f"{line}\n" for line in (*(line_of(row, width) for row in diagram.rows), *diagram.remarks))
 
 
-def _row(row: Row) -> dict[str, Any]:
+def _row(row: Row) -> dict[str, object]:
     """A row as data: what is empty is left out."""
     return {name: value for name, value in asdict(row).items() if value not in ("", False)}
 

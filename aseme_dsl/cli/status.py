@@ -42,7 +42,7 @@ def command(output: Path, key: Path | None, as_json: bool) -> int:
             click.echo(f"  {agent['name']:<12} {agent['role']:<12} model {agent['model']}  {doing}")
         for name, clock in status.get("clocks", {}).items():
             if clock["difference"]:  # that of another machine
-                off, wrong = clock["difference"] / 1e6, clock["uncertainty"] / 1e6
+                off, wrong = clock["difference"] / 1e6, (clock["uncertainty"] or 0) / 1e6
                 click.echo(f"  {name:<12} clock differs by {off:.3f} ms, known to {wrong:.3f} ms")
     if silent:
         not_done(silent, output).show()

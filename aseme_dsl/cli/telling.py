@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from typing import IO, TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import IO, TYPE_CHECKING
 
 import click
 
@@ -16,6 +16,7 @@ from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.chart.plan import Plan
+    from aseme_dsl.runtime.trace.records import Record
     from aseme_dsl.runtime.version.loading import Loaded
 
 _STATUS_SECONDS = 0.1
@@ -100,7 +101,7 @@ class Telling:
             return True
         return kind == "log" and self._activities
 
-    def __call__(self, record: Mapping[str, Any]) -> None:
+    def __call__(self, record: Record) -> None:
         """A line of the trace."""
         kind = record["kind"]
         if kind == "activity":
@@ -150,7 +151,7 @@ class Telling:
         """How many faults there were."""
         return sum(self._faults.values())
 
-    def _started(self, record: Mapping[str, Any]) -> None:
+    def _started(self, record: Record) -> None:
         region = self._region(record["agent"], record["label"])
         activity = record["activity"]
         agent = record["agent"]
@@ -161,14 +162,14 @@ class Telling:
             self._doing[agent, region] = activity
             self._say(record, activity)
 
-    def _changed(self, record: Mapping[str, Any]) -> None:
+    def _changed(self, record: Record) -> None:
         """An agent follows another plan or another version of its own, or was refused that."""
         from aseme_dsl.runtime.chart.plan import plans
 
         what = record["plan"] if record["kind"] == "select" else "the new version"
         reasons = record.get("reasons") or ([record["reason"]] if "reason" in record else [])
         if reasons:
-            about = {"agent": ", ".join(record.get("agents", ())), **record}
+            about: Record = {"agent": ", ".join(map(str, record.get("agents", ()))), **record}
             for reason in reasons:
                 self._wrong(about, "fault", f"switch to {what} refused: {reason}", None)
             return
@@ -178,7 +179,7 @@ class Telling:
         if self._progress:
             self._say(record, f"swapped to {what}" if record["kind"] == "swap" else f"switched to {what}")
 
-    def _took(self, record: Mapping[str, Any], numbers: Sequence[int]) -> None:
+    def _took(self, record: Record, numbers: Sequence[int]) -> None:
         """A transition, or the parts of a compound one."""
         plan = self._plan(record["agent"])
         parts = [plan.transitions[number] for number in numbers]
@@ -201,7 +202,7 @@ class Telling:
             label = label.rpartition(".")[0]
         return label
 
-    def _passed(self, record: Mapping[str, Any]) -> None:
+    def _passed(self, record: Record) -> None:
         """An activity was not done in time: told the first times, and counted."""
         state = self._plan(record["agent"]).by_label.get(record["label"])
         key = (record["agent"], record["activity"], state.at if state is not None else "")
@@ -209,20 +210,20 @@ class Telling:
         if self._late[key] <= _SAME:
             self._warn(record, "deadline", f"{record['activity']} is {record['reason']}", key[2])
 
-    def _crashed(self, record: Mapping[str, Any]) -> None:
+    def _crashed(self, record: Record) -> None:
         """An activity raised: where in its code, innermost."""
-        frames = record.get("traceback") or [None]
-        place = f"{frames[-1]['file']}:{frames[-1]['line']}" if frames[-1] else None
+        frames = record.get("traceback")
+        place = f"{frames[-1]['file']}:{frames[-1]['line']}" if frames else None
         name = record.get("activity") or record["module"]
         self._wrong(record, "crash", f"{name}: {record['reason']}", place)
 
-    def _wrong(self, record: Mapping[str, object], what: str, reason: str, at: str | None) -> None:
+    def _wrong(self, record: Record, what: str, reason: str, at: str | None) -> None:
         key = (reason, at or "")
         self._faults[key] += 1
         if self._faults[key] == 1 and len(self._faults) <= _QUIET_AFTER:
             self._warn(record, what, reason, at)
 
-    def _warn(self, record: Mapping[str, Any], what: str, reason: str, at: str | None) -> None:
+    def _warn(self, record: Record, what: str, reason: str, at: str | None) -> None:
         self._clear()
         place = _place(at)
         mild = what in ("fault", "deadline")
@@ -230,7 +231,7 @@ class Telling:
         text = f"{_time(record['time'])}  {record['agent']}  {painted}: {harmless(reason)}{place}"
         click.echo(text, err=True, color=True)
 
-    def _say(self, record: Mapping[str, Any], text: str) -> None:
+    def _say(self, record: Record, text: str) -> None:
         self._print(f"{_time(record['time'])}  {record['agent']:<{self._width}}  {harmless(text)}")
 
     def _print(self, text: str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
     from aseme_dsl.diagnostics import Diagnostic
-    from aseme_dsl.project.playing.traces import Filter
+    from aseme_dsl.project.playing.traces import FileSum, Filter
     from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
 _NANOSECONDS = 1e9
@@ -130,7 +130,7 @@ def command(
     if output is not None:
         check_outputs([(output, "trace")], files)
     wanted = Filter(agents, kinds, channels, states, since, until)
-    sums: list[dict[str, Any]] = []
+    sums: list[FileSum] = []
     print_diagnostics(problems, colour)
     code = int(has_errors(problems))
     if unknown := _unknown_agents(files, agents):
@@ -162,6 +162,7 @@ def command(
 def _unknown_agents(files: Sequence[Path], agents: Sequence[str]) -> list[Diagnostic]:
     """What is wrong with the agents that are asked for: those that are in no team and that no line names."""
     from aseme_dsl.project.playing.traces import Filter
+    from aseme_dsl.runtime.trace.records import agents_of
     from aseme_dsl.runtime.trace.trace_files import TraceError
     from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
@@ -173,7 +174,7 @@ def _unknown_agents(files: Sequence[Path], agents: Sequence[str]) -> list[Diagno
         try:
             for line in TraceReader(path):
                 if line.number == 1:
-                    team.update(dict.fromkeys(agent["name"] for agent in line.record["agents"]))
+                    team.update(dict.fromkeys(agent["name"] for agent in agents_of(line.record)))
                 record = line.record
                 unknown = [name for name in unknown if name not in team and not Filter((name,)).wants(record)]
                 if not unknown:
@@ -199,12 +200,13 @@ def _convert(reader: TraceReader, wanted: Filter, output: Path, as_json: bool, c
 def _list(reader: TraceReader, wanted: Filter, as_json: bool) -> None:
     """The lines: as they are, or a table."""
     from aseme_dsl.project.playing.traces import told
+    from aseme_dsl.runtime.trace.records import agents_of
 
     width = 5
     for line in reader:
         record = line.record
         if line.number == 1:
-            width = max([width, *(len(agent["name"]) for agent in record["agents"])])
+            width = max([width, *(len(agent["name"]) for agent in agents_of(record))])
         if not wanted.wants(record):
             continue
         if as_json:
@@ -215,8 +217,8 @@ def _list(reader: TraceReader, wanted: Filter, as_json: bool) -> None:
             sys.stdout.write(f"{text}\n")
 
 
-def _sum(reader: TraceReader, wanted: Filter) -> dict[str, Any]:
-    from aseme_dsl.project.playing.traces import Summary
+def _sum(reader: TraceReader, wanted: Filter) -> FileSum:
+    from aseme_dsl.project.playing.traces import FileSum, Summary
 
     summary = Summary()
     for line in reader:
@@ -224,10 +226,10 @@ def _sum(reader: TraceReader, wanted: Filter) -> dict[str, Any]:
             summary.begin(line.record, wanted)
         if wanted.wants(line.record):
             summary.add(line.record)
-    return {"file": str(reader.path), "problem": reader.problem, **summary.result()}
+    return FileSum(file=str(reader.path), problem=reader.problem, **summary.result())
 
 
-def _shown(result: dict[str, Any], blank_before: bool) -> Iterator[str]:
+def _shown(result: FileSum, blank_before: bool) -> Iterator[str]:
     if blank_before:
         yield ""
     clock = f"started {result['start']}" if result["start"] else "virtual time"
@@ -273,7 +275,7 @@ def _shown(result: dict[str, Any], blank_before: bool) -> Iterator[str]:
     yield from _table(("times", "fault"), [(item["times"], item["reason"]) for item in result["faults"]])
 
 
-def _table(head: Sequence[str], rows: Sequence[Sequence[Any]]) -> Iterator[str]:
+def _table(head: Sequence[str], rows: Sequence[Sequence[object]]) -> Iterator[str]:
     """A table with its head, after a blank line; nothing, if it has no rows. Numbers stand right."""
     if not rows:
         return

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -45,7 +45,7 @@ def command(target: str, model: str | None, port: int, opens: bool, colour: str)
     if not isinstance(file, Path):
         print_diagnostics(file, colour)
         return 1
-    said: queue.SimpleQueue[Mapping[str, Any]] = queue.SimpleQueue()
+    said: queue.SimpleQueue[Mapping[str, object]] = queue.SimpleQueue()
     try:
         viewer = Viewer(said.put, port)
     except OSError as problem:
@@ -110,7 +110,7 @@ class Watched:
         self._watch = Watch()
         self._program = self._compiled()
 
-    def act(self, said: Mapping[str, Any]) -> str:
+    def act(self, said: Mapping[str, object]) -> str:
         """What somebody does on the page; gives the tab."""
         named = said.get("tab")
         tab = named if isinstance(named, str) else ""
@@ -138,7 +138,7 @@ class Watched:
         self._program = self._compiled()
         return True
 
-    def state(self, tab: str = "") -> dict[str, Any]:
+    def state(self, tab: str = "") -> dict[str, object]:
         """What the page shows now in a tab."""
         from aseme_dsl.diagrams import GraphvizMissing
         from aseme_dsl.editor.answers.diagram import models_of

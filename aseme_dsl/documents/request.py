@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.diagrams import Expressions, Layout, Options
@@ -49,7 +48,7 @@ def request_of(options: Mapping[str, str]) -> Request:
     Raises:
         WrongOption: there is no such option, or not with this value.
     """
-    known: dict[str, Any] = {}
+    known: dict[str, object] = {}
     for name, text in options.items():
         if name not in _READERS:
             near = closest(name, _READERS)
@@ -57,7 +56,8 @@ def request_of(options: Mapping[str, str]) -> Request:
             raise WrongOption(f"a diagram has no option {name!r}; {hint}")
         field, read = _READERS[name]
         known[field] = read(name, text.strip())
-    return Request(**known)
+    make: Callable[..., Request] = Request  # `_READERS` gives each field what it has to be
+    return make(**known)
 
 
 OPTIONS = ("model", "at", "depth", "layout", "expressions", "labels", "caption", "alt", "source", "embed")

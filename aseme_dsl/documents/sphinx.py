@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar
 
 try:
     from docutils import nodes
@@ -17,6 +17,11 @@ try:
     from sphinx.util import logging
     from sphinx.util.docutils import SphinxDirective
     from sphinx.util.typing import ExtensionMetadata, OptionSpec
+    from sphinx.writers.html5 import HTML5Translator
+    from sphinx.writers.latex import LaTeXTranslator
+    from sphinx.writers.manpage import ManualPageTranslator
+    from sphinx.writers.texinfo import TexinfoTranslator
+    from sphinx.writers.text import TextTranslator
 except ImportError as missing:
     raise ImportError('the directive needs Sphinx: pip install "aseme-dsl[sphinx]"') from missing
 
@@ -146,7 +151,7 @@ def _drawer(doctrees: str | Path) -> Drawer:
 # ---- what builders make of it ---------------------------------------------------------------------
 
 
-def _html(translator: Any, node: aseme_picture) -> None:
+def _html(translator: HTML5Translator, node: aseme_picture) -> None:
     if node["beside"]:
         builder = translator.builder
         name = f"{node['file']}.svg"
@@ -157,7 +162,7 @@ def _html(translator: Any, node: aseme_picture) -> None:
     raise nodes.SkipNode
 
 
-def _latex(translator: Any, node: aseme_picture) -> None:
+def _latex(translator: LaTeXTranslator, node: aseme_picture) -> None:
     store = _drawer(translator.builder.doctreedir).store
     try:
         form = "pdf" if writes_pdf() else "png"
@@ -172,12 +177,12 @@ def _latex(translator: Any, node: aseme_picture) -> None:
     raise nodes.SkipNode
 
 
-def _text(translator: Any, node: aseme_picture) -> None:
+def _text(translator: TextTranslator, node: aseme_picture) -> None:
     translator.add_text(f"[{node['alt']}]")
     raise nodes.SkipNode
 
 
-def _body(translator: Any, node: aseme_picture) -> None:
+def _body(translator: ManualPageTranslator | TexinfoTranslator, node: aseme_picture) -> None:
     translator.body.append(f"[{node['alt']}]")
     raise nodes.SkipNode
 
@@ -188,7 +193,7 @@ def _write(path: Path, content: bytes) -> None:
         path.write_bytes(content)
 
 
-_VISITORS: dict[str, tuple[Callable[[object, aseme_picture], None], None]] = {
+_VISITORS: dict[str, tuple[Callable[..., None], None]] = {
     "html": (_html, None),
     "latex": (_latex, None),
     "text": (_text, None),

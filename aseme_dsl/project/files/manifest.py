@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path, PurePosixPath
 from types import MappingProxyType
-from typing import Any
 
 from aseme_dsl import outside
 from aseme_dsl.source import STANDARD_INPUT
@@ -73,6 +72,8 @@ def read_manifest(folder: Path) -> Manifest:
         return Manifest()
     try:
         document = outside.loads(content)
+        if not isinstance(document, dict):
+            raise TypeError(document)
         number = document["format"]
         if number != FORMAT:
             raise DamagedManifest(f"it has format {number!r}, and this asemec knows format {FORMAT}")
@@ -123,7 +124,7 @@ def is_inside(path: str) -> bool:
     return bool(parts) and parts[0] != "/" and ".." not in parts and "\0" not in path and "\\" not in path
 
 
-def _text(value: Any) -> str:
+def _text(value: object) -> str:
     if not isinstance(value, str):
         raise TypeError(value)
     return value

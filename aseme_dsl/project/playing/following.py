@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import BinaryIO
 
 from aseme_dsl import outside
+from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC
-from aseme_dsl.runtime.trace.trace_reading import Record, record_of
+from aseme_dsl.runtime.trace.trace_reading import record_of
 
 _AT_ONCE = 1 << 20
 """So many bytes are read at once."""

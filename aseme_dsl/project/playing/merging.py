@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import Any
 
-from aseme_dsl.runtime.trace.trace_reading import Record
+from aseme_dsl.runtime.trace.records import Record, agents_of
 
 
 @dataclass(slots=True)
@@ -28,10 +27,10 @@ class Beginning:
     def add(self, record: Record) -> None:
         """A line of the trace, if it says something of time."""
         if record["kind"] == "header":
-            self.agents = frozenset(str(agent["name"]) for agent in record["agents"])
+            self.agents = frozenset(str(agent["name"]) for agent in agents_of(record))
             if isinstance(record.get("start"), str):
                 self.start = datetime.fromisoformat(record["start"])
-            machine: Mapping[str, Any] | None = record.get("machine")
+            machine = record.get("machine")
             if machine is not None:
                 self.clock, self.origin = int(machine["clock"]), int(machine["origin"])
         elif record["kind"] == "peer" and isinstance(record.get("difference"), int):

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics import closest
@@ -18,6 +18,7 @@ from aseme_dsl.runtime.version.versions import VERSIONS
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
+    from aseme_dsl.runtime.control.replies import Reply
 
 WITHIN = 10.0
 """How long, in seconds, a swap waits for conversations to end."""
@@ -27,7 +28,7 @@ _HOLD = 3.0
 _TRY = 0.3
 _PAUSE = 0.05
 
-Reply = dict[str, Any]
+Request = dict[str, object]
 Endpoint = Path | Robot
 """The control socket of a process, or a robot that is reached over its network."""
 
@@ -92,7 +93,7 @@ def select(output: Path, agent: str, plan: str, robots: Sequence[Robot] | None =
     node = next((node for node in there if agent in node.agents), None)
     if node is None:
         raise OperateError(_unknown(agent, there))
-    request = {"request": "select", "agent": agent, "plan": plan}
+    request: Request = {"request": "select", "agent": agent, "plan": plan}
     return _ask_all({node.socket: request}, 10.0)[node.socket]
 
 
@@ -221,7 +222,7 @@ def swap(
     missing = [name for name in names or () if not any(name in node.agents for node in there)]
     if missing:
         raise OperateError(_unknown(missing[0], there))
-    request: Reply = {
+    request: Request = {
         "request": "swap",
         "hash": name,
         "agents": names,
@@ -239,7 +240,7 @@ def swap(
         time.sleep(_PAUSE)
 
 
-def _prepare(sockets: list[Endpoint], request: Reply) -> tuple[list[str], tuple[Reply, ...]]:
+def _prepare(sockets: list[Endpoint], request: Request) -> tuple[list[str], tuple[Reply, ...]]:
     """One attempt; gives who is in the way, if somebody is."""
     replies = _ask_all({path: {**request, "phase": "ready"} for path in sockets}, 30.0)
     busy = [reason for reply in replies.values() for reason in reply["reasons"]]
@@ -282,7 +283,7 @@ def _models(concerned: Iterable[Endpoint]) -> list[str]:
 
 def _roll_back(held: Mapping[Endpoint, int], reason: str) -> list[str]:
     """Let everybody go on as before; gives who did not say that it does."""
-    requests = {
+    requests: dict[Endpoint, Request] = {
         path: {"request": "swap", "phase": "rollback", "id": number, "reason": reason}
         for path, number in held.items()
     }
@@ -294,7 +295,7 @@ def _roll_back(held: Mapping[Endpoint, int], reason: str) -> list[str]:
     ]
 
 
-def _ask_all(requests: Mapping[Endpoint, Reply], timeout: float) -> dict[Endpoint, Reply]:
+def _ask_all(requests: Mapping[Endpoint, Request], timeout: float) -> dict[Endpoint, Reply]:
     """The replies. Raises OperateError with all the reasons, if one is a refusal or does not come."""
     replies = _try_all(requests, timeout)
     problems = [text for reply in replies.values() if not reply["ok"] for text in reply["reasons"]]
@@ -303,7 +304,7 @@ def _ask_all(requests: Mapping[Endpoint, Reply], timeout: float) -> dict[Endpoin
     return replies
 
 
-def _try_all(requests: Mapping[Endpoint, Reply], timeout: float = _ANSWER) -> dict[Endpoint, Reply]:
+def _try_all(requests: Mapping[Endpoint, Request], timeout: float = _ANSWER) -> dict[Endpoint, Reply]:
     """The replies; who does not answer is taken to refuse."""
     from aseme_dsl.runtime.control.control_socket import ControlError, ask
 

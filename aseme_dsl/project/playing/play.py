@@ -9,7 +9,7 @@ from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass, field, fields, replace
 from numbers import Integral
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics import Diagnostic, Problem, closest
@@ -30,8 +30,9 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.team.team import RunResult, Team
     from aseme_dsl.runtime.team.timed_inputs import TimedInput
     from aseme_dsl.runtime.trace.trace import Listener
+    from aseme_dsl.runtime.transport.port import Transport
     from aseme_dsl.runtime.version.loading import Loaded, RoleBackends
-    from aseme_dsl.runtime.world.body import World
+    from aseme_dsl.runtime.world.body import AnyWorld
     from aseme_dsl.runtime.world.shared_world import FarBody
 
 LOOK_NS = 100_000_000
@@ -328,7 +329,7 @@ def _play_here(
                 carried=lambda: others(loaded, activities, configuration),
                 state_directory=_state(request, project),
                 faults=network.faults(seed) if network is not None else None,
-                **_whole_team_over(request, loaded, configuration),
+                transport=_whole_team_over(request, loaded, configuration),
             )
         except (TeamError, ActivityError) as problem:
             raise PlayError(NotPlayed(str(problem))) from problem
@@ -348,17 +349,18 @@ def _play_here(
     return Played(result, summary, seed, trace, world, network)
 
 
-def _whole_team_over(request: Request, loaded: Loaded, configuration: Configuration) -> dict[str, Any]:
+def _whole_team_over(request: Request, loaded: Loaded, configuration: Configuration) -> Transport:
     """The transport of a team in this process; external agents may exchange messages with it."""
     from aseme_dsl.project.settings.platform_settings import IN_PROCESS
     from aseme_dsl.project.settings.platforms import link_of
+    from aseme_dsl.runtime.transport.port import LOCAL
     from aseme_dsl.runtime.transport.reliable_delivery import Post
 
     if request.platform in (None, IN_PROCESS):
-        return {}
+        return LOCAL
     assert loaded.schema is not None  # every generated package has one
     link = link_of(str(request.platform), loaded, configuration, [name for name, _ in loaded.team])
-    return {"transport": Post(link, loaded.schema, loaded.model)}
+    return Post(link, loaded.schema, loaded.model)
 
 
 def _play_robot(
@@ -583,10 +585,16 @@ class Progress:
         if self._progress is not None:
             further = (doing(),) if self._wants_doing else ()
             with _users_own(self._progress):
-                lines = list(self._progress(self._world, *further))
+                lines = list(_lines_of(self._progress(self._world, *further)))
             for line in lines[self._told :]:
                 self._tell(str(line))
             self._told = max(self._told, len(lines))
+
+
+def _lines_of(told: object) -> Iterable[object]:
+    if not isinstance(told, Iterable):
+        raise TypeError(f"{type(told).__name__!r} object is not iterable")
+    return told
 
 
 def doing(team: Team) -> dict[str, tuple[tuple[str, ...], ...]]:
@@ -618,7 +626,7 @@ def _takes_two(function: Callable[..., object]) -> bool:
 
 def _bodies(
     given: Mapping[str, str], loaded: Loaded, plan: str | None, agent: str | None, only: str | None = None
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """A body for each agent, or for `only` one, by name."""
     if not given:
         return {}
@@ -635,7 +643,7 @@ def _bodies(
     }
 
 
-def function_of(name: str) -> Callable[..., Any]:
+def function_of(name: str) -> Callable[..., object]:
     """A function of the project, `module:name`. Raises PlayError if it cannot be had."""
     from aseme_dsl.runtime.chart.functions import FunctionError, find_function
 
@@ -648,14 +656,14 @@ def function_of(name: str) -> Callable[..., Any]:
         raise PlayError(problems.ModuleNotImported(module, _said(error))) from error
 
 
-def call(target: str, *arguments: Any, **named: Any) -> Any:
+def call(target: str, *arguments: object, **named: object) -> object:
     """Call a function of the project, `module:name`. Raises PlayError, with the place, if it raises."""
     function = function_of(target)
     with _users_own(function):
         return function(*arguments, **named)
 
 
-def made_world(target: str, seed: int) -> World[Any, Any]:
+def made_world(target: str, seed: int) -> AnyWorld:
     """The world that a function of the project makes. Raises PlayError if it fails, or makes no world."""
     world = call(target, seed=seed)
     function = function_of(target)
@@ -670,7 +678,7 @@ def made_world(target: str, seed: int) -> World[Any, Any]:
             missing.append((name, what))
     if missing:
         raise PlayError(problems.NoWorld(target, _short(world), tuple(missing)))
-    return cast("World[Any, Any]", world)
+    return cast("AnyWorld", world)
 
 
 def _said(error: Exception) -> str:
@@ -690,6 +698,10 @@ def _is_time(value: object) -> bool:
     return isinstance(value, Integral)
 
 
+def _is_duration(value: object) -> bool:
+    return isinstance(value, Integral) and int(value) > 0
+
+
 def _takes_one(function: object) -> bool:
     if not callable(function):
         return False
@@ -702,9 +714,9 @@ def _takes_one(function: object) -> bool:
     return True
 
 
-_WORLD: tuple[tuple[str, str, Callable[[Any], bool]], ...] = (
+_WORLD: tuple[tuple[str, str, Callable[[object], bool]], ...] = (
     ("bodies", "the bodies by the names of the agents", lambda bodies: isinstance(bodies, Mapping)),
-    ("step_ns", "how long one step of it lasts, in whole ns", lambda step: _is_time(step) and step > 0),
+    ("step_ns", "how long one step of it lasts, in whole ns", _is_duration),
     ("now_ns", "how far it has been simulated, in whole ns", _is_time),
     ("advance", "a method that is given the time up to which to simulate, in ns", _takes_one),
 )

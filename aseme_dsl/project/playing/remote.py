@@ -7,12 +7,13 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.project.settings.configuration import Configuration
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.control.operator_key import Key
+    from aseme_dsl.runtime.control.replies import Reply
     from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 
 _PAUSE = 0.05
@@ -34,7 +35,7 @@ class Robot:
     def __str__(self) -> str:
         return self.name
 
-    def ask(self, request: dict[str, object], timeout: float) -> dict[str, Any]:
+    def ask(self, request: dict[str, object], timeout: float) -> Reply:
         """Its reply, if it proves that it knows the key. Raises RemoteError if there is none."""
         from aseme_dsl.runtime.control.operator_gate import GateError, ask
         from aseme_dsl.runtime.transport import TransportError

@@ -12,7 +12,7 @@ from fnmatch import fnmatchcase
 
 from aseme_dsl.diagrams.sequence.sequence import Arrow, Lifeline, Mark, Row, SequenceDiagram, seconds
 from aseme_dsl.project.files.duration import duration
-from aseme_dsl.runtime.trace.trace_reading import Record
+from aseme_dsl.runtime.trace.records import Record, agents_of
 
 _AFTER = re.compile(r"\bafter\(([^)]*)\)")
 _EXPIRED = re.compile(r"(?<![!\w])expired\((\w+)\)")
@@ -75,7 +75,7 @@ class Sniffer:
         if isinstance(record.get("start"), str):
             began = datetime.fromisoformat(record["start"])
             self.start = began if self.start is None else min(self.start, began)
-        for agent in record["agents"]:
+        for agent in agents_of(record):
             self._agents.setdefault(str(agent["name"]), _Agent(str(agent["role"])))
 
     def rows(self, record: Record) -> Iterator[Row]:
@@ -234,7 +234,7 @@ class Sniffer:
                 agent.inside.pop(branch, None)
                 agent.left[conversation] = moment
                 # Its own report lost agents.
-                untaken = [(who, number) for who, number in record.get("untaken", ()) if who != name]
+                untaken = [(str(who), int(n)) for who, n in record.get("untaken", ()) if who != name]
                 if untaken:
                     messages = f"{len(untaken)} messages"
                     if len(untaken) == 1:

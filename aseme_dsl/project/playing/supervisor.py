@@ -17,13 +17,13 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from types import FrameType
-from typing import IO, TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics.problems import running as problems
@@ -33,6 +33,7 @@ from aseme_dsl.project.settings.platforms import given_environment
 if TYPE_CHECKING:
     from aseme_dsl.project.playing.play import Request
     from aseme_dsl.project.settings.configuration import Configuration
+    from aseme_dsl.runtime.control.control import Changed
     from aseme_dsl.runtime.version.loading import Loaded
 
 READY = "\x01ready"
@@ -63,8 +64,18 @@ _DELIBERATE = (FINE, WRONG_USE, INTERRUPTED, 143)
 _LONGEST = 1 << 20
 """A longer line of what a process prints is shown in pieces."""
 
+Handler = Callable[[int, FrameType | None], object] | int | signal.Handlers | None
+"""What `signal.signal` takes and gives."""
 Say = Callable[[str, str, bool], None]
 """Shows a line: whose it is (a robot's, or "" for the team's), the line, whether something is wrong."""
+
+
+@dataclass(frozen=True, slots=True)
+class End:
+    """How a run ended, as the process says it (`ENDED`): as data, and as lines; nothing if it could not."""
+
+    result: object = None
+    lines: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +86,7 @@ class RobotEnd:
     code: int
     starts: int
     traces: tuple[Path, ...]
-    end: Mapping[str, Any] = field(default_factory=dict)
+    end: End = End()
     """What its last process has said of its end (`ENDED`); empty if it could not."""
 
 
@@ -105,9 +116,20 @@ class _Child:
     over: bool = False
     again_at: float | None = None
     traces: list[Path] = field(default_factory=list)
-    end: Mapping[str, Any] = field(default_factory=dict)
-    version: Mapping[str, Any] | None = None
-    """The version that it was changed to (`runtime.control.Changed`), if it was."""
+    end: End = End()
+    version: Changed | None = None
+    """The version that it was changed to, if it was."""
+
+
+@dataclass(frozen=True, slots=True)
+class _News:
+    """What happens to a process: of which child, what, and what there is to say of it."""
+
+    name: str
+    kind: str
+    text: str = ""
+    code: int = 0
+    version: Changed | None = None
 
 
 def supervise(
@@ -164,7 +186,7 @@ class _Run:
         self._options = options
         self._say = say
         self._key = secrets.token_bytes(32)
-        self._news: SimpleQueue[tuple[str, str, object]] = SimpleQueue()
+        self._news: SimpleQueue[_News] = SimpleQueue()
         self._robots = {name: _Child(name) for name, _ in loaded.team}
         self._world: _Child | None = None
         self._address: str | None = None
@@ -175,7 +197,7 @@ class _Run:
     def run(self) -> Supervised:
         """Start everybody, and watch them to the end."""
         over = False
-        with _signals(lambda: self._news.put(("", "stop", "interrupted"))):
+        with _signals(lambda: self._news.put(_News("", "stop", "interrupted"))):
             try:
                 if self._made_by is not None:
                     self._start_world(self._made_by)
@@ -227,14 +249,14 @@ class _Run:
         }
         _write(child, json.dumps(asked))
         self._pump(child)
-        for name, kind, value in self._listen(START, for_world=True):
-            if name == "" and kind == "address":
-                self._address = value
+        for news in self._listen(START, for_world=True):
+            if news.name == "" and news.kind == "address":
+                self._address = news.text
                 return
-            if name == "" and kind == "ended":
+            if news.name == "" and news.kind == "ended":
                 raise PlayError(problems.WorldNotMade())
-            if kind == "stop":
-                raise PlayError(problems.NotPlayed(str(value)))
+            if news.kind == "stop":
+                raise PlayError(problems.NotPlayed(news.text))
 
     def _start(self, child: _Child) -> None:
         child.starts += 1
@@ -246,7 +268,7 @@ class _Run:
         command += ["--supervised", "--system", self._loaded.name, "--trace", str(trace.absolute())]
         activities = str(self._activities.absolute())
         if child.version is not None:
-            command += ["--in-version", child.version["hash"]]
+            command += ["--in-version", child.version.hash]
         command += ["--activities", activities]
         if self._configuration.path is not None:
             command += ["--project", str(self._configuration.path.absolute())]
@@ -283,13 +305,13 @@ class _Run:
         """Wait until everybody is ready, and begin."""
         waiting = set(self._robots)
         if waiting:
-            for name, kind, value in self._listen(START):
-                if kind == "ready":
-                    waiting.discard(name)
-                elif kind == "ended":
-                    raise PlayError(problems.ProcessNotStarted(name or None, _how_ended(value)))
-                elif kind == "stop":
-                    self._reason = value
+            for news in self._listen(START):
+                if news.kind == "ready":
+                    waiting.discard(news.name)
+                elif news.kind == "ended":
+                    raise PlayError(problems.ProcessNotStarted(news.name or None, _how_ended(news.code)))
+                elif news.kind == "stop":
+                    self._reason = news.text
                     return
                 if not waiting:
                     break
@@ -304,25 +326,25 @@ class _Run:
             starts = [child.again_at for child in self._robots.values() if child.again_at is not None]
             rest = max(0.0, min(starts) - time.monotonic()) if starts else None
             with contextlib.suppress(Empty):
-                name, kind, value = self._news.get(timeout=rest)
-                self._heed(name, kind, value)
+                self._heed(self._news.get(timeout=rest))
             for child in self._robots.values():
                 if child.again_at is not None and child.again_at <= time.monotonic():
                     self._start(child)
 
-    def _heed(self, name: str, kind: str, value: Any) -> None:
-        if kind == "stop":
-            self._reason = value
-        elif kind == "changed":
-            for child in self._robots.values() if value["whole_team"] else (self._robots[name],):
-                child.version = value
-        elif kind == "over":
+    def _heed(self, news: _News) -> None:
+        if news.kind == "stop":
+            self._reason = news.text
+        elif news.version is not None:
+            everybody = self._robots.values()
+            for child in everybody if news.version.whole_team else (self._robots[news.name],):
+                child.version = news.version
+        elif news.kind == "over":
             self._reason = "the world is over"
-        elif kind == "ended" and name == "":
-            self._reason = f"the world has ended: {_how_ended(value)}"
+        elif news.kind == "ended" and news.name == "":
+            self._reason = f"the world has ended: {_how_ended(news.code)}"
             self._say("", self._reason, True)
-        elif kind == "ended":
-            self._ended(self._robots[name], value)
+        elif news.kind == "ended":
+            self._ended(self._robots[news.name], news.code)
 
     def _ended(self, child: _Child, code: int) -> None:
         """A robot's process is over: for good, or to be started again."""
@@ -374,7 +396,7 @@ class _Run:
 
     # ---- pipes -------------------------------------------------------------------------------
 
-    def _listen(self, seconds: float, *, for_world: bool = False) -> Iterator[tuple[str, str, Any]]:
+    def _listen(self, seconds: float, *, for_world: bool = False) -> Iterator[_News]:
         """What happens. Raises PlayError when it takes too long."""
         deadline = time.monotonic() + seconds
         while True:
@@ -399,7 +421,7 @@ class _Run:
             code = process.wait()
             for thread in threads:
                 thread.join(1.0)  # a grandchild may hold the pipe open
-            self._news.put((name, "ended", code))
+            self._news.put(_News(name, "ended", code=code))
 
         waiting = threading.Thread(target=wait, daemon=True)
         waiting.start()
@@ -415,21 +437,27 @@ class _Run:
                     self._say(name, line, False)
 
     def _hear(self, name: str, line: str) -> None:
+        from aseme_dsl.runtime.control.control import Changed
+
         if name == "":
             for kind, value in _object(line).items():
                 if kind == "line":
-                    self._say("", value, False)
+                    self._say("", str(value), False)
                 else:
-                    self._news.put(("", kind, value))
+                    self._news.put(_News("", kind, str(value)))
         elif line == READY:
-            self._news.put((name, "ready", None))
+            self._news.put(_News(name, "ready"))
         elif line.startswith(CHANGED):
             version = _object(line.removeprefix(CHANGED))
             if not {"hash", "whole_team"} <= version.keys():
                 raise TypeError("it is not `control.Changed`")
-            self._news.put((name, "changed", version))
+            change = Changed(str(version["hash"]), bool(version["whole_team"]))
+            self._news.put(_News(name, "changed", version=change))
         elif line.startswith(ENDED):
-            self._robots[name].end = _object(line.removeprefix(ENDED))
+            end = _object(line.removeprefix(ENDED))
+            lines = end.get("lines")
+            said = tuple(map(str, lines)) if isinstance(lines, list) else ()
+            self._robots[name].end = End(end.get("result"), said)
         else:
             self._say(name, line, False)
 
@@ -439,7 +467,7 @@ class _Run:
                 self._say(name, text.rstrip("\n"), True)
 
 
-def _object(text: str) -> dict[str, Any]:
+def _object(text: str) -> dict[str, object]:
     found = outside.loads(text)
     if not isinstance(found, dict):
         raise TypeError("a JSON object is wanted")
@@ -469,7 +497,7 @@ def _signals(stop: Callable[[], None]) -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    before: dict[int, Any] = {}
+    before: dict[int, Handler] = {}
 
     def handle(number: int, frame: FrameType | None) -> None:
         stop()

@@ -8,11 +8,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
+from aseme_dsl.runtime.trace.records import Record, agents_of
 from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_formats import format_for
-from aseme_dsl.runtime.trace.trace_reading import Line, Record
+from aseme_dsl.runtime.trace.trace_reading import Line
 
 _FRAME = ("header", "finish")
 """The lines that every trace has."""
@@ -101,11 +102,84 @@ class _Agent:
     states: dict[str, _Visits] = field(default_factory=dict)
 
 
+class StateSum(TypedDict):
+    """How often an agent was in a state, and how long."""
+
+    label: str
+    name: str
+    times: int
+    lasted: int
+
+
+class AgentSum(TypedDict):
+    """What an agent did."""
+
+    name: str
+    role: str
+    steps: int
+    activities: int
+    crashes: int
+    faults: int
+    error: str | None
+    states: list[StateSum]
+
+
+ChannelSum = TypedDict("ChannelSum", {"channel": str, "messages": int, "from": dict[str, int]})
+"""How many messages a channel carried, and from whom."""
+
+
+class ProtocolSum(TypedDict):
+    """How often agents took part in conversations of a protocol, and how many messages they exchanged."""
+
+    protocol: str
+    open: int
+    join: int
+    leave: int
+    messages: int
+
+
+class FaultSum(TypedDict):
+    """How often a fault happened."""
+
+    reason: str
+    times: int
+
+
+TraceSum = TypedDict(
+    "TraceSum",
+    {
+        "system": str | None,
+        "format": int | None,
+        "seed": int | None,
+        "clock": str | None,
+        "start": str | None,
+        "from": int,
+        "to": int,
+        "lines": int,
+        "missing": int,
+        "reason": str | None,
+        "kinds": dict[str, int],
+        "agents": list[AgentSum],
+        "channels": list[ChannelSum],
+        "protocols": list[ProtocolSum],
+        "faults": list[FaultSum],
+    },
+)
+"""What a trace says in sum; times are in ns."""
+
+
+class FileSum(TraceSum):
+    """The sum of a trace file, and what is wrong with the file."""
+
+    file: str
+    problem: str | None
+
+
 class Summary:
     """What the lines of a trace say in sum; they are given one at a time, and none is kept."""
 
     def __init__(self) -> None:
-        self._header: Record = {}
+        self._header: Record = {"kind": "header", "time": 0}
         self._lines = 0
         self._first: int | None = None
         self._last = 0
@@ -120,7 +194,7 @@ class Summary:
     def begin(self, header: Record, wanted: Filter) -> None:
         """The header, whether it is wanted or not: it says whose trace it is."""
         self._header = header
-        for item in header["agents"]:
+        for item in agents_of(header):
             if not wanted.agents or item["name"] in wanted.agents:
                 self._agents[item["name"]] = _Agent(item["role"])
 
@@ -176,14 +250,18 @@ class Summary:
         if what == "crash":
             agent.crashes += 1
 
-    def result(self) -> dict[str, Any]:
+    def result(self) -> TraceSum:
         """The sum, as data; times are in ns."""
         for agent in self._agents.values():
             _moved(agent, frozenset(), self._last)
         first = self._first or 0
-        header = {name: self._header.get(name) for name in ("system", "format", "seed", "clock", "start")}
+        header = self._header
         return {
-            **header,
+            "system": header.get("system"),
+            "format": header.get("format"),
+            "seed": header.get("seed"),
+            "clock": header.get("clock"),
+            "start": header.get("start"),
             "from": first,
             "to": self._last,
             "lines": self._lines,
@@ -212,7 +290,13 @@ class Summary:
                 for channel, counts in sorted(self._channels.items())
             ],
             "protocols": [
-                {"protocol": name, **{what: counts[what] for what in ("open", "join", "leave", "messages")}}
+                {
+                    "protocol": name,
+                    "open": counts["open"],
+                    "join": counts["join"],
+                    "leave": counts["leave"],
+                    "messages": counts["messages"],
+                }
                 for name, counts in sorted(self._protocols.items())
             ],
             "faults": [{"reason": reason, "times": times} for reason, times in self._faults.most_common()],

@@ -14,10 +14,25 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 from types import FrameType
-from typing import IO, Any
+from typing import IO, TYPE_CHECKING, TypedDict
+
+if TYPE_CHECKING:
+    from aseme_dsl.project.settings.configuration import Configuration
+
+
+class Simulated(TypedDict):
+    """The project to simulate, the function that makes its world, the key to its bodies; times are in ns."""
+
+    project: str | None
+    folder: str
+    path: list[str]
+    world: str
+    seed: int
+    duration: int | None
+    key: str
 
 
 def main() -> int:
@@ -27,7 +42,7 @@ def main() -> int:
     from aseme_dsl.runtime.version.loading import importing
 
     lines, out = sys.stdin, _own_output()
-    request = json.loads(lines.readline() or "null")
+    request: Simulated | None = json.loads(lines.readline() or "null")
     if request is None:
         return 1
     path = request["project"]
@@ -47,7 +62,7 @@ def _own_output() -> IO[str]:
     return out
 
 
-def _simulate(request: Mapping[str, Any], configuration: Any, lines: IO[str], out: IO[str]) -> int:
+def _simulate(request: Simulated, configuration: Configuration, lines: IO[str], out: IO[str]) -> int:
     from aseme_dsl.project.playing.play import LOOK_NS, Progress, call, made_world, users_mistakes
     from aseme_dsl.runtime.world.shared_world import WorldServer
 

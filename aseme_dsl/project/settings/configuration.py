@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeGuard
+from typing import TYPE_CHECKING, TypeGuard
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Problem, Setting, Severity, closest
@@ -158,9 +158,10 @@ def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, .
     if isinstance(tool, dict) and "asemec" in tool:
         given.setdefault("output", path.parent / OUTPUT)
     deploy = given.get("deploy")
-    for key, mistake in network_mistakes(deploy) if deploy is not None else ():
+    for key, mistake in network_mistakes(deploy) if isinstance(deploy, Deployment) else ():
         reader.report(f"{TABLE}.deploy", key, mistake)
-    return Configuration(path.parent, path, **given), tuple(reader.diagnostics)
+    make: Callable[..., Configuration] = Configuration  # `_keys` gives each field what it has to be
+    return make(path.parent, path, **given), tuple(reader.diagnostics)
 
 
 _LARGEST = 1 << 20
@@ -182,7 +183,7 @@ class _Wrong(ValueError):
         self.problem = problem
 
 
-_Convert = Callable[[Any], Any]
+_Convert = Callable[[object], object]
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,7 +209,7 @@ def _is_path(value: object) -> TypeGuard[str]:
 def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
     """Every key of `[tool.asemec]`, with what makes a value of what is written there."""
 
-    def path(value: Any) -> Path:
+    def path(value: object) -> Path:
         if not _is_path(value):
             raise _Wrong(Fitting.PATH)
         return folder / value
@@ -283,7 +284,7 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
     }
 
 
-def _names(value: Any) -> tuple[str, ...]:
+def _names(value: object) -> tuple[str, ...]:
     if not isinstance(value, list) or not value or not all(isinstance(item, str) and item for item in value):
         raise _Wrong(Fitting.NAMES)
     return tuple(value)
@@ -392,7 +393,7 @@ def _host(value: object) -> str:
     return value
 
 
-def _port(value: Any) -> int:
+def _port(value: object) -> int:
     if not isinstance(value, int) or isinstance(value, bool) or not 0 < value < 65536:
         raise _Wrong(Fitting.PORT)
     return value
@@ -443,12 +444,12 @@ class _Reader:
 
     def table(
         self, table: object, name: str, keys: Mapping[str, _Convert | _Table | _Policy]
-    ) -> dict[str, Any]:
+    ) -> dict[str, object]:
         """The values of a table, converted; each mistake becomes a diagnostic and is left out."""
         if not isinstance(table, dict):
             self.report(name, None, problems.NotTable(name))
             return {}
-        given: dict[str, Any] = {}
+        given: dict[str, object] = {}
         for key, value in table.items():
             convert = keys.get(key)
             if convert is None:
@@ -472,7 +473,7 @@ class _Reader:
                     self.report(name, key, wrong.problem or problems.NotFitting(key, wrong.wanted))
         return given
 
-    def settings(self, table: Any, name: str, path: str | None) -> Iterator[Setting]:
+    def settings(self, table: object, name: str, path: str | None) -> Iterator[Setting]:
         """`CODE = "severity"`, and tables of the same that are called like the pattern of a path."""
         if not isinstance(table, dict):
             around, _, key = name.rpartition(".")

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 from aseme_dsl.project.settings.platform_settings import (
     IN_PROCESS,
@@ -136,12 +136,12 @@ def _xmpp(configuration: Configuration) -> Xmpp:
     account = said.account or ROBOT
     given = _given()
     if said.host is None:
-        if SPADE not in given:
+        if "spade" not in given:
             raise PlatformError(
                 "no XMPP server is known: name it in [tool.asemec.spade] of the pyproject.toml (host,"
                 " password), or start the team with `asemec run --platform spade`, which brings one"
             )
-        port, password = given[SPADE]
+        port, password = given["spade"]
         return Xmpp(port=port, account=account, password=password, register=True, verify=False)
     if said.password is None:
         raise PlatformError(
@@ -160,7 +160,7 @@ def _xmpp(configuration: Configuration) -> Xmpp:
 
 
 def _mango_hosts(configuration: Configuration) -> dict[str, tuple[str, int]]:
-    said = configuration.mango.hosts if configuration.mango is not None else _given().get(MANGO, {})
+    said = configuration.mango.hosts if configuration.mango is not None else _given().get("mango", {})
     found: dict[str, tuple[str, int]] = {}
     for name, text in said.items():
         host, _, port = text.rpartition(":")
@@ -168,10 +168,18 @@ def _mango_hosts(configuration: Configuration) -> dict[str, tuple[str, int]]:
     return found
 
 
-def _given() -> dict[str, Any]:
+class _Given(TypedDict, total=False):
+    """What a run has for its platform: a server for SPADE, the addresses of the agents for mango."""
+
+    spade: tuple[int, str]
+    """Port and password of the XMPP server of the run."""
+    mango: dict[str, str]
+
+
+def _given() -> _Given:
     import json
 
-    found: dict[str, Any] = json.loads(_here.get() or os.environ.get(GIVEN, "{}"))
+    found: _Given = json.loads(_here.get() or os.environ.get(GIVEN, "{}"))
     return found
 
 
@@ -194,14 +202,14 @@ def provided(platform: str, loaded: Loaded, configuration: Configuration, say: S
     import json
     import secrets
 
-    given: dict[str, Any] = {}
+    given: _Given = {}
     server: EmbeddedServer | None = None
     if platform == SPADE and (configuration.spade is None or configuration.spade.host is None):
         port = configuration.spade.port if configuration.spade is not None else None
         server = EmbeddedServer(port or 0, say)
-        given[SPADE] = (server.port, secrets.token_hex(16))
+        given["spade"] = (server.port, secrets.token_hex(16))
     elif platform == MANGO and configuration.mango is None:
-        given[MANGO] = {name: f"127.0.0.1:{port}" for (name, _), port in _ports(loaded)}
+        given["mango"] = {name: f"127.0.0.1:{port}" for (name, _), port in _ports(loaded)}
     before = _here.set(json.dumps(given))
     try:
         yield

@@ -16,10 +16,10 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.project.building.build import Choice, build
-from aseme_dsl.project.studying.course import Course, begun, doings, plain_begun, plain_player, player
+from aseme_dsl.project.studying.course import Course, Runner, begun, doings, plain_begun, plain_player, player
 from aseme_dsl.project.studying.drawn import drawn_anew
 from aseme_dsl.project.studying.recorded import NobodyThere, Recording, recorded
 from aseme_dsl.runtime.chart.chart import Chart
@@ -167,7 +167,7 @@ def recordings_of(
     traces: Sequence[Path],
     system: str,
     kinds: Mapping[str, type[Chart]],
-    messages: Mapping[str, object],
+    messages: Mapping[str, type[object]],
     most: int | None = None,
 ) -> list[Recording]:
     """What the agents of these roles got, by the traces of one run or of several.
@@ -313,7 +313,7 @@ def plain_pass(
     plain: type[Plain],
     kind: type[Chart],
     courses: Sequence[Course],
-    made: Callable[[Plain], Any],
+    made: Callable[[Plain], Runner],
     send: str = "send",
 ) -> _Pass:
     """What plays courses to fresh plain charts, each run by what is `made` of it: itself, or a `Machine`."""
@@ -385,7 +385,7 @@ def _timed(
     }
 
 
-def _queued(plain: Callable[[], Any]) -> object:
+def _queued(plain: type[Plain]) -> object:
     """A statechart with its queue."""
     return Machine(plain())
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
 from random import Random
-from typing import Any, NamedTuple
+from typing import NamedTuple, Protocol
 
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
@@ -151,11 +151,20 @@ def _take_away(chart: Chart, label: str, item: Sample | AgentMessage) -> None:
 # ---- the plain face ----------------------------------------------------------------------------
 
 
+class Runner(Protocol):
+    """What runs a plain chart: itself, or a `Machine`."""
+
+    def start(self) -> object: ...
+    def step(self) -> bool: ...
+    def done(self, label: str, outcome: str | None = None) -> bool: ...
+    def failed(self, label: str, reason: str) -> bool: ...
+
+
 class Doing(NamedTuple):  # unpacked in the loop that is timed: a tuple is the quickest
     """What a step is for a plain chart: what is put where on its blackboard, and what is called then."""
 
     now: int
-    puts: tuple[tuple[str, Any], ...]
+    puts: tuple[tuple[str, object], ...]
     calls: tuple[tuple[Callable[..., object], tuple[str | None, ...]], ...]
 
 
@@ -172,7 +181,7 @@ def plain_begun(kind: type[Plain], course: Course, like_this: Chart) -> Plain:
     return chart
 
 
-def doings(chart: Plain, runner: Any, course: Course, reference: Chart, send: str = "send") -> list[Doing]:
+def doings(chart: Plain, runner: Runner, course: Course, reference: Chart, send: str = "send") -> list[Doing]:
     """What the steps of a course are for a plain chart that `runner` (itself, or a `Machine`) runs.
 
     The plain chart takes one event or end of an activity a step: several are several steps. `reference` is a
@@ -181,7 +190,7 @@ def doings(chart: Plain, runner: Any, course: Course, reference: Chart, send: st
     board, messages = board_of(chart), messages_of(type(chart))
     found: list[Doing] = []
     for given in course.steps:
-        puts: list[tuple[str, Any]] = []
+        puts: list[tuple[str, object]] = []
         calls: list[tuple[Callable[..., object], tuple[str | None, ...]]] = []
         for item in given.inputs:
             match item:
@@ -235,12 +244,12 @@ def _nothing() -> None:
     """Nobody wants to know what has changed."""
 
 
-def board_of(chart: Plain) -> Any:
+def board_of(chart: Plain) -> object:
     """The blackboard of a plain chart; of each class another."""
     return getattr(chart, "bb")  # noqa: B009
 
 
-def messages_of(kind: type[Plain]) -> Mapping[str, Any]:
+def messages_of(kind: type[Plain]) -> Mapping[str, type[object]]:
     """The message classes and enums of a plain chart's package."""
     return vars(import_module(f"{kind.__module__.rpartition('.')[0]}.messages"))
 

@@ -8,8 +8,9 @@ drawn while a chart runs.
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping
-from typing import Any, assert_never
+from collections.abc import Callable, Mapping
+from enum import Enum
+from typing import assert_never
 
 from aseme_dsl.amola.expression import Literal, Raised, Received
 from aseme_dsl.amola.messages import Kind, Type
@@ -22,6 +23,8 @@ from aseme_dsl.runtime.chart.inputs import AgentMessage, Completed, Happened, In
 MS = 1_000_000
 _LONGEST = 50
 """Milliseconds between two inputs, at most; now and then it is a thousand times as long."""
+Constant = bool | int | float | str
+
 STARTS = 100
 """How often a chart begins at the most."""
 
@@ -30,7 +33,7 @@ def drawn(
     system: System,
     chart: Statechart,
     kind: type[Chart],
-    messages: Mapping[str, Any],
+    messages: Mapping[str, type[object]],
     steps: int,
     seed: int,
     number: int = 0,
@@ -56,7 +59,12 @@ def drawn(
 
 
 def drawn_anew(
-    system: System, chart: Statechart, kind: type[Chart], messages: Mapping[str, Any], steps: int, seed: int
+    system: System,
+    chart: Statechart,
+    kind: type[Chart],
+    messages: Mapping[str, type[object]],
+    steps: int,
+    seed: int,
 ) -> list[Course]:
     """Courses with so many inputs in all: where one comes to an end of the chart, another begins.
 
@@ -80,7 +88,7 @@ class _Drawing:
         system: System,
         chart: Statechart,
         kind: type[Chart],
-        classes: Mapping[str, Any],
+        classes: Mapping[str, type[object]],
         chance: random.Random,
     ) -> None:
         self.chance = chance
@@ -108,7 +116,7 @@ class _Drawing:
         self.variables = [item for item in chart.variables if item.name in written]
         self.ends = {item.name: item.ends for item in kind.PLAN.activities}
         self.activity = {node.label: node.activity for node in chart.states}
-        self.constants: dict[Kind, list[Any]] = {}
+        self.constants: dict[Kind, list[Constant]] = {}
         for _, value in chart.values():
             if isinstance(value, Literal):
                 self.constants.setdefault(value.type.kind, []).append(value.value)
@@ -149,17 +157,18 @@ class _Drawing:
                 content = self.content(message) if message else None
                 return AgentMessage(branch, performative, message, content, participant, "other", identity)
 
-    def content(self, name: str) -> Any:
+    def content(self, name: str) -> object:
         """A message with values for its members, some of an optional one missing."""
-        found: dict[str, Any] = {}
+        found: dict[str, object] = {}
         for item in self.messages[name].fields:
             if item.label == "repeated":
                 found[item.name] = tuple(self.value(item.type) for _ in range(self.chance.randrange(4)))
             elif item.label != "optional" or self.chance.random() < 0.7:
                 found[item.name] = self.value(item.type)
-        return self.classes[name](**found)
+        make: Callable[..., object] = self.classes[name]
+        return make(**found)
 
-    def value(self, kind: Type) -> Any:
+    def value(self, kind: Type) -> object:
         """A value of a type: more often than not near a constant of the chart's own conditions."""
         chance = self.chance
         known = self.constants.get(kind.kind, [])
@@ -178,7 +187,9 @@ class _Drawing:
             case Kind.BYTES:
                 return b"\x00"
             case Kind.ENUM:
-                return self.classes[kind.name][chance.choice(self.enums[kind.name].constants)[0]]
+                found = self.classes[kind.name]
+                assert issubclass(found, Enum)
+                return found[chance.choice(self.enums[kind.name].constants)[0]]
             case Kind.MESSAGE:
                 return self.content(kind.name)
             case Kind.OUTCOME | Kind.AGENT | Kind.LIST:

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.project.studying.bench import Timed
 from aseme_dsl.project.studying.findings import Row, Slower
 from aseme_dsl.project.studying.variation import Knob
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.typing import RcKeyType
 
-_SETTINGS: dict[Any, object] = {
+_SETTINGS: dict[RcKeyType, object] = {
     "svg.hashsalt": "aseme-dsl",  # the same study gives the same bytes
     "svg.fonttype": "none",
     "font.family": "sans-serif",
@@ -61,17 +64,26 @@ def measure_plot(
     seen = [(places[row.variant[-1][1]], row.measure.mean, row) for row in found if row.measure is not None]
     least = [(x, mean) for x, mean, row in seen if row.unfinished]
     if least:
-        alone: Any = {
-            "linestyle": "",
-            "color": "white",
-            "markeredgecolor": "#444444",
-            "marker": "^",
-            "markersize": 9,
-        }
-        axes.plot(*zip(*least, strict=True), **alone, label="at least: not all runs finished")
+        axes.plot(
+            *zip(*least, strict=True),
+            linestyle="",
+            color="white",
+            markeredgecolor="#444444",
+            marker="^",
+            markersize=9,
+            label="at least: not all runs finished",
+        )
     if chosen is not None and chosen.measure is not None:
-        ring: Any = {"marker": "o", "markersize": 13, "fillstyle": "none", "color": _RED, "linestyle": ""}
-        axes.plot([places[chosen.variant[-1][1]]], [chosen.measure.mean], **ring, label=chosen_as)
+        axes.plot(
+            [places[chosen.variant[-1][1]]],
+            [chosen.measure.mean],
+            marker="o",
+            markersize=13,
+            fillstyle="none",
+            color=_RED,
+            linestyle="",
+            label=chosen_as,
+        )
     if any(row.measure is not None and row.measure.low < row.measure.high for row in found):
         axes.fill_between([], [], [], color=_GREY, alpha=0.4, linewidth=0, label="95 %")
     axes.set_xticks(list(places.values()), list(places))
@@ -129,7 +141,7 @@ def gains_plot(found: Sequence[Slower], times: float, what: str) -> bytes:
     bars = axes.barh(places, [100 * item.gain.mean for item in found], color=colours, height=0.6)
     slowest = [bar for bar, item in zip(bars, found, strict=True) if item.is_bottleneck]
     called = "the bottleneck" if len(slowest) == 1 else "one of these is the bottleneck"
-    legend: dict[str, Any] = {called: slowest[0]} if slowest else {}
+    legend: dict[str, Artist] = {called: slowest[0]} if slowest else {}
     for place, item in enumerate(found):
         if item.gain.low < item.gain.high:
             ends = [100 * item.gain.low, 100 * item.gain.high]
@@ -164,9 +176,15 @@ def costs_plot(found: Mapping[str, Mapping[str, Timed]]) -> bytes:
         axes.plot(times, places, marker="o", linestyle="", color=colour, label=label)
         for time, place in zip(times, places, strict=True):
             is_least = time == min(rows[place][2].idle, rows[place][2].step)
-            beside = {"xytext": (-7 if is_least else 7, 0), "textcoords": "offset points", "va": "center"}
-            text = _duration(time)
-            axes.annotate(text, (time, place), ha="right" if is_least else "left", fontsize=8, **beside)
+            axes.annotate(
+                _duration(time),
+                (time, place),
+                ha="right" if is_least else "left",
+                fontsize=8,
+                xytext=(-7 if is_least else 7, 0),
+                textcoords="offset points",
+                va="center",
+            )
     axes.set_yticks(places, [f"{role}, {way}" for role, way, _ in rows])
     axes.tick_params(axis="y", length=0)
     axes.set_ylim(len(rows) - 0.4, -0.6)
@@ -199,7 +217,7 @@ def _places(knob: Knob) -> dict[str, float]:
         return {value: float(place) for place, value in enumerate(knob.values)}
 
 
-def _figure(height: float = 4.0) -> tuple[Figure, Any]:
+def _figure(height: float = 4.0) -> tuple[Figure, Axes]:
     try:
         from matplotlib import rc_context
         from matplotlib.figure import Figure

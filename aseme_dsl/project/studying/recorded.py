@@ -7,10 +7,9 @@ not, or where the trace does not say enough, the course ends, and says why.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun
 from aseme_dsl.runtime.chart.board import QUEUE
@@ -30,8 +29,9 @@ from aseme_dsl.runtime.chart.inputs import (
 )
 from aseme_dsl.runtime.message.acl import name_of
 from aseme_dsl.runtime.message.as_json import from_json
+from aseme_dsl.runtime.trace.records import InputName, Record, agents_of
 from aseme_dsl.runtime.trace.trace_files import TraceError
-from aseme_dsl.runtime.trace.trace_reading import Record, TraceReader
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
 
 class NotPlayable(Exception):
@@ -56,7 +56,7 @@ def recorded(
     path: Path,
     system: str,
     kinds: Mapping[str, type[Chart]],
-    messages: Mapping[str, object],
+    messages: Mapping[str, type[object]],
     most: int | None = None,
 ) -> Recording:
     """The courses of all agents of these roles, each of `most` steps after its first one at the most.
@@ -108,7 +108,7 @@ class _Reading:
         path: Path,
         system: str,
         kinds: Mapping[str, type[Chart]],
-        messages: Mapping[str, object],
+        messages: Mapping[str, type[object]],
         most: int | None,
     ) -> None:
         self.path = path
@@ -171,7 +171,7 @@ class _Reading:
             )
         others: dict[str, str] = {}
         self.seed = int(record["seed"])
-        for item in record["agents"]:
+        for item in agents_of(record):
             name, role, model = str(item["name"]), item["role"], item["model"]
             kind = self.kinds.get(role)
             if kind is None:
@@ -186,7 +186,7 @@ class _Reading:
                 " Record a new one: asemec run"
             )
         if not self.agents:
-            played = dict.fromkeys(str(item["role"]) for item in record["agents"])
+            played = dict.fromkeys(str(item["role"]) for item in agents_of(record))
             raise NobodyThere(
                 f"{self.path} has no agent of {' or '.join(self.kinds)}, only of {', '.join(played)}"
             )
@@ -316,7 +316,7 @@ class _Reading:
         return Sample(channel, content, sender, moment, identity, own)
 
     def _mail(self, agent: str, identity: Identity, record: Record) -> AgentMessage:
-        name = record["message"]
+        name = str(record["message"])
         content = from_json(self.messages[name], record["content"]) if name in self.messages else None
         branch = self.branches[agent, record["conversation"], record["receiver"]]
         part = record["participant"]
@@ -333,7 +333,7 @@ class _Reading:
         )
 
 
-def _identity(value: Sequence[Any]) -> Identity:
+def _identity(value: InputName) -> Identity:
     name, number = value
     return str(name), int(number)
 

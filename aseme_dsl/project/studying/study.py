@@ -19,7 +19,7 @@ from functools import lru_cache
 from multiprocessing import get_context, resource_tracker
 from numbers import Real
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.studying.variation import Variant, quicker, varied
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from aseme_dsl.project.building.build import Choice
     from aseme_dsl.runtime.team.network import Network
     from aseme_dsl.runtime.team.team import RunResult
+    from aseme_dsl.runtime.trace.records import Record
     from aseme_dsl.runtime.version.loading import Loaded
 
 TIME = "time"
@@ -225,7 +226,7 @@ class _Clocks:
     def wants(self, kind: str, what: str | None) -> bool:
         return kind == "activity" and what in ("start", "end", "crash", "cancel")
 
-    def __call__(self, record: Mapping[str, Any]) -> None:
+    def __call__(self, record: Record) -> None:
         if record["kind"] != "activity":
             return
         execution = (record["agent"], record["label"], record["token"])
@@ -361,6 +362,17 @@ def _measured(plan: Plan, result: RunResult, clocks: _Clocks, world: object) -> 
     return _given(plan, world), False
 
 
+def _finite(value: object) -> float | None:
+    """A number that is neither infinite nor not-a-number; None for anything else."""
+    if not isinstance(value, Real | Decimal) or isinstance(value, bool):
+        return None
+    try:
+        number = float(value)
+    except (OverflowError, ValueError):
+        return None
+    return number if abs(number) < _BEYOND else None
+
+
 def _given(plan: Plan, world: object) -> float | None:
     """What the project's function says of the world at the end."""
     from aseme_dsl.project.playing.play import PlayError, call
@@ -373,7 +385,7 @@ def _given(plan: Plan, world: object) -> float | None:
         raise StudyError(str(problem)) from problem
     if value is None:
         return None
-    is_number = isinstance(value, Real | Decimal) and not isinstance(value, bool)
-    if is_number and value == value and abs(value) < _BEYOND:  # neither nan nor infinity is
-        return float(value)
+    number = _finite(value)
+    if number is not None:
+        return number
     raise StudyError(f"{plan.measure} gave {value!r}, which is not a number")

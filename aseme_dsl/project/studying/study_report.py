@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from aseme_dsl.project.studying.findings import (
     Estimate,
@@ -383,7 +382,7 @@ def _over(study: Study) -> str:
     return f" over a network with {study.network}" if study.network else ""
 
 
-def as_json(study: Study) -> dict[str, Any]:
+def as_json(study: Study) -> dict[str, object]:
     """All that was found, and every run; times in ns, gains as shares."""
     return {
         "format": FORMAT,
@@ -438,7 +437,7 @@ def as_json(study: Study) -> dict[str, Any]:
     }
 
 
-def _counted(found: Mapping[str, int]) -> list[dict[str, Any]]:
+def _counted(found: Mapping[str, int]) -> list[dict[str, object]]:
     return [{"reason": reason, "runs": runs} for reason, runs in found.items()]
 
 
@@ -446,7 +445,7 @@ def _values(variant: Variant) -> dict[str, str]:
     return {knob.name: value for knob, value in variant}
 
 
-def _estimate(item: Estimate | None) -> dict[str, Any] | None:
+def _estimate(item: Estimate | None) -> dict[str, object] | None:
     if item is None:
         return None
     return {"mean": item.mean, "low": item.low, "high": item.high, "runs": item.runs}

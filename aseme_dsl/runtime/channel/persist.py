@@ -126,7 +126,10 @@ class Kept:
         except (OSError, UnicodeDecodeError) as error:
             return [], [f"{path} cannot be read: {error}"]
         try:
-            states = outside.loads(text)["states"]
+            document = outside.loads(text)
+            if not isinstance(document, dict):
+                raise TypeError("it is not an object")
+            states = document["states"]
             entries = [(str(s["channel"]), s["host"], s["message"]) for s in states]
         except (ValueError, KeyError, TypeError) as error:
             return [], [f"{path} is not a file of kept states: {error!r}"]

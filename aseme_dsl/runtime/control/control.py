@@ -35,10 +35,11 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from queue import Empty, SimpleQueue
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.outside import loads
 from aseme_dsl.runtime.control.control_log import PROGRAM, ControlLog, Origin
+from aseme_dsl.runtime.control.replies import AgentStatus, Reply
 from aseme_dsl.runtime.team.swap import Swap, Version, version_of
 from aseme_dsl.runtime.version.loading import LoadError, activities_of, load_beside, package_like
 from aseme_dsl.runtime.version.versions import HASH, VersionError, read_version
@@ -61,8 +62,6 @@ LONGEST_TEXT = 4096
 MOST_NAMES = 10_000
 """A list in a request has at most so many texts."""
 _LOOK_SECONDS = 0.002
-
-Reply = dict[str, object]
 
 
 class Refused(Exception):
@@ -158,7 +157,7 @@ class Control:
     def _status(self, request: dict[str, object]) -> Reply:
         team = self._team
         held = self._held
-        agents = []
+        agents: list[AgentStatus] = []
         for agent in team.agents:
             chart = agent.chart
             names = agent.plan.by_label
@@ -173,7 +172,7 @@ class Control:
                     "failure": chart.failure,
                     "steps": agent.steps,
                     "configuration": list(labels),
-                    "activities": [names[x].activity for x in labels if x in names and names[x].activity],
+                    "activities": [name for x in labels if x in names and (name := names[x].activity)],
                 }
             )
         return {
@@ -214,7 +213,7 @@ class Control:
         self._team.driver.stop("stopped")
         return {}
 
-    def _swap(self, request: dict[str, Any]) -> Reply:
+    def _swap(self, request: dict[str, object]) -> Reply:
         self._in_real_time()
         phase = request.get("phase")
         match phase:
@@ -223,7 +222,8 @@ class Control:
                     return self._ready(request) if phase == "ready" else self._prepare(request)
             case "refuse":
                 with self._lock:
-                    self._new_swap(request).refuse(map(str, request.get("reasons", ())))
+                    reasons = request.get("reasons")
+                    self._new_swap(request).refuse(map(str, reasons if isinstance(reasons, list) else ()))
                 return {"state": "refused"}
             case "commit" | "finish" | "rollback":
                 held = self._held
@@ -346,7 +346,7 @@ class _Said:
 
     phase: str
     reason: str
-    reply: Reply = field(default_factory=dict)
+    reply: Reply = field(default_factory=Reply)
     refused: str = ""
     done: threading.Event = field(default_factory=threading.Event)
 

@@ -24,6 +24,7 @@ from aseme_dsl.runtime.control.connections import MOST, Places, Timely
 from aseme_dsl.runtime.control.control import FORMAT, Control
 from aseme_dsl.runtime.control.control import LARGEST as REQUEST
 from aseme_dsl.runtime.control.control_log import Origin
+from aseme_dsl.runtime.control.replies import Reply, as_reply
 from aseme_dsl.runtime.transport.meeting import private_folder
 from aseme_dsl.runtime.transport.port import TransportError
 
@@ -108,7 +109,7 @@ def endpoints(output: Path) -> list[Path]:
     return found
 
 
-def ask(path: Path, request: dict[str, object], timeout: float = 5.0) -> dict[str, object]:
+def ask(path: Path, request: dict[str, object], timeout: float = 5.0) -> Reply:
     """The reply to a request (without its `version`, which is put in).
 
     Raises:
@@ -134,7 +135,7 @@ def ask(path: Path, request: dict[str, object], timeout: float = 5.0) -> dict[st
         raise ControlError(f"{_who(path)} has ended before it answered") from problem
     if not isinstance(reply, dict):
         raise ControlError(f"{_who(path)} answers with {reply!r}")
-    return reply
+    return as_reply(reply)
 
 
 def _who(path: Path) -> str:

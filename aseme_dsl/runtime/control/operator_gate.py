@@ -27,9 +27,10 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from aseme_dsl.outside import loads
-from aseme_dsl.runtime.control.control import FORMAT, LARGEST, Control, Reply
+from aseme_dsl.runtime.control.control import FORMAT, LARGEST, Control
 from aseme_dsl.runtime.control.control_log import Origin
 from aseme_dsl.runtime.control.operator_key import SECRET_BYTES, Key, KeyFileError, read_keys
+from aseme_dsl.runtime.control.replies import Reply, as_reply
 
 _TAG = 16
 """So many bytes of a robot's nonce are random, and as many are their tag."""
@@ -176,7 +177,7 @@ def ask(
                 if hmac.compare_digest(right, proof):
                     reply = loads(answer, _ANSWER)
                     assert isinstance(reply, dict)  # a robot of the key has said it
-                    return reply
+                    return as_reply(reply)
                 refusals.append("the answer is not proven by the key")
             refusals += _reasons(found)
     raise GateError(f"{agent} refuses: {refusals[0]}" if refusals else f"{agent} does not answer")

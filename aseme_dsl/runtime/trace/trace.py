@@ -18,7 +18,6 @@ from collections.abc import Callable, Iterable, Mapping
 from datetime import datetime
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import (
     Cancel,
@@ -34,10 +33,10 @@ from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.message.wire import Schema
 from aseme_dsl.runtime.trace.fault_counts import FaultCounts
+from aseme_dsl.runtime.trace.records import Record, Taken, as_record
 from aseme_dsl.runtime.trace.trace_files import FORMAT, Background, Direct, Output, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_formats import format_for
 
-Record = dict[str, object]
 Listener = Callable[[Record], None]
 """Is shown the lines: all, or if it has a method `wants(kind, what)` those of which that says so. It is asked
 once for each kind and `what`, which is None where such a line has none."""
@@ -71,7 +70,7 @@ class Trace:
         self.now: Callable[[], int] = _no_time
         """The time of the run, for what the trace has to say itself."""
         self._listeners = tuple(listeners)
-        self._listening: dict[tuple[str, str | None], tuple[Listener, ...]] = {}
+        self._listening: dict[tuple[str, object], tuple[Listener, ...]] = {}
         self._ways: dict[tuple[str, str, tuple[int, ...]], str] = {}
         self._remarks: set[str] = set()
         self.faults = FaultCounts()
@@ -89,21 +88,21 @@ class Trace:
         self.active = self._output is not None or bool(self._listeners)
         """Whether anybody reads what is written: who has a costly line to write asks first."""
 
-    def write(self, kind: str, moment: int, **members: Any) -> None:
+    def write(self, kind: str, moment: int, **members: object) -> None:
         """Write a line. Members that are None or empty tuples are left out."""
         listening = self._who_wants(kind, members.get("what"))
         if self._output is None and not listening:
             return
-        record: Record = {"kind": kind, "time": moment}
+        line: dict[str, object] = {"kind": kind, "time": moment}
         for name, value in members.items():
             if value is not None and value != ():
-                record[name] = value
+                line[name] = value
         with self._lock:
             for listener in listening:
-                listener(record)
-            self._put(_encode(record) if self._output is not None else "", last=kind == "finish")
+                listener(as_record(line))
+            self._put(_encode(line) if self._output is not None else "", last=kind == "finish")
 
-    def _who_wants(self, kind: str, what: str | None = None) -> tuple[Listener, ...]:
+    def _who_wants(self, kind: str, what: object = None) -> tuple[Listener, ...]:
         """The listeners that are shown such a line."""
         found = self._listening.get((kind, what))
         if found is None:
@@ -282,7 +281,7 @@ class Trace:
         """
         if not self.active:
             return
-        further: Record = {}
+        further: dict[str, object] = {}
         functions = [
             {"function": effect.function, "value": to_json(effect.value)}
             for effect in outcome.effects
@@ -356,7 +355,7 @@ class Trace:
                 **members,
             )
 
-    def remark(self, moment: int, agent: str, reason: str, **members: Any) -> None:
+    def remark(self, moment: int, agent: str, reason: str, **members: object) -> None:
         """A fault that is the same for every agent: it is told once in a run."""
         with self._lock:
             known = reason in self._remarks
@@ -364,11 +363,11 @@ class Trace:
                 self._remarks.clear()
             self._remarks.add(reason)
         if not known:
-            self.fault(moment, agent, reason, **members)
+            self.fault(moment, agent, reason, "", **members)
 
-    def fault(self, moment: int, agent: str, reason: str, at: str = "", **members: Any) -> None:
+    def fault(self, moment: int, agent: str, reason: str, at: str = "", **members: object) -> None:
         """Something could not be done; the agent goes on."""
-        self.count_fault(moment, agent, reason, at, members.get("activity") or "")
+        self.count_fault(moment, agent, reason, at, str(members.get("activity") or ""))
         self._write_fault(moment, agent, reason, at, **members)
 
     def count_fault(self, moment: int, agent: str, reason: str, at: str = "", activity: str = "") -> None:
@@ -388,11 +387,11 @@ def _no_time() -> int:
     return 0
 
 
-def _always(kind: str, what: str | None) -> bool:
+def _always(kind: str, what: object) -> bool:
     return True
 
 
-def _way(plan: Plan, numbers: tuple[int, ...]) -> Record:
+def _way(plan: Plan, numbers: tuple[int, ...]) -> Taken:
     """A transition taken, or the parts of a compound one."""
     parts = [plan.transitions[number] for number in numbers]
     text = " ; ".join(part.text for part in parts if part.text)

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from aseme_dsl import outside
+from aseme_dsl.runtime.trace.records import Record, as_record
 from aseme_dsl.runtime.trace.trace_files import FORMAT, TraceError, part_of
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC, Torn, lines_in
-
-Record = dict[str, Any]
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +99,7 @@ def record_of(text: str) -> Record | None:
     if not isinstance(found, dict) or not isinstance(found.get("kind"), str):
         return None
     moment = found.get("time")
-    return found if isinstance(moment, int) and not isinstance(moment, bool) else None
+    return as_record(found) if isinstance(moment, int) and not isinstance(moment, bool) else None
 
 
 def _short(text: str) -> str:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.ports import Receiver
     from aseme_dsl.runtime.trace.trace import Trace
 
-Answer = Callable[[str, bytes], dict[str, object]]
+Answer = Callable[[str, bytes], Mapping[str, object]]
 """What answers a control request to an agent, as it came; the answer is a JSON object. May be called from any
 thread, and never raises."""
 

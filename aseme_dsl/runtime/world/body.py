@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Protocol, TypeVar, runtime_checkable
+from typing import Any, Protocol, TypeAlias, TypeVar, runtime_checkable
 
 PerceptT_co = TypeVar("PerceptT_co", covariant=True)
 CommandT_contra = TypeVar("CommandT_contra", contravariant=True)
@@ -109,3 +109,9 @@ class World(Protocol[PerceptT_co, CommandT_contra]):
         from its first step on. Raises ValueError for a time before :attr:`now_ns`.
         """
         ...
+
+
+AnyBody: TypeAlias = Body[Any, Any]
+"""A body of any world: only the project's own code knows its percepts and commands."""
+AnyWorld: TypeAlias = World[Any, Any]
+"""A world, of which no more is known."""

@@ -17,12 +17,11 @@ import time
 from collections.abc import Callable, Mapping
 from multiprocessing import AuthenticationError
 from multiprocessing.connection import Client, Connection, Listener, answer_challenge, deliver_challenge
-from typing import Any
 
 from aseme_dsl.runtime.time.clock import SECOND
 from aseme_dsl.runtime.transport.meeting import private_folder
 from aseme_dsl.runtime.transport.port import TransportError
-from aseme_dsl.runtime.world.body import Body, BodyConnectionError, RadioMessage, World
+from aseme_dsl.runtime.world.body import AnyBody, AnyWorld, BodyConnectionError, RadioMessage
 
 PATIENCE = 5.0
 """How long, in seconds, a body may take to answer before it counts as lost."""
@@ -60,7 +59,7 @@ def _is_alive(process: str) -> bool:
 class WorldServer:
     """Lets a world pass in real time, and lends its bodies to other processes."""
 
-    def __init__(self, world: World[object, object], key: bytes) -> None:
+    def __init__(self, world: AnyWorld, key: bytes) -> None:
         """Raises OSError if nobody could connect."""
         self.world = world
         self.doing: dict[str, tuple[tuple[str, ...], ...]] = {}
@@ -117,22 +116,24 @@ class WorldServer:
                 what, argument = connection.recv()
                 connection.send(self._call(name, body, what, argument))
 
-    def _call(self, name: str, body: Body[Any, Any], what: str, argument: Any) -> tuple[str, Any]:
+    def _call(self, name: str, body: AnyBody, what: str, argument: object) -> tuple[str, object]:
         try:
             with self._lock:
                 match what:
                     case "sense":
-                        answer: Any = body.sense()
+                        answer: object = body.sense()
                     case "act":
                         answer = None
                         body.act(argument)
-                    case "say":
+                    case "say" if isinstance(argument, bytes):
                         answer = body.say(argument)
                     case "hear":
                         answer = body.hear()
-                    case _:
+                    case "doing" if isinstance(argument, tuple):
                         self.doing[name] = argument
                         answer = None
+                    case _:
+                        raise TypeError(f"{what} does not take {type(argument).__name__}")
             pickle.dumps(answer)
         except Exception as error:
             return "raise", error if _can_travel(error) else BodyConnectionError(
@@ -152,17 +153,19 @@ class FarBody:
         try:
             self._connection = Client(address, authkey=key)
             self._connection.send(name)
-            self.payload_limit: int = self._answer()
+            limit = self._answer()
+            assert isinstance(limit, int)  # the first answer of a world
+            self.payload_limit = limit
         except BodyConnectionError:
             raise
         except Exception as problem:  # OSError, EOFError, AuthenticationError
             raise BodyConnectionError(f"the world cannot be reached: {_text(problem)}") from problem
 
-    def sense(self) -> Any:
+    def sense(self) -> object:
         """The newest percept."""
         return self._ask("sense")
 
-    def act(self, command: Any) -> None:
+    def act(self, command: object) -> None:
         """Put a command in force."""
         self._ask("act", command)
 
@@ -172,7 +175,8 @@ class FarBody:
 
     def hear(self) -> list[RadioMessage]:
         """What arrived since the last call."""
-        found: list[RadioMessage] = self._ask("hear")
+        found = self._ask("hear")
+        assert isinstance(found, list)  # as every body gives it
         return found
 
     def tell(self, doing: tuple[tuple[str, ...], ...]) -> None:
@@ -185,7 +189,7 @@ class FarBody:
         with contextlib.suppress(OSError):
             self._connection.close()
 
-    def _ask(self, what: str, argument: object = None) -> Any:
+    def _ask(self, what: str, argument: object = None) -> object:
         with self._lock:
             if self._lost is not None:
                 raise BodyConnectionError(self._lost)
@@ -198,7 +202,7 @@ class FarBody:
                 self._lost = self._lost or f"the world has ended: {_text(problem)}"
                 raise BodyConnectionError(self._lost) from problem
 
-    def _answer(self) -> Any:
+    def _answer(self) -> object:
         if not self._connection.poll(PATIENCE):
             self._lost = f"the world has not answered for {PATIENCE:g} s"
             raise BodyConnectionError(self._lost)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.message.acl import FipaMessage
@@ -122,7 +122,7 @@ class Inbox:
         return []
 
 
-def _json_answer(state: Delivery, answer: dict[str, object], further: int = 0) -> tuple[Envelope, bytes]:
+def _json_answer(state: Delivery, answer: Mapping[str, object], further: int = 0) -> tuple[Envelope, bytes]:
     """The first piece of an answer, after which `further` ones come."""
     return state.envelope(envelopes.ACKNOWLEDGE, upto=1 + further), json.dumps(answer).encode()
 

@@ -1,0 +1,69 @@
+"""Replies: the members of what a running team answers to its operator, with their types."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TypedDict, cast
+
+
+class AgentStatus(TypedDict):
+    """What `status` says of an agent."""
+
+    name: str
+    role: str
+    system: str
+    model: str
+    over: bool
+    failure: str | None
+    steps: int
+    configuration: list[str]
+    activities: list[str]
+
+
+class ClockDifference(TypedDict):
+    """How much another machine's clock differs, and how wrong that may be, in ns; None if it is not known."""
+
+    difference: int | None
+    uncertainty: int | None
+
+
+class HeldSwap(TypedDict):
+    """A swap that is under way."""
+
+    id: int
+    state: str
+
+
+class Reply(TypedDict, total=False):
+    """A reply. Which members it has depends on the request, as `control` says; a refusal has `reasons`."""
+
+    version: int
+    ok: bool
+    reasons: list[str]
+    # status
+    system: str
+    model: str
+    activity_folder: str | None
+    plans: list[str]
+    time: int
+    agents: list[AgentStatus]
+    elsewhere: list[str]
+    clocks: dict[str, ClockDifference]
+    swap: HeldSwap | None
+    # select
+    agent: str
+    plan: str
+    # swap
+    state: str
+    id: int
+    notes: list[str]
+    # over the network
+    life: str
+    nonce: str
+    answer: str
+    proof: str
+
+
+def as_reply(found: Mapping[str, object]) -> Reply:
+    """An answer with the types that `control` gives its members, which are not checked."""
+    return cast(Reply, found)
