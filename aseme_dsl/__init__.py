@@ -12,6 +12,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from aseme_dsl.display import Displays, shown_by
+
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from os import PathLike
@@ -72,3 +74,13 @@ def __getattr__(name: str) -> Any:
 
         return System
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def _displays() -> Displays:
+    """What a notebook shows is made with Graphviz: a robot does without it."""
+    from aseme_dsl.documents.notebook import DISPLAYS
+
+    return DISPLAYS
+
+
+shown_by(_displays)

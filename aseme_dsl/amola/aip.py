@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from aseme_dsl.amola.expression import Literal, value_text
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.messages import AGENT, Parameter, Type
+from aseme_dsl.display import Displayed
 from aseme_dsl.source import Span
 
 
@@ -89,7 +90,7 @@ class Clause:
 
 
 @dataclass(frozen=True, slots=True)
-class Aip:
+class Aip(Displayed):
     name: str
     participants: tuple[Participant, ...]
     outcomes: tuple[str, ...]

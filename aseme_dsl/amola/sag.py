@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from aseme_dsl.display import Displayed
 from aseme_dsl.source import Span
 
 
@@ -25,6 +26,6 @@ class Actor:
 
 
 @dataclass(frozen=True, slots=True)
-class Sag:
+class Sag(Displayed):
     actors: tuple[Actor, ...] = ()
     goals: tuple[Goal, ...] = ()

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from aseme_dsl.amola.aip import DeclaredVariable, NamedFormula
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.messages import Channel, Parameter
+from aseme_dsl.display import Displayed
 from aseme_dsl.source import Span
 
 
@@ -106,7 +107,7 @@ class Capability:
 
 
 @dataclass(frozen=True, slots=True)
-class Srm:
+class Srm(Displayed):
     """A role. `formulas[0]` is the root; `activities` are the names of those the formulas use, in order."""
 
     name: str

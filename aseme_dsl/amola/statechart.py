@@ -18,6 +18,7 @@ from aseme_dsl.amola.expression import (
 )
 from aseme_dsl.amola.messages import Channel, Type
 from aseme_dsl.amola.srm import Module
+from aseme_dsl.display import Displayed
 from aseme_dsl.source import Span
 
 
@@ -157,7 +158,7 @@ def label_key(label: str) -> tuple[int, ...]:
 
 
 @dataclass(frozen=True)
-class Statechart:
+class Statechart(Displayed):
     """States in document order (each after its parent), transitions in the template's order.
 
     `kind` is "EAC" or "IAC". Questions about the chart are its methods.

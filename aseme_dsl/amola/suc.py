@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from aseme_dsl.display import Displayed
 from aseme_dsl.source import Span
 
 
@@ -36,7 +37,7 @@ class UseCase:
 
 
 @dataclass(frozen=True, slots=True)
-class Suc:
+class Suc(Displayed):
     roles: tuple[Role, ...] = ()
     usecases: tuple[UseCase, ...] = ()
 

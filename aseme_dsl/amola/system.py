@@ -12,6 +12,7 @@ from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
+from aseme_dsl.display import Displayed
 from aseme_dsl.source import Source, Span
 
 
@@ -42,7 +43,7 @@ def agent_names(teams: Iterable[Team], roles: Iterable[str]) -> frozenset[str]:
 
 
 @dataclass(frozen=True, slots=True)
-class System:
+class System(Displayed):
     """All models of one system. Sequences are in document order; names are unique within each."""
 
     name: str

@@ -139,11 +139,11 @@ def command(
     from aseme_dsl.cli.playing import is_function
     from aseme_dsl.diagnostics import Severity
     from aseme_dsl.project.building.build import activities_folder, choose
-    from aseme_dsl.project.playing.play import PLAY_NS
     from aseme_dsl.project.settings.configuration import OUTPUT
     from aseme_dsl.project.studying.optimise import Question, optimise
     from aseme_dsl.project.studying.study import TIME, Plan, StudyError
     from aseme_dsl.project.studying.variation import VariationError
+    from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 
     if duration == 0:
         raise click.BadParameter("the time limit must be greater than zero.", param_hint="'--for'")
@@ -166,7 +166,7 @@ def command(
     configuration = compiled.configuration
     home = configuration.output or Path(OUTPUT)
     choice = choose(configuration, activities=activities)
-    length = duration or (configuration.run.duration if configuration.run else None) or PLAY_NS
+    length = duration or (configuration.run.duration if configuration.run else None) or USUAL_LENGTH
     plan = Plan(measure, length, world, activities_folder(home, choice), configuration, network)
     question = Question(
         knobs,

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import Any, assert_never
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.sag import Sag
@@ -48,6 +48,7 @@ __all__ = [
     "NoSuchState",
     "Options",
     "draw",
+    "draw_model",
     "draw_one",
     "draw_statechart",
     "drawings",
@@ -72,6 +73,24 @@ def drawings(system: System, options: Options = DEFAULT) -> list[Drawing]:
             raise NoSuchState(f"no statechart of {system.name} has a state {options.at}")
         return [drawing for chart in charts for drawing in draw_statechart(chart, options)]
     return [drawing for make, inputs in makers(system, options) for drawing in make(*inputs)]
+
+
+def draw_model(model: Sag | Suc | Aip | Srm | Statechart) -> Drawing:
+    """The drawing of a model alone: a statechart nested, a role without what its activities say elsewhere."""
+    match model:
+        case Sag():
+            (drawing,) = _goals(model)
+        case Suc():
+            (drawing,) = _use_cases(model)
+        case Aip():
+            (drawing,) = _protocol(model)
+        case Srm():
+            (drawing,) = _role(model, (None,) * len(model.activities))
+        case Statechart():
+            (drawing,) = draw_statechart(model, Options(layout=Layout.NESTED))
+        case _:
+            assert_never(model)
+    return drawing
 
 
 Maker = tuple[Callable[..., list[Drawing]], tuple[Any, ...]]

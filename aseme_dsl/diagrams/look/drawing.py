@@ -8,6 +8,7 @@ from enum import StrEnum
 
 from aseme_dsl.diagrams.look import dot
 from aseme_dsl.diagrams.look.dot import Sheet, Shown
+from aseme_dsl.display import Displayed
 
 
 class Expressions(StrEnum):
@@ -52,7 +53,7 @@ DEFAULT = Options()
 
 
 @dataclass(frozen=True, slots=True)
-class Drawing:
+class Drawing(Displayed):
     """A drawing: its name as files will be called (`iac.player`), its DOT text, and what it must show.
 
     `pieces` makes the same drawing in smaller ones, the first of them an index, for when Graphviz cannot

@@ -16,6 +16,7 @@ from aseme_dsl.diagnostics import Diagnostic, Problem, closest
 from aseme_dsl.diagnostics.problems import running as problems
 from aseme_dsl.diagnostics.problems.running import NotPlayed
 from aseme_dsl.project.settings.configuration import Configuration, RunConfiguration
+from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:
@@ -37,8 +38,6 @@ if TYPE_CHECKING:
 
 LOOK_NS = 100_000_000
 """How often the project is asked what there is to tell, in the run's own time."""
-PLAY_NS = 60_000_000_000
-"""How long is played in virtual time if nothing else is said."""
 
 
 class PlayError(Exception):
@@ -528,7 +527,7 @@ def _duration(request: Request, configuration: Configuration, world: object) -> 
     if configuration.run is not None and configuration.run.duration is not None:
         return configuration.run.duration
     # On a robot the end is Ctrl-C; virtual time would go on for ever.
-    return None if request.real and world is None else PLAY_NS
+    return None if request.real and world is None else USUAL_LENGTH
 
 
 def _state(request: Request, project: RunConfiguration | None) -> Path | None:

@@ -12,6 +12,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
+from aseme_dsl.display import Displayed
 from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.agent.state_transfer import knowledge_of, variables_of
@@ -39,7 +40,7 @@ from aseme_dsl.runtime.team.network import words_of
 from aseme_dsl.runtime.team.radio import Radio
 from aseme_dsl.runtime.team.swap import WITHIN, Swap, Version, activity_errors, plan_record, version_of
 from aseme_dsl.runtime.team.timed_inputs import TimedInput
-from aseme_dsl.runtime.time.clock import shown
+from aseme_dsl.runtime.time.clock import USUAL_LENGTH, shown
 from aseme_dsl.runtime.trace.fault_counts import FaultCount
 from aseme_dsl.runtime.trace.trace import Listener, Trace
 from aseme_dsl.runtime.trace.trace_files import TraceError
@@ -70,7 +71,7 @@ class AgentResult:
 
 
 @dataclass(frozen=True, slots=True)
-class RunResult:
+class RunResult(Displayed):
     """How a run ended.
 
     `reason` is "finished" (all agents have ended), "time" (the duration is over), "idle" (nothing would ever
@@ -687,11 +688,15 @@ def run(
 ) -> RunResult:
     """Run a system's team or, with `plan`, one agent (of that name, or called `agent`) with that plan.
 
-    The options are those of `Setup`.
+    The options are those of `Setup`. In virtual time and in a world, a run without `until_ns` and `stop` ends
+    after one minute (`USUAL_LENGTH`), as one of `asemec run` does; with `until_ns=None` it has no limit.
 
     Raises:
         TeamError: the system has no team or no such plan, and what `Team` raises.
     """
+    goes_on = options.get("clock") == "real" and options.get("world") is None
+    if not goes_on and options.get("stop") is None:
+        options.setdefault("until_ns", USUAL_LENGTH)
     return make_team(loaded, activities, plan=plan, agent=agent, **options).run()
 
 

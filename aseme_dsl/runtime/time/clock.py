@@ -7,6 +7,8 @@ from typing import Protocol
 
 SECOND = 1_000_000_000
 MILLISECOND = 1_000_000
+USUAL_LENGTH = 60 * SECOND
+"""How long a run in virtual time is if nothing says when it ends."""
 
 
 class Clock(Protocol):
