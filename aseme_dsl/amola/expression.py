@@ -91,7 +91,16 @@ class Sender:
 
 LOSS = Type(Kind.OUTCOME, "lost participant")
 """The type of the reasons for a loss."""
-LOSS_REASONS = ("left", "failed", "crashed", "timed_out", "replaced", "incompatible", "completed")
+LOSS_REASONS = (
+    "left",
+    "failed",
+    "crashed",
+    "timed_out",
+    "replaced",
+    "incompatible",
+    "exhausted",
+    "completed",
+)
 """Why an agent's part in a conversation is over: only the last of them has reached its END."""
 
 

@@ -60,6 +60,7 @@ class RunConfiguration:
     processes: int | None = None
     process_memory: int | None = None
     queue: int | None = None
+    conversation_limit: int | None = None
     switch_interval: int | None = None
     priority: int | None = None
 
@@ -246,6 +247,7 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
                 "processes": _count,
                 "process_memory": _memory,
                 "queue": _count,
+                "conversation_limit": _count,
                 "switch_interval": _duration,
                 "priority": _count,
             },

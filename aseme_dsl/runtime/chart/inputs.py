@@ -22,7 +22,9 @@ Identity = tuple[str, int]
 LOST = "lost"
 """The performative of what tells that an agent's part in a conversation is over; the content says why."""
 
-Reason = Literal["left", "failed", "crashed", "timed_out", "replaced", "incompatible", "completed"]
+Reason = Literal[
+    "left", "failed", "crashed", "timed_out", "replaced", "incompatible", "exhausted", "completed"
+]
 """Why an agent's part in a conversation is over: only what has `completed` has reached its END."""
 REASONS: tuple[Reason, ...] = get_args(Reason)
 

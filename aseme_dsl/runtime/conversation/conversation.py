@@ -34,7 +34,7 @@ from aseme_dsl.runtime.conversation.exchange.sending import Sending
 from aseme_dsl.runtime.conversation.free_messages import Mailbox
 from aseme_dsl.runtime.conversation.losses import reason_of
 from aseme_dsl.runtime.conversation.management import Management
-from aseme_dsl.runtime.conversation.participation import Desk
+from aseme_dsl.runtime.conversation.participation import MESSAGES, Desk
 from aseme_dsl.runtime.message.acl import AclMessage, AgentIdentifier, FipaMessage
 from aseme_dsl.runtime.message.convert import Messages
 from aseme_dsl.runtime.message.free import ACLMessage
@@ -54,15 +54,16 @@ class Conversations:
         transport: Transport = LOCAL,
         queue: int = QUEUE,
         system: str = "",
+        limit: int = MESSAGES,
     ) -> None:
-        """So many messages, `queue`, may wait for a participant to take them."""
+        """So many messages, `queue`, may wait for a participant to take them; each has `limit` at most."""
         self.directory = Directory(driver, trace)
         self.links: Links | None = None
         """The simulated links between the agents, if they are not perfect."""
         self._driver = driver
         self._lock = threading.RLock()
         self._told = told = ConversationTrace(driver, trace)
-        self._members = members = Members(self.directory)
+        self._members = members = Members(self.directory, limit)
         self._lives: dict[str, int | None] = {}
         """Which incarnation each agent elsewhere was when it was there last."""
         counting = Counting(told, self.directory.is_gone)
@@ -171,7 +172,9 @@ class Conversations:
             for part, names in members.items():
                 known = conversation.members.setdefault(part, [])
                 known.extend(name for name in names if name not in known)
-            if acl.performative == LOST:
+            if acl.performative == LOST and reason_of(acl) == "exhausted":
+                self._delivery.exhaust(acl.conversation, conversation)
+            elif acl.performative == LOST:
                 key = acl.sender, acl.participant
                 if key in conversation.absent:  # its loss was told, and has been one
                     conversation.absent.discard(key)
@@ -181,6 +184,7 @@ class Conversations:
                         conversation, acl.conversation, acl.sender, acl.participant, reason_of(acl)
                     )
             else:
+                self._delivery.spend(agent, acl.conversation)
                 self._delivery.deliver(agent, acl)
             if acl.conversation in self._members.conversations:
                 self._delivery.close(acl.conversation)

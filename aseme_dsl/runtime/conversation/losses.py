@@ -71,6 +71,20 @@ class Losses:
                 owed.append((loss, {key: tuple(names) for key, names in conversation.members.items()}))
                 del owed[:-REMEMBERED]
 
+    def exhausted(self, name: str, conversation: Conversation) -> None:
+        """A conversation has had all the messages that it may have: the part of everybody is over."""
+        for (who, _), place in list(conversation.places.items()):
+            for other, theirs in _others(conversation, who):
+                if theirs not in place.info.loses:
+                    self._told.takes_part("gone", who, place, name, peer=other, reason="exhausted")
+        for (who, part), place in list(conversation.places.items()):
+            if (who, part) not in conversation.past:
+                self.ended(self._agents[who], place, name, conversation, "exhausted")
+        for part, agents in list(conversation.members.items()):
+            for who in agents:
+                if (who, part) not in conversation.past:
+                    self.over(conversation, name, who, part, "exhausted")
+
     def returned(self, name: str, *, same: bool) -> None:
         """An agent elsewhere can be reached again; the same incarnation is told what it has missed."""
         for loss, members in self._owed.pop(name, ()):

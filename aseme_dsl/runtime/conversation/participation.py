@@ -10,6 +10,9 @@ from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation.invitations import Invitations, Part
 from aseme_dsl.runtime.message.acl import AgentIdentifier
 
+MESSAGES = 1_000_000
+"""So many messages a conversation has at the most, unless the project says otherwise."""
+
 K = TypeVar("K")
 V = TypeVar("V")
 
@@ -83,8 +86,15 @@ class Conversation:
     """Who is to get what is said to an agent that is not of the team."""
     said_outside: dict[str, SaidOutside] = field(default_factory=dict)
     """What was said to such agents, by what an answer calls it, the newest last."""
+    left: int = MESSAGES
+    """How many more messages it may have, of those that are sent or come here; below 0 it is over."""
     forgotten: bool = False
     """Whether more was said to them than is remembered."""
+
+    @property
+    def is_exhausted(self) -> bool:
+        """Whether it has had all the messages that it may have, and is over for everybody."""
+        return self.left < 0
 
     def note(self, name: str, performative: str, message: str, receiver: str) -> None:
         """Remember that an agent that is not of the team was sent a message."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from aseme_dsl.runtime.chart.board import QUEUE
+from aseme_dsl.runtime.conversation.participation import MESSAGES
 from aseme_dsl.runtime.time.clock import MILLISECOND, SECOND
 
 
@@ -24,6 +25,8 @@ class RealTime:
     queue: int = QUEUE
     """How many signals of a queued channel may wait in a region, how many for an agent's next step, and how
     many agent messages for a participant. What comes then is left out, and told; also in virtual time."""
+    conversation_limit: int = MESSAGES
+    """How many messages one conversation may have; then it is over for everybody. Also in virtual time."""
     switch_interval: int = MILLISECOND // 10
     """How long a thread that computes may keep the interpreter from another one that wants it. While the run
     goes on, that holds for the whole process; it is put back with the end of the last run."""

@@ -199,9 +199,12 @@ class Team:
         self.driver = self._driver(setup)
         self.trace.now = self.driver.clock.now
         self.transport = setup.transport
-        self._queue = queue = (setup.real_time or RealTime()).queue
+        limits = setup.real_time or RealTime()
+        self._queue = queue = limits.queue
         self.bus = Bus(self.driver, self.trace, setup.state_directory, setup.transport, queue)
-        self.conversations = Conversations(self.driver, self.trace, setup.transport, queue, self.system)
+        self.conversations = Conversations(
+            self.driver, self.trace, setup.transport, queue, self.system, limits.conversation_limit
+        )
         self.elsewhere: dict[str, Plan] = {name: chart.PLAN for name, chart in members if name not in mine}
         """The plans of the agents that run in other processes."""
         self.agents: tuple[Agent, ...] = tuple(

@@ -99,6 +99,9 @@ class Delivery:
             return
         conversation = self._members.conversations.get(acl.conversation)
         place = conversation.places.get((agent.name, acl.to)) if conversation is not None else None
+        if conversation is not None and conversation.is_exhausted:
+            self.unexpected(agent, acl, self._limit_text())
+            return
         if place is not None:
             if not receives(place.info, acl):
                 self.unexpected(agent, acl, f"{acl.to} does not receive it")
@@ -152,6 +155,31 @@ class Delivery:
         invitations.add(part, acl)
         conversation.invitations += 1
 
+    def spend(self, agent: Receiver, name: str) -> str:
+        """Count a message of a conversation; why it may not have it, empty if it may.
+
+        With the first that it may not have, the conversation is over for everybody.
+        """
+        conversation = self._members.conversations.get(name)
+        if conversation is None:
+            return ""
+        if conversation.left == 0:
+            self._told.fault(agent.name, f"conversation {name} is over: {self._limit_text()}")
+            self.exhaust(name, conversation)
+        elif conversation.left > 0:
+            conversation.left -= 1
+            return ""
+        return self._limit_text()
+
+    def exhaust(self, name: str, conversation: Conversation) -> None:
+        """A conversation has had all its messages: the part of everybody in it is over."""
+        if not conversation.is_exhausted:
+            conversation.left = -1
+            self.losses.exhausted(name, conversation)
+
+    def _limit_text(self) -> str:
+        return f"the conversation has had {self._members.limit} messages, its limit"
+
     def post(self, agent: Receiver, place: Participation, acl: AclMessage) -> None:
         """Let a message wait for its branch, and be an input of the agent."""
         mail = AgentMessage(
@@ -182,7 +210,7 @@ class Delivery:
         """Tell of a message that nobody expects, and answer it, but never an answer to that."""
         self._told.unexpected(agent.name, acl, reason)
         self._counting.unexpected(agent, self._members.conversations.get(acl.conversation), acl)
-        if acl.performative != NOT_UNDERSTOOD:
+        if acl.performative != NOT_UNDERSTOOD and not self.spend(agent, acl.conversation):
             self._answer(agent, acl, reason)
 
     def _answer(self, agent: Receiver, acl: AclMessage, reason: str) -> None:

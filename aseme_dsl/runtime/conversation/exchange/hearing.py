@@ -104,6 +104,7 @@ class Hearing:
         )
         self._told.received(agent.name, acl)
         conversation = self._members.known(name, info.protocol)
+        self._delivery.spend(agent, name)
         members = conversation.members.setdefault(found.participant, [])
         _, most = info.size_of(found.participant)
         if message.sender is not None:
@@ -249,6 +250,8 @@ class Hearing:
             and performative_of(message.performative) != NOT_UNDERSTOOD
         ):
             agent = self._members.agents.get(to)
+            if agent is not None and self._delivery.spend(agent, message.conversation):
+                return
             own = agent.identity() if agent is not None else (to, next(self._numbers))
             answer = external_agents.answer(message, to, NOT_UNDERSTOOD, reason, name_of(own))
             self._told.answered_outside(answer, own, identity)

@@ -9,7 +9,7 @@ from aseme_dsl.runtime.chart.inputs import Reason
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.conversation.directory import Directory
 from aseme_dsl.runtime.conversation.invitations import Part
-from aseme_dsl.runtime.conversation.participation import Conversation, Desk, Participation
+from aseme_dsl.runtime.conversation.participation import MESSAGES, Conversation, Desk, Participation
 from aseme_dsl.runtime.ports import Receiver
 
 
@@ -18,6 +18,8 @@ class Members:
     """The agents and the conversations that are known in this process."""
 
     directory: Directory
+    limit: int = MESSAGES
+    """How many messages a conversation may have."""
     agents: dict[str, Receiver] = field(default_factory=dict)
     """Those of this process."""
     plans: dict[str, Plan] = field(default_factory=dict)
@@ -49,7 +51,7 @@ class Members:
         conversation = self.conversations.get(name)
         if conversation is None:
             past = self.over.pop(name, {})
-            conversation = self.conversations[name] = Conversation(protocol, past=past)
+            conversation = self.conversations[name] = Conversation(protocol, past=past, left=self.limit)
         return conversation
 
     def begin(self, protocol: str, agent: str, life: str) -> str:
@@ -61,7 +63,7 @@ class Members:
                 name not in self.conversations and name not in self.over
             ):  # so may an external agent call its own
                 break
-        self.conversations[name] = Conversation(protocol)
+        self.conversations[name] = Conversation(protocol, left=self.limit)
         return name
 
     def of(self, place: Participation | None) -> Conversation | None:

@@ -88,7 +88,7 @@ class Parts:
         )
         if reason is None:
             conversation.past[agent.name, place.info.participant] = "left"
-        else:
+        elif not conversation.is_exhausted:  # then all have been told
             self._delivery.losses.ended(agent, place, name, conversation, reason)
         self._delivery.close(name)
 

@@ -85,10 +85,9 @@ class Sending:
                 self._told.unsent(agent.name, performative, message, content, place.info, reason)
                 return ()
             is_round = place.info.knows(to)
-            self._send(
+            return self._send(
                 agent, place, performative, message, content, receivers, part, reply_by, is_round=is_round
             )
-            return receivers
         return ()
 
     def send_to_agent(
@@ -163,8 +162,12 @@ class Sending:
         reply_by: int | None = None,
         *,
         is_round: bool = False,
-    ) -> None:
+    ) -> tuple[str, ...]:
+        """The agents that it goes to: none if the conversation may have no more messages."""
         assert place.conversation is not None
+        if reason := self._delivery.spend(agent, place.conversation):
+            self._told.unsent(agent.name, performative, message, content, place.info, reason)
+            return ()
         identity = agent.identity()
         answered = place.answered
         first = answered.get(receivers[0]) if len(receivers) == 1 else None
@@ -197,6 +200,7 @@ class Sending:
             self._delivery.bring(
                 name, acl if answers == acl.in_reply_to else replace(acl, in_reply_to=answers)
             )
+        return receivers
 
     def _open(self, agent: Receiver, place: Participation) -> None:
         name = self._members.begin(place.info.protocol, agent.name, self._life)
