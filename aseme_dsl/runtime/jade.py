@@ -16,6 +16,7 @@ from aseme_dsl.runtime.agent.added_behaviours import (
     TickerBehaviour,
     WakerBehaviour,
 )
+from aseme_dsl.runtime.agent.data_store import DataStore
 from aseme_dsl.runtime.agent.fipa_callbacks import FailureException, RefuseException
 from aseme_dsl.runtime.conversation.directory import Service
 from aseme_dsl.runtime.message.free import ACLMessage, MessageTemplate, all_of, any_of, not_
@@ -27,6 +28,7 @@ __all__ = [
     "Behaviour",
     "CompositeBehaviour",
     "CyclicBehaviour",
+    "DataStore",
     "FSMBehaviour",
     "FailureException",
     "MessageTemplate",

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, NoReturn, Protocol
 
+from aseme_dsl.runtime.agent.data_store import HasDataStore
 from aseme_dsl.runtime.message.free import ACLMessage, MessageTemplate
 from aseme_dsl.runtime.time.clock import nanoseconds
 
@@ -38,7 +39,7 @@ class Scheduling(Protocol):
     def log(self, behaviour: Behaviour, text: str) -> None: ...
 
 
-class Behaviour:
+class Behaviour(HasDataStore):
     """One thing that an agent does. A subclass overrides `action` and `done`.
 
     Raises RuntimeError where a method needs an agent and it was not added to one.

@@ -23,6 +23,7 @@ from aseme_dsl.runtime.activity.returning import frames_of, reason_of
 from aseme_dsl.runtime.agent import added_behaviours as added
 from aseme_dsl.runtime.agent import fipa_callbacks
 from aseme_dsl.runtime.agent.behaviour_scheduler import ROOT, BehaviourScheduler
+from aseme_dsl.runtime.agent.data_store import HasDataStore
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.following import Following, Shape
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Happened, Identity, Outcome, Written
@@ -35,7 +36,7 @@ START, CHOICE, END = "START", "CHOICE", "END"
 """The points of a behaviour: where it begins, where it chooses, where it is done."""
 _POINTS = {START: "START", CHOICE: "CONDITION", END: "END"}
 
-_CALLED = ("handle_", "prepare_", "next_notification", "await_condition")
+_CALLED = ("handle_", "prepare_", "next_notification", "next_provider", "await_condition")
 """How the methods of a participant's behaviour begin that are called for a message or as an activity."""
 
 ALL = "all"
@@ -61,7 +62,7 @@ _Registered = tuple[
 """A source, a target (None where nothing is left), what is said of the way, and the times in it."""
 
 
-class Behaviour:
+class Behaviour(HasDataStore):
     """What is done while a state is active."""
 
     states: ClassVar[tuple[str, ...]] = ()
@@ -154,6 +155,10 @@ class Behaviour:
     def tells_responses(self) -> bool:
         """Whether `handle_all_responses` was not called in this conversation; from now on it was."""
         return self.agent._tells_responses(self)
+
+    def news(self) -> tuple[AgentMessage, ...]:
+        """What its participant has taken in this conversation since this was asked last."""
+        return self.agent._news(self)
 
     def _implied(self) -> Iterator[tuple[str, str]]:
         """The transitions that need no mention."""
@@ -360,6 +365,8 @@ class JadeLikeAgent:
         """What stands for a participant, by the labels of its states."""
         self._told: dict[str, str | None] = {}
         """The conversation of each branch in which all responses were told last."""
+        self._known: dict[str, tuple[str | None, frozenset[Identity]]] = {}
+        """For each branch, its conversation and what was heard in it when `news` was asked last."""
         self._at: dict[str, list[Behaviour]] = {}
         """What starts and ends with each state: its behaviour, and those that wait in it."""
         self._wakers: dict[int, list[WakerBehaviour]] = {}
@@ -559,6 +566,13 @@ class JadeLikeAgent:
         self._told[branch] = conversation
         return True
 
+    def _news(self, by: Behaviour) -> tuple[AgentMessage, ...]:
+        branch = self.plan.branch_of(by.states[-1]) or ""
+        conversation, heard = self._shell.conversations.place(self._shell, branch)[0], self._heard(by)
+        before, known = self._known.get(branch, (None, frozenset()))
+        self._known[branch] = conversation, frozenset(item.identity for item in heard)
+        return tuple(item for item in heard if before != conversation or item.identity not in known)
+
     def _variable(self, name: str, label: str) -> Any:
         return self._shell.chart.variable(self.plan.variable_of(name, label).name)
 
@@ -620,9 +634,9 @@ class JadeLikeAgent:
         if found is None or not any(hasattr(item, each.method) for each in table.values() if each.method):
             return None
         if found.method and not hasattr(item, found.method):
-            if found.does in ("content", "decide", "result", "condition"):
+            if found.does in fipa_callbacks.NEEDED:
                 return None
-            if found.does in ("clean", "award"):
+            if found.does in fipa_callbacks.OPTIONAL:
                 found = fipa_callbacks.Callback("nothing")
         return fipa_callbacks.activity_of(found, item)
 

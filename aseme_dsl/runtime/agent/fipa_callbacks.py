@@ -24,8 +24,14 @@ Does = Literal[
     "condition",
     "responses",
     "award",
+    "iterate",
     "results",
     "collect",
+    "lot",
+    "offers",
+    "payment",
+    "sale",
+    "choose",
     "wait",
     "clean",
     "nothing",
@@ -34,8 +40,12 @@ Does = Literal[
 
 `content` prepares it; `decide` agrees if there is any; `result` has succeeded with it; `condition` says
 whether it came to hold; `responses` and `results` only hear what has come; `award` may choose among it;
-`collect` waits as long as the behaviour says, `wait` until the protocol goes on; `clean` may say whether it
-could stop; `nothing` is done at once.
+`iterate` may want another round, with the message that begins it; `collect` waits as long as the behaviour
+says, `wait` until the protocol goes on; `clean` may say whether it could stop; `nothing` is done at once.
+
+In auctions `lot` says what is sold, and from which price; `offers` collects and then hears the offers of
+the round, `payment` those of a round that was interrupted, and `sale` whether it was paid. `choose` says
+which agent does it.
 """
 
 FOREVER = 3600.0
@@ -61,10 +71,12 @@ class Callback:
     variable: str = ""
     message: str = ""
     """The type that the method returns."""
+    answers: str = ""
+    """The performative of the message that the method is given; without one it is the last of all."""
 
 
-_CLEAN = Callback("clean", "handle_cancel", "stopped")
-_DROP = Callback("clean", "handle_cancel")
+_CLEAN = Callback("clean", "handle_cancel", "stopped", answers="cancel")
+_DROP = Callback("clean", "handle_cancel", answers="cancel")
 _WAIT = Callback("wait")
 _NOTHING = Callback("nothing")
 _RESULTS = Callback("results", "handle_all_result_notifications")
@@ -83,6 +95,31 @@ _PROVIDER = {
     "ReportResult": _NOTHING,
     "DropErrand": _DROP,
     "CloseErrand": _NOTHING,
+}
+_CLIENT = {
+    "PrepareErrand": Callback("content", "prepare_requests", message="Errand"),
+    "AwaitResult": _WAIT,
+    "LearnResult": _RESULTS,
+}
+_BROKER = {
+    "ConsiderErrand": Callback("decide", "handle_proxy", "willing", answers="proxy"),
+    "ChooseProvider": Callback("choose", "next_provider", "found", answers="proxy"),
+    "AwaitProvider": _WAIT,
+    "StopSearch": _DROP,
+    "CloseSearch": _NOTHING,
+}
+_AUCTIONEER = {
+    "OpenAuction": Callback("lot", "prepare_cfps", message="Lot"),
+    "CallPrice": _NOTHING,
+    "CollectOffers": Callback("offers", "handle_all_responses"),
+    "AwaitPayment": Callback("payment", "handle_all_responses"),
+    "CloseAuction": Callback("sale", "handle_all_result_notifications"),
+}
+_BIDDER = {
+    "ConsiderLot": _NOTHING,
+    "DecideOffer": Callback("decide", "handle_cfp", "interested", answers="cfp"),
+    "Pay": Callback("decide", "handle_request", "solvent", answers="request"),
+    "LeaveAuction": _NOTHING,
 }
 
 CALLBACKS: dict[tuple[str, str], dict[str, Callback]] = {
@@ -153,17 +190,46 @@ CALLBACKS: dict[tuple[str, str], dict[str, Callback]] = {
         "LearnOutcome": _RESULTS,
     },
     ("contract_net", "contractor"): _CONTRACTOR,
+    ("iterated_contract_net", "manager"): {
+        "AnnounceJob": Callback("content", "prepare_cfps", message="Job"),
+        "CollectProposals": Callback("collect"),
+        "DecideRound": Callback("iterate", "handle_all_responses", "again", "Job"),
+        "AwaitOutcome": _WAIT,
+        "LearnOutcome": _RESULTS,
+    },
     ("iterated_contract_net", "contractor"): _CONTRACTOR,
+    ("auction", "auctioneer"): _AUCTIONEER,
+    ("auction", "bidder"): _BIDDER,
+    ("dutch_auction", "auctioneer"): _AUCTIONEER,
+    ("dutch_auction", "bidder"): _BIDDER,
+    ("brokering", "client"): _CLIENT,
+    ("brokering", "broker"): _BROKER,
     ("brokering", "provider"): _PROVIDER,
+    ("recruiting", "client"): _CLIENT,
+    ("recruiting", "recruiter"): _BROKER,
     ("recruiting", "provider"): _PROVIDER,
 }
 """The activities of the library's participants that may be methods."""
 
-ANSWERED_ONCE = (("request", "initiator"), ("query", "initiator"), ("request_when", "initiator"))
+ANSWERED_ONCE = (
+    ("request", "initiator"),
+    ("query", "initiator"),
+    ("request_when", "initiator"),
+    ("subscribe", "initiator"),
+    ("brokering", "client"),
+    ("recruiting", "client"),
+)
 """Who has all responses with the first one: a single agent is asked."""
 
 RESPONSES = ("agree", "refuse", "not_understood", "propose", "accept_proposal", "reject_proposal")
 RESULTS = ("inform", "failure")
+OFFERS = ("propose",)
+PAYMENTS = ("confirm", "refuse", "not_understood")
+
+NEEDED: tuple[Does, ...] = ("content", "decide", "result", "condition", "lot", "choose")
+"""What is not done without the method."""
+OPTIONAL: tuple[Does, ...] = ("clean", "award", "iterate")
+"""What is done at once without the method."""
 
 
 class Participant(Protocol):
@@ -181,6 +247,10 @@ class Participant(Protocol):
 
     def tells_responses(self) -> bool:
         """Whether all responses of this conversation are to be told now, for the first time."""
+        ...
+
+    def news(self) -> Sequence[AgentMessage]:
+        """What it has taken in its conversation since this was asked last."""
         ...
 
 
@@ -218,7 +288,7 @@ def _run(callback: Callback, behaviour: Participant, context: Context) -> Genera
             context.prepare(_checked((yield from _value(method)), callback, behaviour, needed=True))
         case "decide":
             try:
-                made = yield from _value(method, _last(behaviour))
+                made = yield from _value(method, _last(behaviour, callback.answers))
             except RefuseException:
                 made = None
             if made and callback.message:
@@ -246,14 +316,36 @@ def _run(callback: Callback, behaviour: Participant, context: Context) -> Genera
                 yield from _nothing(method, _those(behaviour, RESULTS), callback, behaviour)
         case "collect":
             yield float(getattr(behaviour, "reply_within", REPLY_WITHIN))
+        case "iterate":
+            yield from _iterate(callback, behaviour, context)
+        case "lot":
+            lot = _checked((yield from _value(method)), callback, behaviour, needed=True)
+            context.set_variable("lot", lot.id)
+            context.set_variable("price", lot.price)
+        case "offers":
+            yield float(getattr(behaviour, "reply_within", REPLY_WITHIN))
+            if method is not None:
+                yield from _nothing(method, _offers(behaviour), callback, behaviour)
+        case "payment":
+            if method is not None and (offers := _offers(behaviour)):
+                yield from _nothing(method, offers, callback, behaviour)
+            yield from _for_ever()
+        case "sale":
+            if method is not None:
+                made = [item for item in _those(behaviour, PAYMENTS) if item.message == "Sale"]
+                yield from _nothing(method, made, callback, behaviour)
+        case "choose":
+            chosen = yield from _value(method, _last(behaviour, callback.answers))
+            if chosen is not None:
+                context.set_variable("chosen", chosen)
+            context.set_variable(callback.variable, chosen is not None)
         case "condition":
             holds = yield from _value(method)
             context.set_variable(callback.variable, not holds)
         case "wait":
-            while True:
-                yield FOREVER
+            yield from _for_ever()
         case "clean":
-            could = yield from _value(method, _last(behaviour))
+            could = yield from _value(method, _last(behaviour, callback.answers))
             if callback.variable and could is not None:
                 context.set_variable(callback.variable, bool(could))
         case "nothing":
@@ -262,10 +354,41 @@ def _run(callback: Callback, behaviour: Participant, context: Context) -> Genera
             assert_never(callback.does)
 
 
+def _for_ever() -> Generator[Any, None, None]:
+    while True:
+        yield FOREVER
+
+
 def _tell_responses(behaviour: Participant, callback: Callback) -> Generator[Any, None, None]:
     method = getattr(behaviour, "handle_all_responses", None)
     if method is not None and behaviour.tells_responses():
         yield from _nothing(method, _those(behaviour, RESPONSES), callback, behaviour)
+
+
+def _offers(behaviour: Participant) -> list[AgentMessage]:
+    return [item for item in behaviour.news() if item.performative in OFFERS]
+
+
+def _iterate(callback: Callback, behaviour: Participant, context: Context) -> Generator[Any, None, None]:
+    """Begin another round with a message, accept somebody or nobody, or leave that to the protocol."""
+    responses = [item for item in behaviour.news() if item.performative in RESPONSES]
+    behaviour.tells_responses()
+    made = yield from _value(getattr(behaviour, callback.method), responses)
+    if made is None:
+        return
+    if is_dataclass(made):
+        context.prepare(_checked(made, callback, behaviour, needed=True))
+        context.set_variable(callback.variable, True)
+        return
+    chosen = _chosen(made, responses, behaviour)
+    if len(chosen) > 1:
+        raise TypeError(
+            f"handle_all_responses of {behaviour.name} returned {made!r}: one agent has the contract"
+        )
+    if chosen:
+        context.set_variable("best", chosen[0])
+    else:
+        context.set_variable("proposals", 0)
 
 
 def _awarded(method: Any, behaviour: Participant) -> Generator[Any, None, list[str] | None]:
@@ -274,8 +397,11 @@ def _awarded(method: Any, behaviour: Participant) -> Generator[Any, None, list[s
         return None
     responses = _those(behaviour, RESPONSES)
     made = yield from _value(method, responses)
-    if made is None:
-        return None
+    return None if made is None else _chosen(made, responses, behaviour)
+
+
+def _chosen(made: Any, responses: Sequence[AgentMessage], behaviour: Participant) -> list[str]:
+    """The agents that a method has returned. Raises TypeError for one that has not proposed."""
     proposed = {item.sender for item in responses if item.performative == "propose"}
     chosen = list(dict.fromkeys(made)) if isinstance(made, (list, tuple, set)) else [made]
     wrong = next((name for name in chosen if name not in proposed), None)
@@ -343,9 +469,13 @@ def _argument(failure: FailureException) -> Any:
     return found if is_dataclass(found) else None
 
 
-def _last(behaviour: Participant) -> AgentMessage | None:
-    """The message that it has taken last; one that says that an agent is lost does not count."""
-    return next((item for item in reversed(behaviour.heard()) if item.performative != LOST), None)
+def _last(behaviour: Participant, performative: str = "") -> AgentMessage | None:
+    """The message that it has taken last, of a performative if that is given.
+
+    One that says that an agent is lost does not count.
+    """
+    wanted = (item for item in reversed(behaviour.heard()) if performative in ("", item.performative))
+    return next((item for item in wanted if item.performative != LOST), None)
 
 
 def _those(behaviour: Participant, performatives: Iterable[str]) -> list[AgentMessage]:
@@ -355,6 +485,8 @@ def _those(behaviour: Participant, performatives: Iterable[str]) -> list[AgentMe
 __all__ = [
     "ANSWERED_ONCE",
     "CALLBACKS",
+    "NEEDED",
+    "OPTIONAL",
     "RESPONSES",
     "RESULTS",
     "Callback",
