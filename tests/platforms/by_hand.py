@@ -24,6 +24,8 @@ CONTRACT = {"job": "1", "contractor": "bob"}
 LOT, OFFER = {"id": "fish", "price": 10.0}, {"lot": "fish", "price": 10.0}
 SALE = {"lot": "fish", "winner": "me", "price": 10.0}
 ERRAND = {"id": "1", "what": "soup", "wanted": "cook"}
+MATCH = {"errand": "1", "provider": "cid"}
+"""Our provider by the name that it has in the directory."""
 
 
 @dataclass(frozen=True)
@@ -119,15 +121,14 @@ ROLES: dict[str, Role] = {
         ("inform", 1): [Does("inform", DONE, "client", last=True)],
     },
     "brokering.provider": {("request", 1): [Does("agree", ERRAND), Does("inform", DONE, last=True)]},
-    "recruiting.client": {("", 1): [Does("proxy", ERRAND, "recruiter")], ("inform", 1): [end()]},
+    "recruiting.client": {("", 1): [Does("proxy", ERRAND, "recruiter")], ("inform", 2): [end()]},
     "recruiting.recruiter": {
         ("proxy", 1): [Does("agree", ERRAND), Does("request", ERRAND, "provider")],
-        ("agree", 1): [end()],
+        ("agree", 1): [Does("inform", MATCH, "client", last=True)],
     },
     "recruiting.provider": {
         ("request", 1): [
             Does("agree", ERRAND),
-            Does("agree", ERRAND, "client"),
             Does("inform", DONE, "client", last=True),
         ]
     },

@@ -11,7 +11,7 @@ from aseme_dsl.amola.aip import Aip
 from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage, fipa_name
 from aseme_dsl.runtime.team.team import Team
 from tests.runtime.playing import MS, SECOND, Played, check_line, make
-from tests.stdlib.library import Act, Protocol, generated, kind_of
+from tests.stdlib.library import Act, Protocol, disagreement, generated, kind_of
 
 MALLORY = "mallory"
 LIMIT = 2 * 3600 * SECOND
@@ -74,17 +74,29 @@ class Mallory:
         for name in self.to:
             self.say(name, performative, message, self.part, self.conversation)
 
-    def say(self, to: str, performative: str, message: str, part: str, conversation: str) -> None:
+    def say(
+        self,
+        to: str,
+        performative: str,
+        message: str,
+        part: str,
+        conversation: str,
+        *,
+        sender: str = MALLORY,
+        answers: str = "",
+    ) -> None:
+        """Say something at once, as this participant, perhaps under another name or to another question."""
         parameters = (("X-message", message), ("X-participant", part))
         self.team.conversations.receive_external(
             to,
             FipaMessage(
                 fipa_name(performative),
-                AgentIdentifier(MALLORY),
+                AgentIdentifier(sender),
                 (AgentIdentifier(to),),
                 "{}",
                 protocol=self.protocol,
                 conversation=conversation,
+                in_reply_to=answers,
                 parameters=parameters,
             ),
         )
@@ -155,12 +167,12 @@ def ended(records: Iterable[Mapping[str, Any]]) -> dict[str, str]:
 
 
 def left_waiting(run: Played) -> list[str]:
-    """The agents that took part and still do at the end of the run."""
+    """The agents that took part and still do at the end of the run, which ends all parts."""
     inside: dict[str, int] = {}
     for record in run.of("conversation"):
         if record["what"] in ("open", "join"):
             inside[record["agent"]] = inside.get(record["agent"], 0) + 1
-        elif record["what"] == "leave":
+        elif record["what"] == "leave" and record["time"] < LIMIT:
             inside[record["agent"]] -= 1
     return [agent for agent, count in inside.items() if count > 0]
 
@@ -189,3 +201,30 @@ def sent(run: Played) -> list[tuple[int, str, str, Kind]]:
         for record in run.of("agent_message")
         for to in record["to"]
     ]
+
+
+ENDINGS = tuple(
+    "NONE DONE REFUSED FAILED NOT_UNDERSTOOD TIMED_OUT CANCELLED LOST NOBODY LATE UNCONFIRMED UNKNOWN".split()
+)
+
+
+def wrongs(item: Protocol, run: Played, hostile: str) -> list[str]:
+    """What a run may not show of the other agents, whatever a hostile one has done.
+
+    Each part ends, without an error, with an ending of the protocol. They agree, for some ending of the
+    hostile one; but what a broker that lies has said to the client and to the provider only it knows.
+    """
+    said = {agent: ending for agent, ending in endings(run).items() if agent != hostile}
+    took_part = {record["agent"] for record in run.of("conversation") if record["what"] in ("open", "join")}
+    found = [f"{agent} still takes part" for agent in left_waiting(run) if agent != hostile]
+    found += [
+        f"{record['agent']} fails: {record}" for record in run.of("error") if record["agent"] != hostile
+    ]
+    found += [
+        f"{agent} ends with {said.get(agent, 'nothing')}"
+        for agent in item.parts
+        if agent in took_part - {hostile} and said.get(agent, "NONE") not in ENDINGS[1:]
+    ]
+    apart = [disagreement(item, {**said, hostile: ending}) for ending in ENDINGS]
+    may_lie = item.parts[hostile] == "broker" and hostile not in {agent.name for agent in run.result.agents}
+    return found + ([] if "" in apart or may_lie else [apart[0]])

@@ -42,8 +42,6 @@ def varied(item: Protocol, seed: int) -> dict[str, Act]:
             takes = random.choice((0.0, 0.1, 1.0, 8.0))
         elif name == "WatchSource":  # again and again
             takes = random.choice((2.0, 12.0))
-        elif name == "ReadNews":  # news cut it short
-            takes = 0.0
         found[name] = Act(takes, sets, what.says)
     return found
 

@@ -366,3 +366,13 @@ def test_a_library_is_known_wherever_one_stands(monkeypatch: pytest.MonkeyPatch,
     assert analyse(Source("team.aseme", text)).diagnostics == ()
     monkeypatch.undo()
     assert analyse(Source("team.aseme", text)).diagnostics == ()
+
+
+def test_news_that_come_while_one_is_read_wait_for_it() -> None:
+    """Each is read to its end, also where they come quicker than they are read."""
+    reads, watches = act(5, withdrawn=[False, False, False, True]), protocol("subscribe").acts["WatchSource"]
+    end = End("subscribe", "", "CANCELLED", {"ReadNews": reads, "WatchSource": Act(1, {}, watches.says)})
+    run = played(end)
+    read = run.of("activity", activity="ReadNews")
+    assert [record["what"] for record in read] == ["start", "end"] * 4
+    assert endings(run) == {"ann": "CANCELLED", "bob": "CANCELLED"}

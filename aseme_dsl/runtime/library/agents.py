@@ -44,6 +44,11 @@ def first_of(agents: str) -> str | None:
     return found[0][1] if found else None
 
 
+def agent_called(name: str) -> str | None:
+    """The agent with a name; None without one."""
+    return name or None
+
+
 def number_of(agents: str, who: str) -> float:
     """The number of an agent, or 0."""
     return next((number for number, name in _read(agents) if name == who), 0.0)

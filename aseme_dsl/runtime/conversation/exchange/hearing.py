@@ -240,7 +240,8 @@ class Hearing:
         conversation = self._members.conversations.get(
             message.conversation or self._outside.asked(message.in_reply_to)
         )
-        if answered and conversation is not None and to in self._members.agents:
+        forged = identity[0] in self._members.plans  # whose name it bears has not answered
+        if answered and conversation is not None and to in self._members.agents and not forged:
             self._counting.meaningless(
                 self._members.agents[to], conversation, identity[0], message.in_reply_to
             )

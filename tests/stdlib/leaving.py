@@ -1,0 +1,111 @@
+"""Agents of the team that leave a protocol of the library before its end, in every way that there is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from typing import Any
+
+from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.team.faults import Crash, Faults
+from tests.runtime.playing import MS, SECOND, Played, make
+from tests.stdlib.hostile import LIMIT, finish
+from tests.stdlib.library import Act, Protocol, kind_of
+from tests.support.generated import Generated, generate
+
+ROLES = """
+srm abandoning_{part} {{
+  plays {name}.{part}
+  var stop : bool = false
+  liveness {{ abandoning_{part} = work || Clock  work = {part} [> Halt }}
+  control work {{ enter Halt : when [stop] }}
+}}
+srm leaving_{part} {{
+  plays {name}.{part}
+  var stop : bool = false
+  liveness {{ leaving_{part} = work || Clock  work = {part} . Halt }}
+  control work {{ enter Halt : when [stop] }}
+}}
+srm erring_{part} {{
+  plays {name}.{part}
+  liveness {{ erring_{part} = {part} . Halt }}
+  control erring_{part} {{ enter Halt : error }}
+}}
+"""
+"""Roles that leave their part: cut short from outside, by the way to what follows, and by an error."""
+
+Way = Callable[[Protocol, str, float], Played]
+"""A run in which an agent leaves after so many seconds."""
+
+
+@cache
+def with_roles(name: str, text: str) -> Generated:
+    """The package of a protocol's text, with the roles that leave."""
+    return generate(text)
+
+
+def of(item: Protocol) -> Generated:
+    roles = (ROLES.format(name=item.name, part=part) for part in dict.fromkeys(item.parts.values()))
+    return with_roles(item.name, item.text() + "".join(roles))
+
+
+def clock(seconds: float) -> type[Any]:
+    class Clock:
+        def execute(self, context: Context) -> None:
+            context.wait(seconds)
+            context.set_variable("stop", True)
+
+    return Clock
+
+
+def _run(
+    item: Protocol, agent: str, role: str, acts: Mapping[str, Act], seconds: float, **options: Any
+) -> Played:
+    made = of(item)
+    begins = item.acts[item.first]
+    acts = {**item.acts, item.first: Act(0.05, begins.sets, begins.says, begins.breaks), **acts}
+    classes = {name: kind_of(made, name, what) for name, what in acts.items()}
+    agents = [(name, role if name == agent else f"{part}_role") for name, part in item.parts.items()]
+    return finish(*make(made, {**classes, "Clock": clock(seconds)}, agents=agents, until=LIMIT, **options))
+
+
+def abandons(item: Protocol, agent: str, seconds: float) -> Played:
+    return _run(item, agent, f"abandoning_{item.parts[agent]}", {}, seconds)
+
+
+def leaves(item: Protocol, agent: str, seconds: float) -> Played:
+    return _run(item, agent, f"leaving_{item.parts[agent]}", {}, seconds)
+
+
+def crashes(item: Protocol, agent: str, seconds: float) -> Played:
+    """It is gone for good."""
+    return _crashing(item, agent, seconds, LIMIT)
+
+
+def returns(item: Protocol, agent: str, seconds: float) -> Played:
+    """It is gone, and begins anew."""
+    return _crashing(item, agent, seconds, SECOND)
+
+
+def _crashing(item: Protocol, agent: str, seconds: float, gone: int) -> Played:
+    faults = Faults(crashes=(Crash(agent, int(seconds * 1000) * MS, gone),))
+    return _run(item, agent, f"{item.parts[agent]}_role", {}, 0, faults=faults)
+
+
+def ends_in_errors(item: Protocol, agent: str, activity: str, *, caught: bool) -> Played:
+    """An activity of the agent fails; its role goes on with something else, or the agent stops."""
+    what = item.acts[activity]
+    breaks = {name: name == agent for name in item.parts}
+    takes = what.takes or 0.05
+    role = f"erring_{item.parts[agent]}" if caught else f"{item.parts[agent]}_role"
+    return _run(item, agent, role, {activity: Act(takes, what.sets, what.says, breaks)}, 0)
+
+
+WAYS: dict[str, Way] = {
+    "abandons": abandons,
+    "leaves": leaves,
+    "crashes": crashes,
+    "returns": returns,
+}
+MOMENTS = (0.02, 0.06, 0.12, 0.25, 0.35, 0.5, 1.1, 1.6, 2.2, 2.6, 3.2, 4.2, 5.3, 7.4, 8.0)
+"""In each phase of each protocol."""

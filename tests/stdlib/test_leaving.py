@@ -1,0 +1,38 @@
+"""Agents of the team that leave a protocol before its end: the others' parts end, and they agree on how."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.stdlib.hostile import wrongs
+from tests.stdlib.leaving import MOMENTS, WAYS, ends_in_errors, of
+from tests.stdlib.library import PROTOCOLS, Protocol, protocol
+
+AGENTS = [(item.name, agent) for item in PROTOCOLS for agent in item.parts]
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize(("name", "agent"), AGENTS, ids=str)
+def test_an_agent_leaves_at_any_moment(name: str, agent: str, way: str) -> None:
+    item = protocol(name)
+    found = {}
+    for moment in MOMENTS:
+        if wrong := wrongs(item, WAYS[way](item, agent, moment), agent):
+            found[moment] = wrong
+    assert found == {}
+
+
+def activities_of(item: Protocol, agent: str) -> list[str]:
+    states = of(item).plan(f"{item.parts[agent]}_role").states
+    return [state.activity for state in states if state.activity in item.acts]
+
+
+@pytest.mark.parametrize("caught", [True, False], ids=["caught", "not caught"])
+@pytest.mark.parametrize(("name", "agent"), AGENTS, ids=str)
+def test_any_activity_of_an_agent_fails(name: str, agent: str, caught: bool) -> None:
+    item = protocol(name)
+    found = {}
+    for activity in activities_of(item, agent):
+        if wrong := wrongs(item, ends_in_errors(item, agent, activity, caught=caught), agent):
+            found[activity] = wrong
+    assert found == {}
