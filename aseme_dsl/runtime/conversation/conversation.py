@@ -8,8 +8,8 @@ branch that is left takes part no more. What a participant does not list as rece
 wait already, and what comes for a participation that is over, is unexpected: it is told in the trace and
 answered `not_understood`.
 
-External agents may take part, too: what they say is understood or not (`exchange.hearing`), then handed on
-like any other message. A message that was received before is told, and no more.
+External agents may take part, too. `exchange.external_inbox` hands on a message that is understood like any
+other. A message that was received before is recorded only.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
 from aseme_dsl.runtime.conversation.directory import Directory
-from aseme_dsl.runtime.conversation.exchange.delivery import Delivery
-from aseme_dsl.runtime.conversation.exchange.hearing import Hearing
+from aseme_dsl.runtime.conversation.exchange.external_inbox import ExternalInbox
+from aseme_dsl.runtime.conversation.exchange.external_outbox import ExternalOutbox, Hears
 from aseme_dsl.runtime.conversation.exchange.members import Members
-from aseme_dsl.runtime.conversation.exchange.outside import Hears, Outside
+from aseme_dsl.runtime.conversation.exchange.participant_delivery import Delivery
 from aseme_dsl.runtime.conversation.exchange.parts import Parts
 from aseme_dsl.runtime.conversation.exchange.sending import Sending
 from aseme_dsl.runtime.conversation.free_messages import Mailbox
@@ -67,13 +67,15 @@ class Conversations:
         self._lives: dict[str, int | None] = {}
         """Which incarnation each agent elsewhere was when it was there last."""
         counting = Counting(told, self.directory.is_gone)
-        self._outside = outside = Outside(told, transport)
+        self._outside = outside = ExternalOutbox(told, transport)
         self._management = Management(self.directory, system, self._tell_outside, members.plans)
         self._delivery = delivery = Delivery(
             members, told, counting, outside, transport, lambda: self.links, queue, driver.clock
         )
         self._sending = Sending(members, told, counting, delivery, transport.life)
-        self._hearing = Hearing(members, told, counting, delivery, outside, driver.clock, transport.behind)
+        self._inbox = ExternalInbox(
+            members, told, counting, delivery, outside, driver.clock, transport.behind
+        )
         self._parts = Parts(members, told, delivery)
 
     def join(self, agent: Receiver) -> None:
@@ -199,7 +201,7 @@ class Conversations:
             if self._management.is_meant(to, message):
                 self._management.hear(to, message)
             else:
-                self._hearing.receive(to, message)
+                self._inbox.receive(to, message)
 
     def appeared(self, name: str, life: int | None = None) -> None:
         """An agent of the team that runs elsewhere is there; `life` tells its incarnations apart."""

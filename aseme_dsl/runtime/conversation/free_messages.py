@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import Identity
-from aseme_dsl.runtime.conversation import external_agents
+from aseme_dsl.runtime.conversation import fipa_translation
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.exchange.members import Members
 from aseme_dsl.runtime.conversation.moves import MoveError
@@ -63,7 +63,7 @@ class FreeMessages:
     def protocol_of(self, protocol: str) -> str | None:
         """The protocol of the system that a message means by this name, if some agent plays it."""
         played = self._members.protocols() if protocol else ()
-        return next((name for name in played if external_agents.plays(name, protocol)), None)
+        return next((name for name in played if fipa_translation.plays(name, protocol)), None)
 
     def is_free(self, acl: AclMessage) -> bool:
         """Whether a message belongs to no protocol of the system."""
@@ -134,11 +134,11 @@ class FreeMessages:
         """Have a message carried to an agent that is not of the team; text goes as it is."""
         content = acl.content
         text = content.text if isinstance(content, Text) else json.dumps(to_json(content), ensure_ascii=False)
-        written = external_agents.written(
+        written = fipa_translation.written(
             acl,
             (AgentIdentifier(name),),
             reason,
-            external_agents.fipa_moment(acl.reply_by, self._clock),
+            fipa_translation.fipa_moment(acl.reply_by, self._clock),
         )
         if not reason:
             written = replace(written, content=text, language=acl.language)

@@ -34,7 +34,7 @@ from aseme_dsl.runtime.conversation.directory import (
     Service,
     as_json,
 )
-from aseme_dsl.runtime.conversation.external_agents import own_moment
+from aseme_dsl.runtime.conversation.fipa_translation import own_moment
 from aseme_dsl.runtime.message.acl import (
     JSON,
     AgentIdentifier,

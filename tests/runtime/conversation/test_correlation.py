@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import aseme_dsl
-from aseme_dsl.runtime.conversation import external_agents
+from aseme_dsl.runtime.conversation import fipa_translation
 from aseme_dsl.runtime.message.acl import REGISTERED, FipaMessage, Span, protocol_of, registered_name
 from aseme_dsl.runtime.trace.trace import Record
 from tests.runtime.outside import Outside
@@ -311,5 +311,5 @@ def test_a_long_time_is_written_in_days() -> None:
     team, _ = make(made(TALK), until=MS)
     clock = team.driver.clock
     day = 86_400_000
-    assert external_agents.fipa_moment(400 * day * MS, clock) == Span(1, 1, 5, 0)
-    assert external_agents.fipa_moment(1500 * MS, clock) == Span(milliseconds=1500)
+    assert fipa_translation.fipa_moment(400 * day * MS, clock) == Span(1, 1, 5, 0)
+    assert fipa_translation.fipa_moment(1500 * MS, clock) == Span(milliseconds=1500)

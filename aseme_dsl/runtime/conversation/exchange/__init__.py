@@ -1,1 +1,1 @@
-"""Exchange: who takes part, what is sent, delivered and heard, and how parts begin and end."""
+"""Exchange of messages: members, sending, delivery, external agents, and how parts begin and end."""

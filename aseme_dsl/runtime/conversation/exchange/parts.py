@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity, Reason
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
-from aseme_dsl.runtime.conversation.exchange.delivery import Delivery, receives
 from aseme_dsl.runtime.conversation.exchange.members import Members
+from aseme_dsl.runtime.conversation.exchange.participant_delivery import Delivery, receives
 from aseme_dsl.runtime.conversation.participation import Participation
 from aseme_dsl.runtime.message.convert import Messages, mailed
 from aseme_dsl.runtime.ports import Receiver

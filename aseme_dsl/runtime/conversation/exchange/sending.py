@@ -8,8 +8,8 @@ from dataclasses import replace
 from aseme_dsl.runtime.conversation.choosing import Choosing
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
-from aseme_dsl.runtime.conversation.exchange.delivery import Delivery
 from aseme_dsl.runtime.conversation.exchange.members import Members
+from aseme_dsl.runtime.conversation.exchange.participant_delivery import Delivery
 from aseme_dsl.runtime.conversation.participation import Participation
 from aseme_dsl.runtime.message.acl import AclMessage, name_of
 from aseme_dsl.runtime.ports import Receiver

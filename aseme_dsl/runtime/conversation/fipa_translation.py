@@ -1,4 +1,4 @@
-"""External agents: what agents that are not of the team send and receive, as messages of the system and back.
+"""Translation between FIPA messages of agents outside the team and messages of the system.
 
 An external agent gives with a message what FIPA has parameters for, and its content as JSON. Which message of
 the document that is, and of which participant for which, follows from what the receiver takes part in or may

@@ -1,4 +1,4 @@
-"""Delivery: a message reaches the branch that takes part in its conversation, or is unexpected."""
+"""Delivery of a message to the participant instance of its conversation; else it is unexpected."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage
 from aseme_dsl.runtime.chart.plan import BranchInfo
-from aseme_dsl.runtime.conversation import external_agents
+from aseme_dsl.runtime.conversation import fipa_translation
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
+from aseme_dsl.runtime.conversation.exchange.external_outbox import ExternalOutbox
 from aseme_dsl.runtime.conversation.exchange.members import Members
-from aseme_dsl.runtime.conversation.exchange.outside import Outside
 from aseme_dsl.runtime.conversation.free_messages import FreeMessages
 from aseme_dsl.runtime.conversation.losses import Losses
 from aseme_dsl.runtime.conversation.participation import Conversation, Participation, remember
@@ -31,7 +31,7 @@ class Delivery:
         members: Members,
         told: ConversationTrace,
         counting: Counting,
-        outside: Outside,
+        outside: ExternalOutbox,
         transport: Transport,
         links: Callable[[], Links | None],
         queue: int,
@@ -76,8 +76,8 @@ class Delivery:
             to = known.get(name, (AgentIdentifier(name),))
             if conversation is not None:
                 conversation.note(acl.reply_with, acl.performative, acl.message, name)
-            by = external_agents.fipa_moment(acl.reply_by, self._clock)
-            self._outside.carry(acl.sender, external_agents.written(acl, to, reply_by=by), to)
+            by = fipa_translation.fipa_moment(acl.reply_by, self._clock)
+            self._outside.carry(acl.sender, fipa_translation.written(acl, to, reply_by=by), to)
 
     def take_part(self, agent: Receiver, place: Participation, name: str, what: str) -> None:
         """A branch takes part in a conversation from now on; `what` it did: `open` or `join`."""
@@ -242,7 +242,7 @@ class Delivery:
         to = known.get(acl.sender, (AgentIdentifier(acl.sender),))
         if conversation is not None:
             conversation.note(answer.reply_with, NOT_UNDERSTOOD, answer.message, acl.sender)
-        self._outside.carry(agent.name, external_agents.written(answer, to, reason), to)
+        self._outside.carry(agent.name, fipa_translation.written(answer, to, reason), to)
 
     def arrives(self, agent: Receiver, mail: AgentMessage, conversation: str | None) -> bool:
         """Whether an agent message still finds its participant; records and answers if it does not."""

@@ -1,4 +1,4 @@
-"""Outside: what is sent to agents that are not of the team, by whatever way there is to them."""
+"""Messages to agents outside the team: by a call in this process, or by the transport."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Hears = Callable[[FipaMessage], None]
 """What an agent in this process that is not of the team is told messages by."""
 
 
-class Outside:
+class ExternalOutbox:
     """The ways to agents that are not of the team."""
 
     def __init__(self, told: ConversationTrace, transport: Transport) -> None:
@@ -45,4 +45,4 @@ class Outside:
                 self._told.fault(sender, text)
 
 
-__all__ = ["Hears", "Outside"]
+__all__ = ["ExternalOutbox", "Hears"]

@@ -1,4 +1,4 @@
-"""Hearing: what agents that are not of the team say is understood, and handed on like any other message."""
+"""Messages from agents outside the team: understood and handed on like any other, or refused."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from aseme_dsl.runtime.chart.inputs import Identity
-from aseme_dsl.runtime.conversation import external_agents
+from aseme_dsl.runtime.conversation import fipa_translation
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
-from aseme_dsl.runtime.conversation.exchange.delivery import Delivery
+from aseme_dsl.runtime.conversation.exchange.external_outbox import ExternalOutbox
 from aseme_dsl.runtime.conversation.exchange.members import Members
-from aseme_dsl.runtime.conversation.exchange.outside import Outside
+from aseme_dsl.runtime.conversation.exchange.participant_delivery import Delivery
 from aseme_dsl.runtime.conversation.participation import Conversation
 from aseme_dsl.runtime.message.acl import (
     NOT_UNDERSTOOD,
@@ -25,7 +25,7 @@ from aseme_dsl.runtime.ports import Receiver
 from aseme_dsl.runtime.time.clock import Clock
 
 
-class Hearing:
+class ExternalInbox:
     """What is received from agents that are not of the team. Called with the lock of the conversations."""
 
     def __init__(
@@ -34,7 +34,7 @@ class Hearing:
         told: ConversationTrace,
         counting: Counting,
         delivery: Delivery,
-        outside: Outside,
+        outside: ExternalOutbox,
         clock: Clock,
         behind: int,
     ) -> None:
@@ -78,7 +78,7 @@ class Hearing:
             name = name or f"{sender}-{identity[1]}"
             conversation = self._members.conversations.get(name)
             found = self._understood(agent, message, sender, name, conversation)
-        except external_agents.NotUnderstood as problem:
+        except fipa_translation.NotUnderstood as problem:
             is_free = name not in self._members.conversations
             if not (is_free and self._hear_free(agent, message, identity, str(problem))):
                 self._not_understood(agent.name, message, identity, str(problem))
@@ -145,12 +145,12 @@ class Hearing:
         if message.in_reply_to:
             return self._outside.asked(message.in_reply_to)
         performative = performative_of(message.performative)
-        named = external_agents.parameter(message, external_agents.MESSAGE)
+        named = fipa_translation.parameter(message, fipa_translation.MESSAGE)
 
         def has(kinds: Iterable[tuple[str, str]]) -> bool:
             return any(act == performative and named in ("", kind) for act, kind in kinds)
 
-        infos = external_agents.played_as(message.protocol, agent.plan.branches)
+        infos = fipa_translation.played_as(message.protocol, agent.plan.branches)
         if any(has(info.opens) for info in infos):
             return ""
         found = [
@@ -163,7 +163,7 @@ class Hearing:
             )
         ]
         if len(found) > 1:
-            raise external_agents.NotUnderstood(
+            raise fipa_translation.NotUnderstood(
                 f"it may belong to {' or '.join(found[:10])}: conversation-id or in-reply-to says to which"
             )
         return found[0] if found else ""
@@ -175,28 +175,28 @@ class Hearing:
         sender: str,
         name: str,
         conversation: Conversation | None,
-    ) -> external_agents.Understood:
+    ) -> fipa_translation.Understood:
         """What a message of an external agent means in a conversation. Raises NotUnderstood."""
         branches = agent.plan.branches
         if conversation is None:
             protocol = message.protocol
-            infos = external_agents.played_as(protocol, branches)
+            infos = fipa_translation.played_as(protocol, branches)
             performative = performative_of(message.performative)
             first = tuple(info for info in infos if any(act == performative for act, _ in info.opens))
             # A type that does not begin one is understood only where none does.
             groups = tuple(replace(info, receives=info.opens) for info in first), tuple(infos)
-            context = external_agents.Context(groups)
+            context = fipa_translation.Context(groups)
         else:
             protocol = conversation.protocol
-            if not external_agents.plays(protocol, message.protocol or protocol):
-                raise external_agents.NotUnderstood(f"the conversation is one of {protocol}")
+            if not fipa_translation.plays(protocol, message.protocol or protocol):
+                raise fipa_translation.NotUnderstood(f"the conversation is one of {protocol}")
             infos = [info for info in branches if info.protocol == protocol]
             inside = tuple(place.info for (who, _), place in conversation.places.items() if who == agent.name)
             rest = tuple(info for info in infos if info not in inside)
             parts = [part for part, names in conversation.members.items() if sender in names]
             said = conversation.said_outside
             answered = said.get(message.in_reply_to)
-            context = external_agents.Context(
+            context = fipa_translation.Context(
                 (inside, rest),
                 parts[0] if len(parts) == 1 else "",
                 None if answered is None else (answered.performative, answered.message),
@@ -205,10 +205,10 @@ class Hearing:
                 ),
             )
         if not infos:
-            raise external_agents.NotUnderstood(
+            raise fipa_translation.NotUnderstood(
                 f"{agent.name} plays no part in {protocol[:100] or 'a protocol'}"
             )
-        return external_agents.understood(message, agent.plan, context, agent.kinds)
+        return fipa_translation.understood(message, agent.plan, context, agent.kinds)
 
     def _answers_nothing(self, message: FipaMessage, sender: str, conversation: Conversation) -> str:
         """Why the message that an external agent claims to answer was not sent to it; empty if it was."""
@@ -226,7 +226,7 @@ class Hearing:
     def _deadline(self, agent: Receiver, message: FipaMessage, sender: str) -> int | None:
         """Until when an external agent wants an answer; None, and recorded, if that cannot be read."""
         try:
-            return external_agents.deadline(message, self._clock)
+            return fipa_translation.deadline(message, self._clock)
         except ValueError as problem:
             what = f"{message.performative} of {sender} is taken without its deadline"
             self._told.fault(agent.name, f"{what}: {problem} (reply-by)")
@@ -254,7 +254,7 @@ class Hearing:
             if agent is not None and self._delivery.spend(agent, message.conversation):
                 return
             own = agent.identity() if agent is not None else (to, next(self._numbers))
-            answer = external_agents.answer(message, to, NOT_UNDERSTOOD, reason, name_of(own))
+            answer = fipa_translation.answer(message, to, NOT_UNDERSTOOD, reason, name_of(own))
             self._told.answered_outside(answer, own, identity)
             if conversation is not None:
                 conversation.note(answer.reply_with, NOT_UNDERSTOOD, "", identity[0])
@@ -266,4 +266,4 @@ def _said_outside(message: FipaMessage) -> tuple[object, ...]:
     return message.reply_with, message.conversation, message.performative.lower(), message.content
 
 
-__all__ = ["Hearing"]
+__all__ = ["ExternalInbox"]
