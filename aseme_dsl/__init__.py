@@ -10,7 +10,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.display import Displays, shown_by
 
@@ -63,7 +63,7 @@ def compile(
     return analysis.system
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     """What needs the compiler is imported when it is asked for: a robot does without it."""
     if name in ("Analysis", "Options", "analyse"):
         import aseme_dsl.compiler

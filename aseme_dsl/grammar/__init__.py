@@ -5,7 +5,7 @@ textX is imported when something is parsed, not with this package.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.grammar.parsing.parse import parse
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 __all__ = ["aseme_language", "parse"]
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     if name == "aseme_language":
         from aseme_dsl.grammar.parsing.language import aseme_language
 

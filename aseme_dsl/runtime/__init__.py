@@ -6,7 +6,7 @@ Generated code imports only this package; activities use `Context` and, if they 
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.activity.access import UndeclaredError
@@ -61,7 +61,7 @@ _MODULES = {
 """Where each name is: its module is imported when it is asked for, since most commands need none."""
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     for module, names in _MODULES.items():
         if name in names:
             value = globals()[name] = getattr(import_module(f"{__name__}.{module}"), name)

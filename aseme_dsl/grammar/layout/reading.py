@@ -6,9 +6,8 @@ All tokens come from the leaves of the tree, in their order; none can get lost b
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 from aseme_dsl.grammar.formulas.filling import apart
 from aseme_dsl.grammar.layout.pieces import GLUED, ORDER, Block, Gap, Piece, Row
@@ -24,6 +23,7 @@ from aseme_dsl.grammar.layout.rules import (
     Words,
 )
 from aseme_dsl.grammar.layout.spacing import expression, formula, level_of
+from aseme_dsl.grammar.parsing.progress import ParseNode
 from aseme_dsl.grammar.text.token import Token, token
 from aseme_dsl.grammar.text.tree import Comment
 from aseme_dsl.source import Source
@@ -33,7 +33,7 @@ _TIGHT_BEFORE = frozenset((")", "]", ",", "..", "@", "#", "."))
 _LIST, _BREAK = 0, 1
 
 
-def read_blocks(source: Source, tree: object, comments: Sequence[Comment]) -> Block:
+def read_blocks(source: Source, tree: ParseNode, comments: Sequence[Comment]) -> Block:
     """The whole file as one block, whose braces are not written."""
     return _Reader(source, comments).file(tree)
 
@@ -54,7 +54,7 @@ class _Reader:
 
     # ---- the file ------------------------------------------------------------------------------
 
-    def file(self, tree: Any) -> Block:
+    def file(self, tree: ParseNode) -> Block:
         found = Block("File", Row("File"))
         start: Row | None = None
         for child in tree[0]:
@@ -87,13 +87,13 @@ class _Reader:
         found.before_close = own
         return found
 
-    def entries(self, nodes: Any) -> Iterator[Row | Block]:
+    def entries(self, nodes: ParseNode) -> Iterator[Row | Block]:
         for node in nodes:
             while node.rule_name not in SHAPES:
                 (node,) = node
             yield self.entry(node)
 
-    def entry(self, node: Any) -> Row | Block:
+    def entry(self, node: ParseNode) -> Row | Block:
         shape = SHAPES[node.rule_name]
         if isinstance(shape, (Braces, Words)):
             return self.block(node, shape)
@@ -112,7 +112,7 @@ class _Reader:
 
     # ---- blocks --------------------------------------------------------------------------------
 
-    def block(self, node: Any, shape: Braces | Words) -> Block:
+    def block(self, node: ParseNode, shape: Braces | Words) -> Block:
         found = Block(node.rule_name, self.begin(node.rule_name))
         self.shape = shape
         opened = False
@@ -132,14 +132,14 @@ class _Reader:
         self.trailing = found.trailing
         return found
 
-    def opening(self, node: Any, found: Block) -> None:
+    def opening(self, node: ParseNode, found: Block) -> None:
         self.column = 1
         self.piece(node[0].value, 0)
         following = self.next_gap()
         found.one_line = not following.newline
         self.trailing = found.after_open
 
-    def body(self, node: Any, shape: Braces | Words, found: Block) -> None:
+    def body(self, node: ParseNode, shape: Braces | Words, found: Block) -> None:
         if isinstance(shape, Braces):
             found.entries += self.entries(node)
             return
@@ -234,7 +234,7 @@ class _Reader:
 
     # ---- lines ---------------------------------------------------------------------------------
 
-    def line(self, node: Any, shape: Shape, depth: int) -> None:
+    def line(self, node: ParseNode, shape: Shape, depth: int) -> None:
         """The pieces of a rule that stands on a line."""
         outer, self.shape = self.shape, shape
         columns = shape.columns if isinstance(shape, Line) else {}
@@ -254,7 +254,7 @@ class _Reader:
                 self.assigned(child, depth, columns)
         self.shape = outer
 
-    def part(self, node: Any, columns: Any, depth: int) -> None:
+    def part(self, node: ParseNode, columns: Mapping[str, int], depth: int) -> None:
         while node.rule_name not in SHAPES:
             if _is_terminal(node):
                 self.piece(node.value, depth)
@@ -263,7 +263,7 @@ class _Reader:
         self.column = columns.get(node.rule_name, self.column)
         self.line(node, SHAPES[node.rule_name], depth)
 
-    def assigned(self, node: Any, depth: int, columns: Any = None) -> None:
+    def assigned(self, node: ParseNode, depth: int, columns: Mapping[str, int] | None = None) -> None:
         """What is assigned to an attribute: one thing, or a list."""
         first = node[0]
         if _is_terminal(first) and first.rule_name in FORMULAS:
@@ -294,7 +294,7 @@ class _Reader:
             if level != GLUED and before < len(self.row.pieces):
                 self.row.pieces[before].level = level
 
-    def keyword(self, leaf: Any, depth: int) -> None:
+    def keyword(self, leaf: ParseNode, depth: int) -> None:
         shape = self.shape
         level = GLUED
         if isinstance(shape, (Line, Part)) and leaf.value in shape.breaks:
@@ -447,11 +447,11 @@ class _Reader:
         return self.gap(at)
 
 
-def _is_terminal(node: Any) -> bool:
+def _is_terminal(node: ParseNode) -> bool:
     return not isinstance(node, list)
 
 
-def _words(node: Any) -> list[Token]:
+def _words(node: ParseNode) -> list[Token]:
     """The leaves below a node."""
     found: list[Token] = []
     todo = [node]

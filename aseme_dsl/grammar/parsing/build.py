@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TypeVar
 
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.grammar.parsing import nodes
 from aseme_dsl.grammar.parsing.declarations.charts import statechart
 from aseme_dsl.grammar.parsing.declarations.deployment import property_, scenario, team
 from aseme_dsl.grammar.parsing.declarations.formulas import let
 from aseme_dsl.grammar.parsing.declarations.messages import enum, function, message, topic
-from aseme_dsl.grammar.parsing.declarations.pieces import Pieces
+from aseme_dsl.grammar.parsing.declarations.pieces import Pieces, is_a
 from aseme_dsl.grammar.parsing.declarations.protocols import aip
 from aseme_dsl.grammar.parsing.declarations.requirements import sag, suc
 from aseme_dsl.grammar.parsing.declarations.roles import srm
+from aseme_dsl.grammar.parsing.nodes import Node
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source
 
+_N = TypeVar("_N", bound=Node)
+
 
 def build(
-    source: Source, file: Any, comments: tuple[tree.Comment, ...]
+    source: Source, file: nodes.File, comments: tuple[tree.Comment, ...]
 ) -> tuple[tree.File, list[Diagnostic]]:
     """The tree of a file, and what is wrong inside formulas, expressions, numbers and names."""
     pieces = Pieces(source)
@@ -28,34 +32,48 @@ def build(
     return tree.File(source, language, declarations, comments), pieces.diagnostics
 
 
-def _declaration(pieces: Pieces, node: Any) -> tree.Declaration | None:
+def _declaration(pieces: Pieces, node: Node) -> tree.Declaration | None:
     return _MAKES[type(node).__name__](pieces, node)
 
 
-def _system(pieces: Pieces, node: Any) -> tree.System:
+def _system(pieces: Pieces, node: nodes.System) -> tree.System:
     return tree.System(pieces.new_name(node.name, "system"), pieces.span(node))
 
 
-def _import(pieces: Pieces, node: Any) -> tree.Import:
-    target = pieces.text(node.path) if node.path else pieces.name(node.library)
-    return tree.Import(target, pieces.span(node))
+def _import(pieces: Pieces, node: nodes.Import) -> tree.Import:
+    if node.path:
+        return tree.Import(pieces.text(node.path), pieces.span(node))
+    assert node.library is not None  # the grammar has one or the other
+    return tree.Import(pieces.name(node.library), pieces.span(node))
 
 
-_MAKES: Mapping[str, Callable[[Pieces, Any], tree.Declaration | None]] = {
-    "System": _system,
-    "Import": _import,
-    "Let": let,
-    "Enum": enum,
-    "Message": message,
-    "Topic": topic,
-    "Function": function,
-    "Sag": sag,
-    "Suc": suc,
-    "Aip": aip,
-    "Srm": srm,
-    "Statechart": statechart,
-    "Team": team,
-    "Scenario": scenario,
-    "Property": property_,
-}
+def _of(
+    kind: type[_N], make: Callable[[Pieces, _N], tree.Declaration | None]
+) -> tuple[str, Callable[[Pieces, Node], tree.Declaration | None]]:
+    def made(pieces: Pieces, node: Node) -> tree.Declaration | None:
+        assert is_a(node, kind)
+        return make(pieces, node)
+
+    return kind.__name__, made
+
+
+_MAKES: Mapping[str, Callable[[Pieces, Node], tree.Declaration | None]] = dict(
+    (
+        _of(nodes.System, _system),
+        _of(nodes.Import, _import),
+        _of(nodes.Let, let),
+        _of(nodes.Enum, enum),
+        _of(nodes.Message, message),
+        _of(nodes.Topic, topic),
+        _of(nodes.Function, function),
+        _of(nodes.Sag, sag),
+        _of(nodes.Suc, suc),
+        _of(nodes.Aip, aip),
+        _of(nodes.Srm, srm),
+        _of(nodes.Statechart, statechart),
+        _of(nodes.Team, team),
+        _of(nodes.Scenario, scenario),
+        _of(nodes.Property, property_),
+    )
+)
 """What makes a declaration, by its rule of the grammar."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import pickle
 from bisect import bisect_left
-from typing import Any, TypeVar, cast
+from typing import TypeVar, cast
 
 from aseme_dsl.source import Source, Span
 
@@ -18,7 +18,7 @@ class _Pickler(pickle.Pickler):
         self._source = source
         self._kind = Span if spans else Source
 
-    def persistent_id(self, item: Any) -> Any:
+    def persistent_id(self, item: object) -> tuple[int, int] | tuple[()] | None:
         if type(item) is Span and self._kind is Span and item.source is self._source:
             return item.start, item.end
         return () if item is self._source else None
@@ -30,7 +30,7 @@ class _Unpickler(pickle.Unpickler):
         self._source = source
         self._edit = _edit(before.text, source.text) if before is not None else (0, 0, 0)
 
-    def persistent_load(self, found: Any) -> Source | Span:
+    def persistent_load(self, found: tuple[int, int] | tuple[()]) -> Source | Span:
         if not found:
             return self._source
         begin, end, shift = self._edit
@@ -53,9 +53,10 @@ def dump(found: object, source: Source) -> bytes:
     return file.getvalue()
 
 
-def load(found: bytes, source: Source) -> Any:
+def load(found: bytes, source: Source) -> object:
     """What was dumped, as if it had been read of this source, which has the same text."""
-    return _Unpickler(io.BytesIO(found), source).load()
+    made: object = _Unpickler(io.BytesIO(found), source).load()
+    return made
 
 
 def moved(found: _T, before: Source, after: Source) -> _T:

@@ -11,13 +11,12 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
 
 from arpeggio import Match, NoMatch, OneOrMore, Optional, OrderedChoice, RegExMatch, Sequence, ZeroOrMore
 
+from aseme_dsl.grammar.parsing.progress import ParsingExpression, Progress, TextParser
 from aseme_dsl.grammar.parsing.terminals import (
     AsemeParser,
-    Progress,
     all_rules,
     make_parser_model,
     skip_blanks,
@@ -46,7 +45,7 @@ class Expected:
     terminal: str
     words: tuple[str, ...]
     steps: tuple[Step, ...]
-    holder: Any = field(repr=False, compare=False)  # the rule that is to be matched
+    holder: ParsingExpression = field(repr=False, compare=False)  # the rule that is to be matched
 
     @property
     def place(self) -> tuple[str, str]:
@@ -60,22 +59,24 @@ class Expected:
 
 def expected_after(text: str) -> tuple[Expected, ...]:
     """What may follow `text`, in the order in which the parser tries it; nothing after a mistake."""
-    parser: Any = AsemeParser(_watching())
+    parser = AsemeParser(_watching())
     parser.source = Source("<text>", text)
     parser.make_progress = _Watch
     with suppress(NoMatch):  # what is at the end has been noted
         parser.parse(text)
-    return tuple(parser.progress.noted.values())
+    watch = parser.progress
+    assert isinstance(watch, _Watch)
+    return tuple(watch.noted.values())
 
 
 @dataclass
 class _Watch(Progress):
     """A parser's progress that notes what is tried at the end of the text."""
 
-    begun: list[tuple[Any, int]] = field(default_factory=list)
+    begun: list[tuple[ParsingExpression, int]] = field(default_factory=list)
     noted: dict[tuple[int, tuple[Step, ...]], Expected] = field(default_factory=dict)
 
-    def fail(self, rule: Any, position: int) -> None:
+    def fail(self, rule: ParsingExpression, position: int) -> None:
         super().fail(rule, position)
         if position >= len(self.lexed.text):
             steps = tuple(self._steps())
@@ -100,12 +101,12 @@ class _Watch(Progress):
             yield last
 
 
-def _attribute(rule: Any) -> str:
+def _attribute(rule: ParsingExpression) -> str:
     return str(rule._attr_name) if str(rule.rule_name).startswith("__asgn") else ""
 
 
 @lru_cache(maxsize=1)
-def _watching() -> Any:
+def _watching() -> ParsingExpression:
     """Parsing expressions that tell which of them have been begun, and that fixes nothing at the end."""
     made = make_parser_model()
     for rule, _ in list(all_rules(made)):
@@ -118,9 +119,11 @@ def _watching() -> Any:
     return made
 
 
-def _begun(rule: Any, parse: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    def watched(parser: Any) -> Any:
-        begun = parser.progress.begun
+def _begun(rule: ParsingExpression, parse: Callable[[TextParser], object]) -> Callable[[TextParser], object]:
+    def watched(parser: TextParser) -> object:
+        watch = parser.progress
+        assert isinstance(watch, _Watch)
+        begun = watch.begun
         begun.append((rule, skip_blanks(parser)))
         try:
             return parse(parser)
@@ -130,10 +133,10 @@ def _begun(rule: Any, parse: Callable[[Any], Any]) -> Callable[[Any], Any]:
     return watched
 
 
-def _not_at_the_end(parse: Callable[[Any], Any]) -> Callable[[Any], Any]:
+def _not_at_the_end(parse: Callable[[TextParser], object]) -> Callable[[TextParser], object]:
     """Junk that would swallow the end of the text, or a brace that would be made up there, is none."""
 
-    def watched(parser: Any) -> Any:
+    def watched(parser: TextParser) -> object:
         made = parse(parser) if skip_blanks(parser) < len(parser.input) else None
         if made is None or skip_blanks(parser) == len(parser.input):
             raise NoMatch([], parser.position, parser)
@@ -147,7 +150,7 @@ def _not_at_the_end(parse: Callable[[Any], Any]) -> Callable[[Any], Any]:
 _CHOICE = re.compile(r"\(\?:([^()]*)\)\\b")
 
 
-def words_of(rule: Any) -> tuple[str, ...]:
+def words_of(rule: ParsingExpression) -> tuple[str, ...]:
     """The words or the sign that a terminal accepts; nothing where it accepts more than a few words."""
     if not isinstance(rule, RegExMatch) or not rule.rule_name:
         return (str(rule.to_match),) if isinstance(rule, Match) and rule.to_match else ()
@@ -178,16 +181,16 @@ def rest_of(expected: Expected) -> tuple[str | Blank, ...]:
 
 
 @lru_cache(maxsize=1)
-def _parents() -> dict[int, Any]:
+def _parents() -> dict[int, ParsingExpression]:
     """The sequence in which a terminal or an assignment stands."""
-    found: dict[int, Any] = {}
+    found: dict[int, ParsingExpression] = {}
     for rule, _ in all_rules(_watching()):
         if type(rule) is Sequence and not _attribute(rule):
             found |= {id(node): rule for node in rule.nodes}
     return found
 
 
-def _blanks(nodes: list[Any], attribute: str) -> Iterator[str | Blank]:
+def _blanks(nodes: list[ParsingExpression], attribute: str) -> Iterator[str | Blank]:
     waiting = [(node, attribute) for node in reversed(nodes)]
     while waiting:
         rule, attribute = waiting.pop()

@@ -8,7 +8,7 @@ from aseme_dsl.diagnostics import Diagnostic, Problem, Related, closest, surely
 from aseme_dsl.diagnostics.problems.syntax import characters
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
-from aseme_dsl.grammar.parsing.terminals import Mistake
+from aseme_dsl.grammar.parsing.progress import Mistake
 from aseme_dsl.grammar.text.lexer import UNITS, Lexed
 from aseme_dsl.grammar.text.recovery import BLOCKS, begins_declaration
 from aseme_dsl.source import Span

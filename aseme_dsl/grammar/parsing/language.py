@@ -3,29 +3,31 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Any
+from typing import cast
 
 from textx import LanguageDesc, TextXSyntaxError
 
+from aseme_dsl.grammar.parsing.nodes import File
 from aseme_dsl.grammar.parsing.parse import understood
+from aseme_dsl.grammar.parsing.rules import TextXModel
 from aseme_dsl.grammar.parsing.terminals import metamodel
 
 
 @lru_cache(maxsize=1)
-def _metamodel() -> Any:
+def _metamodel() -> object:
     made = metamodel()
     made.register_model_processor(_check)
     return made
 
 
-def _check(model: Any, _metamodel: Any) -> None:
+def _check(model: TextXModel, _metamodel: object) -> None:
     """Refuse a text with mistakes, which the parser has skipped.
 
     Raises:
         TextXSyntaxError: At the first mistake; its message names the places of the others.
     """
     parser = model._tx_parser
-    _, diagnostics = understood(model, parser.progress)
+    _, diagnostics = understood(cast(File, model), parser.progress)
     if not diagnostics:
         return
     first, *others = diagnostics

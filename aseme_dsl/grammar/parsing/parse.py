@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.diagnostics import Diagnostic, Problem, in_order
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
@@ -10,7 +10,8 @@ from aseme_dsl.grammar.text.tree import Comment, File
 from aseme_dsl.source import Source
 
 if TYPE_CHECKING:
-    from aseme_dsl.grammar.parsing.terminals import Progress
+    from aseme_dsl.grammar.parsing.nodes import File as ParsedFile
+    from aseme_dsl.grammar.parsing.progress import ParseNode, Progress
 
 
 def parse(source: Source) -> tuple[File, tuple[Diagnostic, ...]]:
@@ -24,7 +25,7 @@ def parse(source: Source) -> tuple[File, tuple[Diagnostic, ...]]:
     return understood(model, progress)
 
 
-def parse_with_leaves(source: Source) -> tuple[Any, tuple[Comment, ...], tuple[Diagnostic, ...]]:
+def parse_with_leaves(source: Source) -> tuple[ParseNode, tuple[Comment, ...], tuple[Diagnostic, ...]]:
     """The parse tree of `source`, its comments, and what is wrong with its syntax (see `parse`).
 
     The leaves of the parse tree are all tokens of the text, if nothing is wrong.
@@ -36,7 +37,7 @@ def parse_with_leaves(source: Source) -> tuple[Any, tuple[Comment, ...], tuple[D
     return leaves, file.comments, diagnostics
 
 
-def understood(model: Any, progress: Progress) -> tuple[File, tuple[Diagnostic, ...]]:
+def understood(model: ParsedFile, progress: Progress) -> tuple[File, tuple[Diagnostic, ...]]:
     """The tree of what textX has made of a text, and all mistakes of the text."""
     from aseme_dsl.grammar.parsing.build import build
 

@@ -8,7 +8,6 @@ long to import, is not needed.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from arpeggio import (
     EOF,
@@ -23,6 +22,7 @@ from arpeggio import (
     ZeroOrMore,
 )
 
+from aseme_dsl.grammar.parsing.progress import Parsed, ParseNode, ParsingExpression
 from aseme_dsl.grammar.parsing.rules import Expression, Rule
 
 _COMPOSED = {"series": Sequence, "choice": OrderedChoice, "?": Optional, "*": ZeroOrMore, "+": OneOrMore}
@@ -37,67 +37,76 @@ _ASSIGNED = {
 class RulesParser(Parser):  # type: ignore[misc]
     """A parser of a grammar that is given as rules; one object parses one text."""
 
-    def __init__(self, parser_model: Any) -> None:
+    def __init__(self, parser_model: ParsingExpression) -> None:
         super().__init__()
         self.parser_model = parser_model
         self.comments_model = None
 
-    def _parse(self) -> Any:
+    def _parse(self) -> object:
         return self.parser_model.parse(self)
 
 
-def parsing_expressions(rules: Mapping[str, Rule]) -> Any:
+def parsing_expressions(rules: Mapping[str, Rule]) -> ParsingExpression:
     """Arpeggio's parsing expression of the first of the rules, up to the end of the text.
 
     The terminals' regular expressions are not compiled: a small file needs few of them.
     """
-    made: dict[str, Any] = {}
+    made: dict[str, ParsingExpression] = {}
     top = _of_rule(next(iter(rules)), rules, made)
-    return Sequence(nodes=[top, EOF()], rule_name="Model", root=True)
+    whole: ParsingExpression = Sequence(nodes=[top, EOF()], rule_name="Model", root=True)
+    return whole
 
 
-def _of_rule(name: str, rules: Mapping[str, Rule], made: dict[str, Any]) -> Any:
+def _of_rule(name: str, rules: Mapping[str, Rule], made: dict[str, ParsingExpression]) -> ParsingExpression:
     """The rules are not recursive, so this ends, and is as deep as the grammar."""
     if name not in made:
         rule = rules[name]
         node = made[name] = _node(rule.expression, rules, made)
         if not isinstance(rule.expression, str):
             node.rule_name, node.root = name, True
-            node.kind = type(name, (_Object,), {"rule": rule})
+            node.kind = _kind_of(name, rule)
     return made[name]
 
 
-def _node(expression: Expression, rules: Mapping[str, Rule], made: dict[str, Any]) -> Any:
+def _kind_of(name: str, rule: Rule) -> type[Parsed]:
+    class Made(Parsed):
+        pass
+
+    Made.__name__ = Made.__qualname__ = name
+    Made.rule = rule
+    return Made
+
+
+def _node(
+    expression: Expression, rules: Mapping[str, Rule], made: dict[str, ParsingExpression]
+) -> ParsingExpression:
     if isinstance(expression, str):
         return _of_rule(expression, rules, made)
-    kind, *parts = expression
-    if kind == "sign":
-        return StrMatch(parts[0])
-    if kind in ("word", "pattern"):
-        return RegExMatch(rf"{parts[0]}\b", str_repr=parts[0]) if kind == "word" else RegExMatch(parts[0])
+    first, *parts = expression
+    kind = str(first)
+    node: ParsingExpression
+    if kind in ("sign", "word", "pattern"):
+        text = str(parts[0])
+        if kind == "word":
+            node = RegExMatch(rf"{text}\b", str_repr=text)
+        else:
+            node = StrMatch(text) if kind == "sign" else RegExMatch(text)
+        return node
     if kind in _ASSIGNED:
         made_as, rule_name = _ASSIGNED[kind]
         attribute, *parts = parts
         node = made_as(rule_name=rule_name, root=True)
-        node._attr_name = attribute
+        node._attr_name = str(attribute)
     else:
         node = _COMPOSED[kind]()
     node.nodes = [_node(part, rules, made) for part in parts]
     if kind in ("*", "+", "*=", "+=") and len(parts) > 1:
-        node.sep = node.nodes.pop()
-        node.sep.rule_name = "sep"
+        separator = node.sep = node.nodes.pop()
+        separator.rule_name = "sep"
     return node
 
 
-class _Object:
-    """What has been read by a `common` rule: its class has the rule's name."""
-
-    rule: Rule
-    _tx_position: int
-    _tx_position_end: int
-
-
-def objects(tree: Any) -> Any:
+def objects(tree: ParseNode) -> object:
     """The object of a parse tree, with those in it; the text where a rule makes no objects.
 
     It is as deep as the grammar.
@@ -116,13 +125,13 @@ def objects(tree: Any) -> Any:
     for name, number in kind.rule.attributes.items():
         values[name] = [] if number == "many" else False if number == "flag" else None
     for part in tree:
-        name = getattr(part.rule, "_attr_name", None)
-        if name is None:
+        assigned: str | None = getattr(part.rule, "_attr_name", None)
+        if assigned is None:
             continue
         if isinstance(part.rule, Optional):
-            values[name] = True
-        elif kind.rule.attributes[name] == "many":
-            values[name] += [objects(item) for item in part if item.rule_name != "sep"]
+            values[assigned] = True
+        elif kind.rule.attributes[assigned] == "many":
+            values[assigned] += [objects(item) for item in part if item.rule_name != "sep"]
         else:
-            values[name] = objects(part[0])
+            values[assigned] = objects(part[0])
     return made

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
+from typing import TypeAlias
+
+Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
 CHECKSUM = 2027620336
 
-RULES: dict[str, tuple[str, dict[str, str], Any]] = {
+RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
         'common',
         {'language': 'one', 'declarations': 'many'},

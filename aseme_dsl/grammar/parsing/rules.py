@@ -16,14 +16,20 @@ where a list may have its separator as the last item.
 from __future__ import annotations
 
 import zlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeAlias
+
+from aseme_dsl.grammar.parsing.progress import ParsingExpression, TextParser
+from aseme_dsl.grammar.text.token import Token
+
+if TYPE_CHECKING:
+    from aseme_dsl.grammar.parsing.nodes import Declaration
 
 _FOLDER = Path(__file__).parents[1]
 _START = "aseme.tx"
 
-Expression: TypeAlias = str | tuple[Any, ...]
+Expression: TypeAlias = "str | tuple[Expression, ...]"
 
 
 class Rule(NamedTuple):
@@ -37,6 +43,51 @@ class Rule(NamedTuple):
     expression: Expression
 
 
+class TextXAttribute(Protocol):
+    """An attribute of a rule in textX."""
+
+    name: str
+    ref: bool
+    cont: bool
+    mult: str
+    bool_assignment: bool
+
+
+class TextXClass(Protocol):
+    """A rule in textX."""
+
+    _tx_attrs: dict[str, TextXAttribute]
+    _tx_peg_rule: ParsingExpression
+    _tx_type: str
+
+
+class Blueprint(Protocol):
+    """The parser of which textX makes one a text."""
+
+    parser_model: ParsingExpression
+    comments_model: object
+
+
+class Metamodel(Protocol):
+    """A grammar in textX, which has no types itself."""
+
+    namespaces: dict[str, dict[str, TextXClass]]
+    _parser_blueprint: Blueprint
+
+    def register_model_processor(self, processor: Callable[[TextXModel, object], None]) -> None: ...
+
+
+class TextXModel(Protocol):
+    """What textX makes of a file: as `nodes.File`, and where it is from."""
+
+    language: Token | None
+    declarations: list[Declaration]
+    _tx_position: int
+    _tx_position_end: int
+    _tx_parser: TextParser
+    _tx_filename: str | None
+
+
 def rules() -> dict[str, Rule]:
     """The rules of the grammar by their names; the first is that of a file."""
     from aseme_dsl.grammar.parsing import prepared
@@ -46,11 +97,12 @@ def rules() -> dict[str, Rule]:
     return rules_of(textx_metamodel())
 
 
-def textx_metamodel() -> Any:
+def textx_metamodel() -> Metamodel:
     """What textX makes of the .tx files."""
     from textx import metamodel_from_file
 
-    return metamodel_from_file(str(_FOLDER / _START), autokwd=True)
+    made: Metamodel = metamodel_from_file(str(_FOLDER / _START), autokwd=True)
+    return made
 
 
 def checksum(files: Iterable[str]) -> int:
@@ -64,7 +116,7 @@ def checksum(files: Iterable[str]) -> int:
 # ---- from textX ---------------------------------------------------------------------------------
 
 
-def rules_of(metamodel: Any) -> dict[str, Rule]:
+def rules_of(metamodel: Metamodel) -> dict[str, Rule]:
     """The rules of a metamodel of textX, file by file, after that of a whole text.
 
     Raises:
@@ -86,7 +138,7 @@ def rules_of(metamodel: Any) -> dict[str, Rule]:
     return {start: found.pop(start), **found}
 
 
-def _attribute(attribute: Any) -> str:
+def _attribute(attribute: TextXAttribute) -> str:
     if attribute.ref and not attribute.cont:
         raise NotImplementedError(f"a reference: {attribute.name}")
     if attribute.mult in ("0..*", "1..*"):
@@ -99,7 +151,7 @@ _COMPOSED = {"Sequence": "series", "OrderedChoice": "choice", **_REPEATED}
 _ASSIGNED = {"Sequence": "=", **{kind: f"{sign}=" for kind, sign in _REPEATED.items()}}
 
 
-def _expression(node: Any) -> Expression:
+def _expression(node: ParsingExpression) -> Expression:
     """As deep as a rule is written."""
     kind = type(node).__name__
     if node.suppress or getattr(node, "eolterm", False):
@@ -119,7 +171,7 @@ def _expression(node: Any) -> Expression:
     return (_COMPOSED[kind], *parts)
 
 
-def _part(node: Any) -> Expression:
+def _part(node: ParsingExpression) -> Expression:
     is_rule = node.root and not node.rule_name.startswith("__asgn")
     return str(node.rule_name) if is_rule else _expression(node)
 
@@ -136,12 +188,15 @@ def _lines(files: list[str], found: dict[str, Rule]) -> Iterator[str]:
     yield ""
     yield "from __future__ import annotations"
     yield ""
-    yield "from typing import Any"
+    yield "from collections.abc import Mapping"
+    yield "from typing import TypeAlias"
+    yield ""
+    yield "Expression: TypeAlias = 'str | tuple[Expression, ...]'"
     yield ""
     yield f"FILES = {files!r}"
     yield f"CHECKSUM = {checksum(files)}"
     yield ""
-    yield "RULES: dict[str, tuple[str, dict[str, str], Any]] = {"
+    yield "RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {"
     for name, (kind, attributes, expression) in found.items():
         yield f"    {name!r}: ("
         yield f"        {kind!r},"

@@ -16,70 +16,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
+from typing import cast
 
 from arpeggio import EndOfFile, Match, NoMatch, OneOrMore, Optional, RegExMatch, Repetition, Terminal
 
+from aseme_dsl.grammar.parsing.nodes import File
 from aseme_dsl.grammar.parsing.parser import RulesParser, objects, parsing_expressions
-from aseme_dsl.grammar.parsing.rules import rules, textx_metamodel
-from aseme_dsl.grammar.text.lexer import Lexed, clean
-from aseme_dsl.grammar.text.recovery import BLOCKS, end_of_header, end_of_junk, is_outside, is_stray_brace
+from aseme_dsl.grammar.parsing.progress import ParseNode, ParsingExpression, Progress, TextParser
+from aseme_dsl.grammar.parsing.rules import Metamodel, rules, textx_metamodel
+from aseme_dsl.grammar.text.lexer import clean
+from aseme_dsl.grammar.text.recovery import BLOCKS, end_of_header, end_of_junk, is_outside
 from aseme_dsl.grammar.text.token import token
 from aseme_dsl.source import Source
-
-
-@dataclass(frozen=True, slots=True)
-class Mistake:
-    """Where the text was left and taken up again, and what would have been right at `place`."""
-
-    kind: str  # the name of the Junk terminal
-    start: int
-    end: int
-    place: int
-    expected: tuple[Any, ...]  # terminals, in the order in which they were tried
-    opener: int | None  # where the block was opened
-
-
-@dataclass
-class Progress:
-    """What the parser of one text knows beyond textX's."""
-
-    lexed: Lexed
-    farthest: int = -1
-    expected: list[Any] = field(default_factory=list)
-    blank_from: int = -1
-    blank_to: int = -1
-    quiet_before: int = -1
-    openers: list[int] = field(default_factory=list)
-    mistakes: list[Mistake] = field(default_factory=list)
-
-    def fail(self, rule: Any, position: int) -> None:
-        """Remember that `rule` has not matched at `position`."""
-        if position > self.farthest:
-            self.farthest = position
-            self.expected = [rule]
-        elif position == self.farthest:
-            self.expected.append(rule)
-
-    def is_stray(self, brace: int) -> bool:
-        """Whether the `}` at `brace` is too much: see `is_stray_brace`."""
-        text = self.lexed.text
-        opener = self.openers[-1] if self.openers else 0
-        line = text.rfind("\n", 0, brace) + 1
-        if line <= opener or not text[line:brace].strip():
-            return False
-        return is_stray_brace(self.lexed.tokens, self.lexed.tokens.at(brace))
-
-    def note(self, kind: str, start: int, end: int, place: int, expected: tuple[Any, ...]) -> None:
-        """Remember a mistake, unless nothing has been understood since the last one."""
-        tokens = self.lexed.tokens
-        if tokens.at(place) != self.quiet_before:
-            opener = self.openers[-1] if self.openers else None
-            self.mistakes.append(Mistake(kind, start, end, place, expected, opener))
-        self.quiet_before = tokens.at(end)
-        self.farthest = -1
 
 
 class _Parser:
@@ -88,12 +37,13 @@ class _Parser:
     source: Source | None = None
     make_progress: type[Progress] = Progress
 
-    def parse(self, text: str, file_name: str | None = None) -> Any:
+    def parse(self, text: str, file_name: str | None = None) -> ParseNode:
         lexed = clean(self.source or Source(file_name or "<text>", text))
         self.progress = self.make_progress(lexed)
-        return super().parse(lexed.text, file_name=file_name)  # type: ignore[misc]
+        tree: ParseNode = super().parse(lexed.text, file_name=file_name)  # type: ignore[misc]
+        return tree
 
-    def _nm_raise(self, rule: Any, position: int, parser: Any) -> None:
+    def _nm_raise(self, rule: ParsingExpression, position: int, parser: TextParser) -> None:
         # Arpeggio raises one exception object again and again, whose traceback grows.
         raise NoMatch([rule], position, parser)
 
@@ -103,18 +53,18 @@ class AsemeParser(_Parser, RulesParser):
 
 
 @lru_cache(maxsize=1)
-def parser_model() -> Any:
+def parser_model() -> ParsingExpression:
     """The parsing expressions of the language, made once."""
     return make_parser_model()
 
 
-def make_parser_model() -> Any:
+def make_parser_model() -> ParsingExpression:
     """Another set of the parsing expressions of the language, which may be changed further."""
     return _laid_over(parsing_expressions(rules()))
 
 
 @lru_cache(maxsize=1)
-def metamodel() -> Any:
+def metamodel() -> Metamodel:
     """The metamodel of the language for those who use textX, made once; its parser reads the same."""
     made = textx_metamodel()
     parser = made._parser_blueprint
@@ -124,7 +74,7 @@ def metamodel() -> Any:
     return made
 
 
-def _laid_over(top: Any) -> Any:
+def _laid_over(top: ParsingExpression) -> ParsingExpression:
     braces = {"Open": _open, "Close": _close}
     for rule, owner in list(all_rules(top)):
         if isinstance(rule, Repetition) and isinstance(rule.nodes[0], RegExMatch) and rule.sep is None:
@@ -143,10 +93,10 @@ def _laid_over(top: Any) -> Any:
     return top
 
 
-def all_rules(top: Any) -> Iterator[tuple[Any, str]]:
+def all_rules(top: ParsingExpression) -> Iterator[tuple[ParsingExpression, str]]:
     """Every parsing expression of a grammar, with the name of the rule in which it stands."""
     seen: set[int] = set()
-    todo: list[tuple[Any, str]] = [(top, "")]
+    todo: list[tuple[ParsingExpression, str]] = [(top, "")]
     while todo:
         rule, owner = todo.pop()
         if id(rule) in seen:
@@ -162,28 +112,31 @@ def all_rules(top: Any) -> Iterator[tuple[Any, str]]:
 _BLANKS = re.compile(r"[ \t\r\n]*")
 
 
-def skip_blanks(parser: Any) -> int:
+def skip_blanks(parser: TextParser) -> int:
     """Where the next token begins."""
     progress = parser.progress
     position: int = parser.position
     if position != progress.blank_from:
         progress.blank_from = position
         progress.blank_to = _BLANKS.match(parser.input, position).end()  # type: ignore[union-attr]
-    return progress.blank_to  # type: ignore[no-any-return]
+    return progress.blank_to
 
 
-def _matcher(rule: Any) -> Callable[[str, int], re.Match[str] | None]:
+def _matcher(rule: ParsingExpression) -> Callable[[str, int], re.Match[str] | None]:
     if not isinstance(rule, RegExMatch):
         return re.compile(re.escape(rule.to_match)).match
     rule.compile()
-    return rule.regex.match  # type: ignore[no-any-return]
+    regex: re.Pattern[str] = rule.regex
+    return regex.match
 
 
-def _terminal(rule: Any, brace: Callable[[Progress, int], bool] | None) -> Callable[[Any], Any]:
+def _terminal(
+    rule: ParsingExpression, brace: Callable[[Progress, int], bool] | None
+) -> Callable[[TextParser], object]:
     """The terminal's `parse`: what Arpeggio does, with the place in the value and the failure remembered."""
     match: Callable[[str, int], re.Match[str] | None] | None = None  # compiled when it is needed
 
-    def parse(parser: Any) -> Any:
+    def parse(parser: TextParser) -> object:
         nonlocal match
         if match is None:
             match = _matcher(rule)
@@ -200,17 +153,17 @@ def _terminal(rule: Any, brace: Callable[[Progress, int], bool] | None) -> Calla
     return parse
 
 
-def _tokens(rule: Any, at_least_one: bool) -> Callable[[Any], Any]:
+def _tokens(rule: ParsingExpression, at_least_one: bool) -> Callable[[TextParser], object]:
     """`_parse` of a flat list of tokens, which most of a file consists of: the same in one loop."""
     match: Callable[[str, int], re.Match[str] | None] | None = None  # compiled when it is needed
     blanks = _BLANKS.match
 
-    def parse(parser: Any) -> Any:
+    def parse(parser: TextParser) -> object:
         nonlocal match
         if match is None:
             match = _matcher(rule)
         text = parser.input
-        results: list[Any] = []
+        results: list[object] = []
         position = skip_blanks(parser)
         while (found := match(text, position)) is not None:
             results.append(Terminal(rule, position, token(found.group(), position)))
@@ -238,15 +191,15 @@ def _close(progress: Progress, position: int) -> bool:
     return True
 
 
-def _nothing(rule: Any, position: int) -> Any:
+def _nothing(rule: ParsingExpression, position: int) -> object:
     return Terminal(rule, position, token("", position))
 
 
-def _junk(rule: Any) -> Callable[[Any], Any]:
+def _junk(rule: ParsingExpression) -> Callable[[TextParser], object]:
     """`parse` of a Junk terminal: skips what is no entry of its block."""
     block = BLOCKS[rule.rule_name]
 
-    def parse(parser: Any) -> Any:
+    def parse(parser: TextParser) -> object:
         progress: Progress = parser.progress
         start = skip_blanks(parser)
         if start == len(parser.input):
@@ -269,10 +222,10 @@ def _junk(rule: Any) -> Callable[[Any], Any]:
     return parse
 
 
-def _missing_open(rule: Any) -> Callable[[Any], Any]:
+def _missing_open(rule: ParsingExpression) -> Callable[[TextParser], object]:
     """`parse` of JunkHeader: goes on behind the `{` of the line, or as if one had been written."""
 
-    def parse(parser: Any) -> Any:
+    def parse(parser: TextParser) -> object:
         progress: Progress = parser.progress
         start = parser.position
         tokens = progress.lexed.tokens
@@ -289,10 +242,10 @@ def _missing_open(rule: Any) -> Callable[[Any], Any]:
     return parse
 
 
-def _missing_close(rule: Any) -> Callable[[Any], Any]:
+def _missing_close(rule: ParsingExpression) -> Callable[[TextParser], object]:
     """`parse` of JunkEnd: goes on as if the `}` had been written."""
 
-    def parse(parser: Any) -> Any:
+    def parse(parser: TextParser) -> object:
         progress: Progress = parser.progress
         place = skip_blanks(parser)
         progress.note("JunkEnd", place, place, place, ())
@@ -302,15 +255,15 @@ def _missing_close(rule: Any) -> Callable[[Any], Any]:
     return parse
 
 
-def read(source: Source) -> tuple[Any, Progress]:
+def read(source: Source) -> tuple[File, Progress]:
     """The objects of a text, and what the parser has noted."""
     model, progress, _ = read_with_leaves(source)
     return model, progress
 
 
-def read_with_leaves(source: Source) -> tuple[Any, Progress, Any]:
+def read_with_leaves(source: Source) -> tuple[File, Progress, ParseNode]:
     """The same, and the parse tree, the leaves of which are all tokens of the text."""
     parser = AsemeParser(parser_model())
     parser.source = source
     tree = parser.parse(source.text)
-    return objects(tree[0]), parser.progress, tree
+    return cast(File, objects(tree[0])), parser.progress, tree

@@ -1,4 +1,4 @@
-"""What is made from the grammar: its rules as data, and colours: TextMate, Pygments, Vim and Emacs.
+"""What is made from the grammar: rules as data, classes of what is read, and colours for editors.
 
 `files` gives the text of every file; `python -m aseme_dsl.grammar.syntax` writes them.
 """
@@ -10,6 +10,7 @@ from functools import lru_cache
 from aseme_dsl.grammar.parsing.rules import prepared_text
 from aseme_dsl.grammar.syntax.contexts import outline
 from aseme_dsl.grammar.syntax.emacs import emacs_mode
+from aseme_dsl.grammar.syntax.nodes import nodes_text
 from aseme_dsl.grammar.syntax.pygments import pygments_lexer
 from aseme_dsl.grammar.syntax.textmate import textmate_grammar
 from aseme_dsl.grammar.syntax.vim import vim_files
@@ -21,6 +22,7 @@ def files() -> dict[str, str]:
     made = outline()
     return {
         "aseme_dsl/grammar/parsing/prepared.py": prepared_text(),
+        "aseme_dsl/grammar/parsing/nodes.py": nodes_text(),
         "editors/vscode/syntaxes/aseme.tmLanguage.json": textmate_grammar(made),
         "aseme_dsl/pygments_lexer.py": pygments_lexer(made),
         "editors/emacs/aseme-mode.el": emacs_mode(made),

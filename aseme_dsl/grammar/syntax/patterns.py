@@ -73,7 +73,7 @@ def _literal(code: int, special: str) -> str:
     return f"\\{character}" if character in special else character
 
 
-def _set(items: list[Any], dialect: Any) -> str:
+def _set(items: list[Any], dialect: type[_Python] | type[_Vim]) -> str:
     parts: list[str] = []
     for operation, argument in items:
         if operation is codes.NEGATE:
@@ -89,26 +89,26 @@ def _set(items: list[Any], dialect: Any) -> str:
     return f"[{''.join(parts)}]"
 
 
-def _written(parsed: Any, dialect: Any) -> str:
+def _written(parsed: Any, dialect: type[_Python] | type[_Vim]) -> str:
     return "".join(_item(operation, argument, dialect) for operation, argument in parsed)
 
 
-def _item(operation: Any, argument: Any, dialect: Any) -> str:
+def _item(operation: Any, argument: Any, dialect: type[_Python] | type[_Vim]) -> str:
     if operation is codes.LITERAL:
         return _literal(argument, dialect.special)
     if operation is codes.NOT_LITERAL:
         return _set([(codes.NEGATE, None), (codes.LITERAL, argument)], dialect)
     if operation is codes.ANY:
-        return str(dialect.any_)
+        return dialect.any_
     if operation is codes.IN:
         if len(argument) == 1 and argument[0][0] is codes.CATEGORY:
             found = _CLASSES[argument[0][1]]
-            return {r"\s": dialect.blank, r"\S": dialect.no_blank, r"\w": dialect.word}[found]  # type: ignore[no-any-return]
+            return {r"\s": dialect.blank, r"\S": dialect.no_blank, r"\w": dialect.word}[found]
         return _set(argument, dialect)
     if operation is codes.BRANCH:
-        return str(dialect.group("|".join(_written(branch, dialect) for branch in argument[1])))
+        return dialect.group("|".join(_written(branch, dialect) for branch in argument[1]))
     if operation is codes.SUBPATTERN:
-        return str(dialect.group(_written(argument[3], dialect)))
+        return dialect.group(_written(argument[3], dialect))
     if operation in (codes.MAX_REPEAT, codes.MIN_REPEAT):
         least, most, inner = argument
         text = _written(inner, dialect)
@@ -120,14 +120,14 @@ def _item(operation: Any, argument: Any, dialect: Any) -> str:
         return text + (dialect.lazy(times) if operation is codes.MIN_REPEAT else times)
     if operation is codes.AT:
         if argument is codes.AT_BOUNDARY:
-            return str(dialect.word_boundary)
+            return dialect.word_boundary
         if argument in (codes.AT_END, codes.AT_END_STRING):
-            return str(dialect.end)
+            return dialect.end
     if operation in (codes.ASSERT, codes.ASSERT_NOT):
         direction, inner = argument
         text = _written(inner, dialect)
         if operation is codes.ASSERT_NOT and direction > 0:
-            return str(dialect.no_lookahead(text))
+            return dialect.no_lookahead(text)
         if operation is codes.ASSERT:
             return str(dialect.lookahead(text) if direction > 0 else dialect.lookbehind(text))
     raise NotImplementedError(f"{operation} {argument}")

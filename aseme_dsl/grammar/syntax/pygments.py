@@ -31,13 +31,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from pygments.lexer import RegexLexer, bygroups, default
 from pygments.token import Comment, Keyword, Name, Number, Operator, Punctuation, String, Text, Whitespace
 
 
-def leave(lexer: RegexLexer, match: re.Match[str]) -> Iterator[tuple[int, Any, str]]:
+def leave(lexer: RegexLexer, match: re.Match[str]) -> Iterator[tuple[int, object, str]]:
     """The end of an entry or a list, which has no width."""
     return iter(())
 
@@ -54,7 +54,7 @@ class AsemeLexer(RegexLexer):  # type: ignore[misc]
     mimetypes: ClassVar[list[str]] = ["text/x-aseme"]
     flags = re.MULTILINE
 
-    tokens: ClassVar[dict[str, list[Any]]] = {
+    tokens: ClassVar[dict[str, list[object]]] = {
 '''
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from arpeggio import Match, OneOrMore, OrderedChoice, RegExMatch, Repetition, ZeroOrMore
 from arpeggio import Optional as Perhaps
 
+from aseme_dsl.grammar.parsing.progress import ParsingExpression
 from aseme_dsl.grammar.parsing.terminals import metamodel
 
 
@@ -66,7 +67,7 @@ def grammar() -> Series:
     return top
 
 
-def _shape(node: Any, owner: str, attribute: str, known: dict[tuple[int, str], Shape]) -> Shape:
+def _shape(node: ParsingExpression, owner: str, attribute: str, known: dict[tuple[int, str], Shape]) -> Shape:
     """The grammar is not recursive, so this ends, and is as deep as the grammar."""
     attribute = getattr(node, "_attr_name", None) or attribute
     if isinstance(node, Match):
@@ -77,7 +78,7 @@ def _shape(node: Any, owner: str, attribute: str, known: dict[tuple[int, str], S
     return known[key]
 
 
-def _made(node: Any, owner: str, attribute: str, known: dict[tuple[int, str], Shape]) -> Shape:
+def _made(node: ParsingExpression, owner: str, attribute: str, known: dict[tuple[int, str], Shape]) -> Shape:
     rule = node.rule_name if node.root and not node.rule_name.startswith("__") else ""
     inner = rule or owner
     inherited = "" if rule else attribute
@@ -94,7 +95,7 @@ def _made(node: Any, owner: str, attribute: str, known: dict[tuple[int, str], Sh
     return parts[0] if len(parts) == 1 and not rule else Series(tuple(parts), rule)
 
 
-def _terminal(node: Any, owner: str, attribute: str) -> Shape:
+def _terminal(node: ParsingExpression, owner: str, attribute: str) -> Shape:
     text = str(node.to_match)
     if not isinstance(node, RegExMatch):
         pattern = re.escape(text)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from collections.abc import Mapping
 
 from aseme_dsl.grammar.syntax.contexts import FILE, Context, Kind
 from aseme_dsl.grammar.syntax.patterns import compact
@@ -34,23 +34,24 @@ def textmate_grammar(contexts: tuple[Context, ...]) -> str:
     file = contexts[0]
     assert file.name == FILE
     by_name = {context.name: context for context in contexts}
-    made: dict[str, Any] = {
+    repository: dict[str, dict[str, object]] = {
+        _key(context.name): {"patterns": _patterns(context, by_name)} for context in contexts[1:]
+    }
+    repository["comments"] = {"patterns": [_comment(*comment) for comment in COMMENTS]}
+    repository["stray"] = {
+        "patterns": [
+            *({"match": pattern, **({"name": SCOPES[kind]} if kind else {})} for pattern, kind in STRAY),
+            {"begin": r"\{", "end": r"\}", "patterns": [_include("comments"), _include("stray")]},
+        ]
+    }
+    made = {
         "$schema": "https://raw.githubusercontent.com/martinring/tmlanguage/master/tmlanguage.json",
         "comment": "Made from aseme_dsl/grammar/*.tx: python3 dev.py syntax",
         "name": "ASEME",
         "scopeName": "source.aseme",
         "fileTypes": ["aseme"],
         "patterns": _patterns(file, by_name),
-        "repository": {
-            _key(context.name): {"patterns": _patterns(context, by_name)} for context in contexts[1:]
-        },
-    }
-    made["repository"]["comments"] = {"patterns": [_comment(*comment) for comment in COMMENTS]}
-    made["repository"]["stray"] = {
-        "patterns": [
-            *({"match": pattern, **({"name": SCOPES[kind]} if kind else {})} for pattern, kind in STRAY),
-            {"begin": r"\{", "end": r"\}", "patterns": [_include("comments"), _include("stray")]},
-        ]
+        "repository": repository,
     }
     return json.dumps(made, indent=2, ensure_ascii=False) + "\n"
 
@@ -69,8 +70,11 @@ def _comment(pattern: str, kind: str) -> dict[str, object]:
     return {"name": "comment.block.aseme", "begin": r"/\*", "end": r"\*/"}
 
 
-def _patterns(context: Context, contexts: dict[str, Context]) -> list[dict[str, Any]]:
-    made = [_include("comments"), *(_rule(rule, contexts) for rule in rules(context))]
+def _patterns(context: Context, contexts: dict[str, Context]) -> list[Mapping[str, object]]:
+    made: list[Mapping[str, object]] = [
+        _include("comments"),
+        *(_rule(rule, contexts) for rule in rules(context)),
+    ]
     return [*made, _include("stray")] if context.is_body else made
 
 
@@ -82,7 +86,7 @@ def _captures(rule: Rule) -> dict[str, dict[str, str]]:
     }
 
 
-def _rule(rule: Rule, contexts: dict[str, Context]) -> dict[str, Any]:
+def _rule(rule: Rule, contexts: dict[str, Context]) -> dict[str, object]:
     captures = _captures(rule)
     if rule.rest is not None:
         return {
@@ -96,7 +100,7 @@ def _rule(rule: Rule, contexts: dict[str, Context]) -> dict[str, Any]:
         return {"match": rule.pattern, "captures": captures}
     entered = contexts[rule.enters]
     end = entered.end()
-    region = {
+    region: dict[str, object] = {
         "begin": rule.pattern,
         "beginCaptures": captures,
         "end": compact(end) if end is not None else r"\}",

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from aseme_dsl.grammar.formulas.expression import read_path
-from aseme_dsl.grammar.parsing.declarations.pieces import Once, Pieces
+from aseme_dsl.grammar.parsing import nodes
+from aseme_dsl.grammar.parsing.declarations.pieces import Once, Pieces, is_a
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
 
-def activity(pieces: Pieces, node: Any) -> tree.Activity:
+def activity(pieces: Pieces, node: nodes.Activity | nodes.Module) -> tree.Activity:
     """An activity."""
     uses: tuple[tree.Name, ...] = ()
     durations: dict[str, tree.Duration | None] = {}
@@ -21,30 +20,29 @@ def activity(pieces: Pieces, node: Any) -> tree.Activity:
     simulated: Span | None = None
     said = Once(pieces)
     for clause in node.clauses:
-        match type(clause).__name__:
-            case "Every":
-                said.check("every", pieces.span(clause))
-                durations["every"] = pieces.duration(clause.duration)
-            case "Takes":
-                said.check("takes", pieces.span(clause))
-                durations["takes"] = pieces.duration(clause.duration)
-            case "Simulated":
-                said.check("simulated", pieces.span(clause))
-                simulated = pieces.span(clause)
-            case "Within":
-                said.check("within", pieces.span(clause))
-                durations["within"] = pieces.duration(clause.duration)
-            case "Ends":
-                ends += pieces.names(clause.outcomes)
-            case "As":
-                said.check("as", pieces.span(clause))
-                kind = pieces.name(clause.kind)
-            case "Uses":
-                uses += pieces.names(clause.functionalities)
-            case "Reads":
-                reads += [_read(pieces, item) for item in clause.reads]
-            case _:
-                writes += [read_path(pieces.source, path) for path in clause.paths]
+        if is_a(clause, nodes.Every):
+            said.check("every", pieces.span(clause))
+            durations["every"] = pieces.duration(clause.duration)
+        elif is_a(clause, nodes.Takes):
+            said.check("takes", pieces.span(clause))
+            durations["takes"] = pieces.duration(clause.duration)
+        elif is_a(clause, nodes.Simulated):
+            said.check("simulated", pieces.span(clause))
+            simulated = pieces.span(clause)
+        elif is_a(clause, nodes.Within):
+            said.check("within", pieces.span(clause))
+            durations["within"] = pieces.duration(clause.duration)
+        elif is_a(clause, nodes.Ends):
+            ends += pieces.names(clause.outcomes)
+        elif is_a(clause, nodes.As):
+            said.check("as", pieces.span(clause))
+            kind = pieces.name(clause.kind)
+        elif is_a(clause, nodes.Uses):
+            uses += pieces.names(clause.functionalities)
+        elif is_a(clause, nodes.Reads):
+            reads += [_read(pieces, item) for item in clause.reads]
+        elif is_a(clause, nodes.Writes):
+            writes += [read_path(pieces.source, path) for path in clause.paths]
     return tree.Activity(
         pieces.new_name(node.name, "activity"),
         uses,
@@ -56,23 +54,23 @@ def activity(pieces: Pieces, node: Any) -> tree.Activity:
         pieces.span(node),
         durations.get("within"),
         ends,
-        pieces.all(_activity_parameter, getattr(node, "parameters", ())),  # a module has none
+        pieces.all(_activity_parameter, node.parameters if is_a(node, nodes.Activity) else ()),
         simulated,
     )
 
 
-def _activity_parameter(pieces: Pieces, node: Any) -> tree.ActivityParameter:
+def _activity_parameter(pieces: Pieces, node: nodes.ActivityParameter) -> tree.ActivityParameter:
     name = pieces.new_name(node.name, "parameter")
     return tree.ActivityParameter(name, pieces.name(node.type), pieces.span(node))
 
 
-def module(pieces: Pieces, node: Any) -> tree.Module:
+def module(pieces: Pieces, node: nodes.Module) -> tree.Module:
     """A module."""
     target = pieces.text(node.code.target) if node.code else None
     return tree.Module(activity(pieces, node), target, pieces.span(node))
 
 
-def _read(pieces: Pieces, node: Any) -> tree.ActivityRead:
+def _read(pieces: Pieces, node: nodes.Read) -> tree.ActivityRead:
     history = pieces.duration(node.history) if node.history else None
     return tree.ActivityRead(
         str(node.reach) if node.reach else "on",

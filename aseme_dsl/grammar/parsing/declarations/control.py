@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.grammar.formulas.formula import read_formula
 from aseme_dsl.grammar.formulas.transition import read_transition
-from aseme_dsl.grammar.parsing.declarations.pieces import Pieces
+from aseme_dsl.grammar.parsing import nodes
+from aseme_dsl.grammar.parsing.declarations.pieces import Pieces, is_a
+from aseme_dsl.grammar.parsing.nodes import Node
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
 
-def control(pieces: Pieces, node: Any) -> tree.Control:
+def control(pieces: Pieces, node: nodes.Control) -> tree.Control:
     """A `control` block."""
     reactive = pieces.name(node.reactive).span if node.reactive else None
     return tree.Control(
@@ -21,11 +22,14 @@ def control(pieces: Pieces, node: Any) -> tree.Control:
     )
 
 
-def _control_entry(pieces: Pieces, node: Any) -> tree.Way | tree.LabelledWay | None:
-    return _way(pieces, node) if type(node).__name__ == "Way" else labelled_way(pieces, node)
+def _control_entry(pieces: Pieces, node: Node) -> tree.Way | tree.LabelledWay | None:
+    if is_a(node, nodes.Way):
+        return _way(pieces, node)
+    assert is_a(node, nodes.LabelledWay)
+    return labelled_way(pieces, node)
 
 
-def _way(pieces: Pieces, node: Any) -> tree.Way | None:
+def _way(pieces: Pieces, node: nodes.Way) -> tree.Way | None:
     formula = pieces.tried(lambda: read_formula(pieces.source, node.term))
     expression = transition(pieces, node) if formula is not None else None
     if formula is None or expression is None:
@@ -45,7 +49,7 @@ def _way(pieces: Pieces, node: Any) -> tree.Way | None:
     )
 
 
-def labelled_way(pieces: Pieces, node: Any) -> tree.LabelledWay | None:
+def labelled_way(pieces: Pieces, node: nodes.LabelledWay) -> tree.LabelledWay | None:
     """A line with two labels; None if its expression is malformed."""
     expression = transition(pieces, node)
     if expression is None:
@@ -53,9 +57,11 @@ def labelled_way(pieces: Pieces, node: Any) -> tree.LabelledWay | None:
     return tree.LabelledWay(pieces.name(node.source), pieces.name(node.target), expression, pieces.span(node))
 
 
-def transition(pieces: Pieces, node: Any) -> tree.TransitionExpression | None:
+def transition(
+    pieces: Pieces, node: nodes.Way | nodes.LabelledWay | nodes.StandingWay
+) -> tree.TransitionExpression | None:
     """A transition expression; None if it is malformed."""
-    end = node._tx_position_end
+    end = pieces.span(node).end
     place = Span(pieces.source, end - 1, end)
     written = pieces.tried(lambda: read_transition(pieces.source, node.tokens, place))
     if written is not None and isinstance(written.condition, tree.Hole):

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from aseme_dsl.amola.operators import USUAL
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.grammar.formulas.expression import read_expression
 from aseme_dsl.grammar.formulas.formula import read_formula
+from aseme_dsl.grammar.parsing import nodes
 from aseme_dsl.grammar.parsing.declarations.pieces import Pieces
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.lexer import HOLE, PLACEHOLDER
@@ -16,21 +16,23 @@ from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Span
 
 
-def let(pieces: Pieces, node: Any, words: Sequence[str] = ()) -> tree.Let | None:
+def let(pieces: Pieces, node: nodes.Let, words: Sequence[str] = ()) -> tree.Let | None:
     """A named expression; none of `words` can be its name."""
     name = pieces.checked_name(node.name, "let", words)
     expression = pieces.tried(lambda: read_expression(pieces.source, node.tokens))
     return tree.Let(name, expression, pieces.span(node)) if expression is not None else None
 
 
-def var(pieces: Pieces, node: Any, words: Sequence[str] = ()) -> tree.Var:
+def var(pieces: Pieces, node: nodes.Var | nodes.Result, words: Sequence[str] = ()) -> tree.Var:
     """A variable; none of `words` can be its name."""
     name = pieces.checked_name(node.name, "variable", words)
     initial = pieces.tried(lambda: read_expression(pieces.source, node.tokens)) if node.tokens else None
     return tree.Var(name, pieces.name(node.type), initial, pieces.span(node))
 
 
-def formula(pieces: Pieces, node: Any, words: Sequence[str] = ()) -> tree.NamedFormula | None:
+def formula(
+    pieces: Pieces, node: nodes.Formula | nodes.Process, words: Sequence[str] = ()
+) -> tree.NamedFormula | None:
     """A named formula; none of `words` can be its name."""
     name = pieces.new_name(node.name, "formula", words)
     written = pieces.tried(lambda: read_formula(pieces.source, node.tokens))
@@ -51,6 +53,6 @@ def _report_holes(pieces: Pieces, tokens: Sequence[Token]) -> None:
             pieces.report(problems.OperatorToChoose(usual), Span(pieces.source, token.start, end))
 
 
-def _formula_parameter(pieces: Pieces, node: Any) -> tree.FormulaParameter:
+def _formula_parameter(pieces: Pieces, node: nodes.FormulaParameter) -> tree.FormulaParameter:
     name = pieces.new_name(node.name, "parameter")
     return tree.FormulaParameter(name, pieces.name(node.type) if node.type else None, pieces.span(node))

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, TypeVar
+from typing import TypeGuard, TypeVar, cast
 
 from aseme_dsl.diagnostics import Diagnostic, Problem, Related
 from aseme_dsl.diagnostics.problems.syntax import characters
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.grammar.formulas.expression import read_duration, read_text
 from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED, Malformed
+from aseme_dsl.grammar.parsing.nodes import Node
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Source, Span
 
 _T = TypeVar("_T")
+_N = TypeVar("_N", bound=Node)
 
 _LONGEST_INTEGER = 18
 
@@ -26,12 +28,12 @@ class Pieces:
         self.source = source
         self.diagnostics: list[Diagnostic] = []
 
-    def all(self, make: Callable[[Pieces, Any], _T | None], nodes: Iterable[Any]) -> tuple[_T, ...]:
+    def all(self, make: Callable[[Pieces, _N], _T | None], nodes: Iterable[_N | Token]) -> tuple[_T, ...]:
         """What `make` makes of the nodes; junk, and what it cannot make, is left out."""
         made = (make(self, node) for node in nodes if not isinstance(node, str))
         return tuple(item for item in made if item is not None)
 
-    def span(self, node: Any) -> Span:
+    def span(self, node: Node) -> Span:
         return Span(self.source, node._tx_position, node._tx_position_end)
 
     def spot(self, text: Token) -> Span:
@@ -102,15 +104,20 @@ class Once:
             self.pieces.again(clause, first, span)
 
 
-class _Kinds(dict[str, list[Any]]):
-    def __missing__(self, kind: str) -> list[Any]:
-        return []
+def is_a(node: Node, kind: type[_N]) -> TypeGuard[_N]:
+    """Whether an object is of a rule of the grammar: textX has classes of its own, of the same names."""
+    return type(node).__name__ == kind.__name__
 
 
-def by_kind(entries: Iterable[Any]) -> _Kinds:
+class Kinds:
     """The entries of a block by the rule of the grammar that they are of."""
-    kinds = _Kinds()
-    for entry in entries:
-        if not isinstance(entry, str):
-            kinds.setdefault(type(entry).__name__, []).append(entry)
-    return kinds
+
+    def __init__(self, entries: Iterable[Node | Token]) -> None:
+        self._found: dict[str, list[Node]] = {}
+        for entry in entries:
+            if not isinstance(entry, str):
+                self._found.setdefault(type(entry).__name__, []).append(entry)
+
+    def of(self, kind: type[_N]) -> list[_N]:
+        """Those of a rule."""
+        return cast("list[_N]", self._found.get(kind.__name__, []))

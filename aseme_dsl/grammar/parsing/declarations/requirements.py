@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from aseme_dsl.grammar.parsing.declarations.pieces import Once, Pieces
+from aseme_dsl.grammar.parsing import nodes
+from aseme_dsl.grammar.parsing.declarations.pieces import Kinds, Once, Pieces, is_a
 from aseme_dsl.grammar.text import tree
 
 
-def sag(pieces: Pieces, node: Any) -> tree.Sag:
+def sag(pieces: Pieces, node: nodes.Sag) -> tree.Sag:
     """The goals of actors."""
     return tree.Sag(pieces.all(_actor, node.actors), pieces.span(node))
 
 
-def _actor(pieces: Pieces, node: Any) -> tree.Actor:
+def _actor(pieces: Pieces, node: nodes.Actor) -> tree.Actor:
     return tree.Actor(
         pieces.new_name(node.name, "actor", ("actor", "goal")),
         pieces.all(_goal, node.goals),
@@ -21,15 +20,15 @@ def _actor(pieces: Pieces, node: Any) -> tree.Actor:
     )
 
 
-def _goal(pieces: Pieces, node: Any) -> tree.Goal:
+def _goal(pieces: Pieces, node: nodes.Goal) -> tree.Goal:
     depends: tuple[tree.Name, ...] = ()
     requirements: tree.Text | None = None
     said = Once(pieces)
     for clause in node.clauses:
-        if type(clause).__name__ == "Depends":
+        if is_a(clause, nodes.Depends):
             said.check("depends on", pieces.span(clause))
             depends = pieces.names(clause.actors)
-        else:
+        elif is_a(clause, nodes.Requirements):
             said.check(None, pieces.span(clause))
             requirements = pieces.text(clause.text)
     return tree.Goal(
@@ -37,15 +36,14 @@ def _goal(pieces: Pieces, node: Any) -> tree.Goal:
     )
 
 
-def suc(pieces: Pieces, node: Any) -> tree.Suc:
+def suc(pieces: Pieces, node: nodes.Suc) -> tree.Suc:
     """Use cases and the roles that take part."""
-    entries = [entry for entry in node.entries if not isinstance(entry, str)]
-    roles = pieces.all(_roles, (entry for entry in entries if type(entry).__name__ == "Roles"))
-    usecases = pieces.all(_usecase, (entry for entry in entries if type(entry).__name__ == "UseCase"))
-    return tree.Suc(roles, usecases, pieces.span(node))
+    kinds = Kinds(node.entries)
+    roles = pieces.all(_roles, kinds.of(nodes.Roles))
+    return tree.Suc(roles, pieces.all(_usecase, kinds.of(nodes.UseCase)), pieces.span(node))
 
 
-def _roles(pieces: Pieces, node: Any) -> tree.Roles:
+def _roles(pieces: Pieces, node: nodes.Roles) -> tree.Roles:
     type_ = pieces.name(node.type) if node.type else None
     return tree.Roles(
         tuple(pieces.new_name(text, "role", ("role", "usecase")) for text in node.names),
@@ -54,24 +52,23 @@ def _roles(pieces: Pieces, node: Any) -> tree.Roles:
     )
 
 
-def _usecase(pieces: Pieces, node: Any) -> tree.UseCase:
+def _usecase(pieces: Pieces, node: nodes.UseCase) -> tree.UseCase:
     lists: dict[str, tuple[tree.Name, ...]] = {}
     requirements: tree.Text | None = None
     said = Once(pieces)
     for clause in node.clauses:
-        match type(clause).__name__:
-            case "By":
-                said.check("by", pieces.span(clause))
-                lists["by"] = pieces.names(clause.roles)
-            case "Includes":
-                said.check("includes", pieces.span(clause))
-                lists["includes"] = pieces.names(clause.usecases)
-            case "Realises":
-                said.check("realises", pieces.span(clause))
-                lists["realises"] = pieces.names(clause.names)
-            case _:
-                said.check(None, pieces.span(clause))
-                requirements = pieces.text(clause.text)
+        if is_a(clause, nodes.By):
+            said.check("by", pieces.span(clause))
+            lists["by"] = pieces.names(clause.roles)
+        elif is_a(clause, nodes.Includes):
+            said.check("includes", pieces.span(clause))
+            lists["includes"] = pieces.names(clause.usecases)
+        elif is_a(clause, nodes.Realises):
+            said.check("realises", pieces.span(clause))
+            lists["realises"] = pieces.names(clause.names)
+        elif is_a(clause, nodes.Requirements):
+            said.check(None, pieces.span(clause))
+            requirements = pieces.text(clause.text)
     return tree.UseCase(
         pieces.new_name(node.name, "use case", ("role", "usecase", "by", "includes", "realises")),
         lists.get("by", ()),

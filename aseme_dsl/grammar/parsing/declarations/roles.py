@@ -2,39 +2,38 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from aseme_dsl.grammar.formulas.expression import read_expression
+from aseme_dsl.grammar.parsing import nodes
 from aseme_dsl.grammar.parsing.declarations.activities import activity, module
 from aseme_dsl.grammar.parsing.declarations.control import control
 from aseme_dsl.grammar.parsing.declarations.formulas import formula, let, var
-from aseme_dsl.grammar.parsing.declarations.pieces import Once, Pieces, by_kind
+from aseme_dsl.grammar.parsing.declarations.pieces import Kinds, Once, Pieces
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.recovery import BLOCKS
 
 
-def srm(pieces: Pieces, node: Any) -> tree.Srm:
+def srm(pieces: Pieces, node: nodes.Srm) -> tree.Srm:
     """A role."""
     words = BLOCKS["JunkSrm"].words
-    kinds = by_kind(node.entries)
+    kinds = Kinds(node.entries)
     return tree.Srm(
         pieces.new_name(node.name, "role"),
-        tuple(_plays(pieces, part) for entry in kinds["Plays"] for part in entry.parts),
-        pieces.all(_capability, kinds["Capability"]),
-        pieces.all(lambda pieces, entry: var(pieces, entry, words), kinds["Var"]),
-        pieces.all(lambda pieces, entry: let(pieces, entry, words), kinds["Let"]),
-        pieces.all(formula, (formula for entry in kinds["Liveness"] for formula in entry.formulas)),
-        pieces.all(activity, (item for entry in kinds["Activities"] for item in entry.activities)),
-        pieces.all(module, (item for entry in kinds["Modules"] for item in entry.modules)),
-        pieces.all(_functionality, kinds["Functionality"]),
-        pieces.all(control, kinds["Control"]),
+        tuple(_plays(pieces, part) for entry in kinds.of(nodes.Plays) for part in entry.parts),
+        pieces.all(_capability, kinds.of(nodes.Capability)),
+        pieces.all(lambda pieces, entry: var(pieces, entry, words), kinds.of(nodes.Var)),
+        pieces.all(lambda pieces, entry: let(pieces, entry, words), kinds.of(nodes.Let)),
+        pieces.all(formula, (formula for entry in kinds.of(nodes.Liveness) for formula in entry.formulas)),
+        pieces.all(activity, (item for entry in kinds.of(nodes.Activities) for item in entry.activities)),
+        pieces.all(module, (item for entry in kinds.of(nodes.Modules) for item in entry.modules)),
+        pieces.all(_functionality, kinds.of(nodes.Functionality)),
+        pieces.all(control, kinds.of(nodes.Control)),
         pieces.span(node),
-        tuple(pieces.name(role) for entry in kinds["Inclusion"] for role in entry.roles),
+        tuple(pieces.name(role) for entry in kinds.of(nodes.Inclusion) for role in entry.roles),
         bool(node.abstract),
     )
 
 
-def _plays(pieces: Pieces, node: Any) -> tree.Plays:
+def _plays(pieces: Pieces, node: nodes.Part) -> tree.Plays:
     return tree.Plays(
         pieces.name(node.protocol),
         pieces.name(node.participant),
@@ -44,7 +43,7 @@ def _plays(pieces: Pieces, node: Any) -> tree.Plays:
     )
 
 
-def _binding(pieces: Pieces, node: Any) -> tree.Binding | None:
+def _binding(pieces: Pieces, node: nodes.Binding) -> tree.Binding | None:
     value = pieces.tried(lambda: read_expression(pieces.source, node.tokens))
     if value is None:
         return None
@@ -52,7 +51,7 @@ def _binding(pieces: Pieces, node: Any) -> tree.Binding | None:
     return tree.Binding(pieces.name(node.abstract), name, None if name else value, pieces.span(node))
 
 
-def _capability(pieces: Pieces, node: Any) -> tree.Capability:
+def _capability(pieces: Pieces, node: nodes.Capability) -> tree.Capability:
     description = pieces.text(node.description) if node.description else None
     return tree.Capability(
         pieces.new_name(node.name, "capability"),
@@ -62,7 +61,7 @@ def _capability(pieces: Pieces, node: Any) -> tree.Capability:
     )
 
 
-def _functionality(pieces: Pieces, node: Any) -> tree.Functionality:
+def _functionality(pieces: Pieces, node: nodes.Functionality) -> tree.Functionality:
     texts: dict[str, tree.Text] = {}
     said = Once(pieces)
     for entry in node.entries:
