@@ -5,7 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from lsprotocol import types as lsp
 
@@ -162,7 +162,7 @@ def _act(server: Server) -> None:
         return params
 
     @server.command(CARRY_OUT)
-    async def carry(data: Any) -> None:
+    async def carry(data: object) -> None:
         edit = _carried_out(server, data)
         if edit is not None:
             server.workspace_apply_edit(lsp.ApplyWorkspaceEditParams(edit))
@@ -213,10 +213,10 @@ def _code_action(server: Server, view: View, item: Action, shown: Sequence[lsp.D
     return made
 
 
-def _carried_out(server: Server, data: Any) -> lsp.WorkspaceEdit | None:
+def _carried_out(server: Server, data: object) -> lsp.WorkspaceEdit | None:
     """The edit of a refactoring; None, and a message that says why, if it cannot be done."""
     path, name = str(_part(data, "path")), str(_part(data, "name"))
-    start, end = int(_part(data, "start")), int(_part(data, "end"))
+    start, end = int(str(_part(data, "start"))), int(str(_part(data, "end")))
     view = server.files.view(path)
     try:
         if view is None or _checksum(view.source.text) != _part(data, "text"):
@@ -266,9 +266,10 @@ def _checksum(text: str) -> int:
     return zlib.crc32(text.encode("utf-8", "surrogatepass"))
 
 
-def _part(data: Any, name: str) -> Any:
+def _part(data: object, name: str) -> object:
     """A member of what an editor has sent back."""
-    return data[name] if isinstance(data, dict) else getattr(data, name)
+    found: object = data[name] if isinstance(data, dict) else getattr(data, name)
+    return found
 
 
 # ---- items ------------------------------------------------------------------------------------------

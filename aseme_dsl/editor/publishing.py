@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from lsprotocol import types as lsp
 
@@ -141,7 +140,7 @@ class Publishing:
             data=self._fix(program, item),
         )
 
-    def _fix(self, program: Program, item: diagnostics.Diagnostic) -> dict[str, Any] | None:
+    def _fix(self, program: Program, item: diagnostics.Diagnostic) -> dict[str, object] | None:
         """What fixes it, as a workspace edit's changes, for clients that apply it themselves."""
         if not item.changes:
             return None

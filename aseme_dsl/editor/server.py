@@ -6,7 +6,6 @@ import asyncio
 import contextlib
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException, JsonRpcInvalidParams
@@ -547,14 +546,15 @@ def _item(server: Server, path: str, found: calls.Caller) -> lsp.CallHierarchyIt
 
 def _asked(item: lsp.CallHierarchyItem) -> tuple[str, Symbol]:
     """What an item is about: the file from which it was asked for, and the symbol."""
-    data: Any = item.data
+    data: object = item.data
     kind, name, owner = (str(_read(data, part)) for part in ("kind", "name", "owner"))
     return str(_read(data, "view")), Symbol(Kind(kind), name, owner)
 
 
-def _read(data: Any, name: str) -> Any:
+def _read(data: object, name: str) -> object:
     """A member of what an editor has sent back."""
-    return data[name] if isinstance(data, dict) else getattr(data, name)
+    found: object = data[name] if isinstance(data, dict) else getattr(data, name)
+    return found
 
 
 # ---- drawings ---------------------------------------------------------------------------------------
@@ -576,7 +576,7 @@ def _drawings(server: Server, publishing: Publishing) -> None:
         return None if found is None else (view, found)
 
     @server.feature(DIAGRAM)
-    async def diagram(params: Any) -> dict[str, Any] | None:
+    async def diagram(params: object) -> dict[str, object] | None:
         """The picture for a place, or null: docs/howto/editors/language-server.md has the messages."""
         try:
             found = await drawn(*_asked_place(params))
@@ -601,7 +601,7 @@ def _drawings(server: Server, publishing: Publishing) -> None:
         }
 
     @server.feature(CURSOR)
-    def cursor(params: Any) -> None:
+    def cursor(params: object) -> None:
         """The cursor is somewhere else."""
         server.moved(*_asked_place(params))
 
@@ -629,10 +629,10 @@ def _drawings(server: Server, publishing: Publishing) -> None:
         return url
 
 
-def _asked_place(params: Any) -> tuple[str, lsp.Position]:
+def _asked_place(params: object) -> tuple[str, lsp.Position]:
     """The document and the position of a request of ours."""
     place = _read(params, "position")
-    position = lsp.Position(int(_read(place, "line")), int(_read(place, "character")))
+    position = lsp.Position(int(str(_read(place, "line"))), int(str(_read(place, "character"))))
     return str(_read(_read(params, "textDocument"), "uri")), position
 
 

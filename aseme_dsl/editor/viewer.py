@@ -16,7 +16,7 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from importlib import resources
 from io import BufferedReader
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 from urllib.parse import parse_qsl
 
 from aseme_dsl import outside
@@ -122,8 +122,11 @@ class _Server(ThreadingHTTPServer):
         self.places = Places()
         super().__init__(address, handler)
 
-    def process_request(self, request: Any, client_address: Any) -> None:
+    def process_request(
+        self, request: socket.socket | tuple[bytes, socket.socket], client_address: object
+    ) -> None:
         """Serve a connection in a thread of its own."""
+        assert isinstance(request, socket.socket)  # the other is of UDP
         if self.places.take(request, socket.SHUT_RDWR):
             super().process_request(request, client_address)
             return
@@ -132,8 +135,9 @@ class _Server(ThreadingHTTPServer):
             request.sendall(_BUSY)
         self.shutdown_request(request)
 
-    def shutdown_request(self, request: Any) -> None:
+    def shutdown_request(self, request: socket.socket | tuple[bytes, socket.socket]) -> None:
         """End a connection."""
+        assert isinstance(request, socket.socket)
         self.places.leave(request)
         super().shutdown_request(request)
 

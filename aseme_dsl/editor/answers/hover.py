@@ -445,7 +445,8 @@ def _functionality(program: Program, symbol: Symbol) -> Iterator[str]:
 
 def _timer(program: Program, symbol: Symbol) -> Iterator[str]:
     yield f"Timer `{symbol.name}` of `{symbol.owner}`"
-    starts = [item.node for item in program.index.of(symbol) if item.use is Use.WRITE]
+    written = [item.node for item in program.index.of(symbol) if item.use is Use.WRITE]
+    starts = [node for node in written if isinstance(node, tree.Call)]
     times = [_text(program, node.arguments[1].span) for node in starts if len(node.arguments) > 1]
     if times:
         yield "Started for " + _listed(f"`{time}`" for time in times)

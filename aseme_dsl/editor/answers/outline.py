@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, is_dataclass
-from typing import Any
 
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.compiler.read.pieces import InPieces
@@ -97,8 +96,8 @@ def _entries(nodes: tuple[object, ...], kinds: dict[Span, Kind]) -> Iterator[Ent
             inside = ()
 
 
-def _span(node: Any) -> Span:
-    span: Span = node.span
+def _span(node: object) -> Span:
+    span: Span = getattr(node, "span")  # noqa: B009  every node has one, of whatever class
     return span
 
 

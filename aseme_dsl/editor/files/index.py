@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from enum import StrEnum
-from typing import Any
 
 from aseme_dsl.amola.liveness import Argument, Formula, names
 from aseme_dsl.amola.messages import BUILT_IN
@@ -81,7 +80,7 @@ class Occurrence:
     span: Span
     symbol: Symbol
     use: Use
-    node: Any = field(compare=False)
+    node: object = field(compare=False)
 
 
 @dataclass(frozen=True)
@@ -150,6 +149,10 @@ def formula_owners(
             yield from ((f"{protocol.name}.{party.name}", item) for item in party.formulas)
 
 
+Block = tree.Enum | tree.Message | tree.Function | tree.Aip | tree.Srm | tree.Statechart
+"""What has names of its own inside."""
+
+
 @dataclass(frozen=True)
 class Around:
     """What a name stands in: the names that are visible there, by kind, and the blocks around it.
@@ -158,7 +161,7 @@ class Around:
     """
 
     world: World
-    block: Any = None
+    block: Block | None = None
     owner: str = ""
     values: Mapping[str, Symbol] = field(default_factory=dict)
     terms: Mapping[str, Symbol] = field(default_factory=dict)
@@ -169,7 +172,7 @@ class Around:
     role: str = ""
     played: str = ""
     """The participant that a role plays, and gives something here."""
-    node: Any = None
+    node: object = None
     taken: Mapping[str, str] = field(default_factory=dict)
     """The types of the agent messages that have names here."""
     filled: str = ""
@@ -259,6 +262,7 @@ def _publisher(around: Around, name: tree.Name) -> Symbol | None:
 def _place(around: Around, name: tree.Name) -> Symbol | None:
     """`PassBall@center`, or the participant alone."""
     place = around.node
+    assert isinstance(place, tree.Place) and isinstance(around.block, tree.Aip)
     if place.at is None:
         return around.parties.get(name.text) or Symbol(Kind.ACTIVITY, name.text)
     owner = f"{_block(around)}.{place.at}"
@@ -282,6 +286,7 @@ def _agent(around: Around, name: tree.Name) -> Symbol | None:
 
 
 def _participant_played(around: Around, name: tree.Name) -> Symbol | None:
+    assert isinstance(around.node, tree.Plays)
     return Symbol(Kind.PARTICIPANT, name.text, around.node.protocol.text)
 
 
@@ -294,6 +299,7 @@ def _abstract(around: Around, name: tree.Name) -> Symbol | None:
 
 def _bound(around: Around, name: tree.Name) -> Symbol | None:
     """What stands for it in the role."""
+    assert isinstance(around.node, tree.Binding)
     if (around.played, around.node.abstract.text) in around.world.supplied:
         return around.values.get(name.text)
     return around.term(name.text)
@@ -658,9 +664,10 @@ def _filled(node: tree.Fill, path: tree.Path, around: Around) -> Iterator[Occurr
 _FIELDS: dict[type, tuple[str, ...]] = {}
 
 
-def _parts(node: Any) -> Iterator[tuple[str, Any]]:
+def _parts(node: object) -> Iterator[tuple[str, object]]:
     if isinstance(node, (tree.Name, tree.Text, Source, Span)):
         return
+    assert is_dataclass(node) and not isinstance(node, type)
     if type(node) not in _FIELDS:
         _FIELDS[type(node)] = tuple(item.name for item in fields(node) if item.name != "span")
     for name in _FIELDS[type(node)]:

@@ -9,9 +9,10 @@ import signal
 import threading
 from collections.abc import Callable
 from types import FrameType
-from typing import TypeVar
+from typing import ParamSpec, TypeVar
 
 _T = TypeVar("_T")
+_P = ParamSpec("_P")
 
 AGAIN = 0.05
 """Seconds after which a call that has swallowed the exception gets another one."""
@@ -26,8 +27,8 @@ def may_interrupt() -> bool:
     return hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread()
 
 
-def within(seconds: float, function: Callable[..., _T], *arguments: object) -> _T:
-    """`function(*arguments)`, given up when the process has computed for so many seconds.
+def within(seconds: float, function: Callable[_P, _T], *arguments: _P.args, **named: _P.kwargs) -> _T:
+    """`function(*arguments, **named)`, given up when the process has computed for so many seconds.
 
     Raises:
         OutOfTime: It was given up.
@@ -35,7 +36,7 @@ def within(seconds: float, function: Callable[..., _T], *arguments: object) -> _
     before = signal.signal(signal.SIGVTALRM, _ring)
     try:
         signal.setitimer(signal.ITIMER_VIRTUAL, seconds, AGAIN)
-        return function(*arguments)
+        return function(*arguments, **named)
     finally:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0)
         signal.signal(signal.SIGVTALRM, before)

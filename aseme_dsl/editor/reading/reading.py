@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from contextvars import ContextVar
 from dataclasses import dataclass
-from typing import Any, TypeVar, cast
+from typing import ParamSpec, TypeVar, cast
 
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.editor.reading.budget import OutOfTime, may_interrupt, within
@@ -28,6 +28,9 @@ from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source
 
 _T = TypeVar("_T")
+_K = TypeVar("_K")
+_V = TypeVar("_V")
+_P = ParamSpec("_P")
 
 QUICK = 0.25
 """Seconds of computing after which a parse in the server is given up: nobody is answered meanwhile."""
@@ -111,16 +114,16 @@ class Reader:
                 _keep(self._slow, job.beginning, None)
         raise NotYet(job)
 
-    def at_once(self, function: Callable[..., _T], *arguments: object) -> _T:
+    def at_once(self, function: Callable[_P, _T], *arguments: _P.args, **named: _P.kwargs) -> _T:
         """The result of something that is of no use later.
 
         Raises:
             TooSlow: It takes long.
         """
         if not may_interrupt():
-            return function(*arguments)
+            return function(*arguments, **named)
         try:
-            return within(self._quick, function, *arguments)
+            return within(self._quick, function, *arguments, **named)
         except OutOfTime:
             raise TooSlow(f"longer than {self._quick:g} s") from None
 
@@ -184,7 +187,7 @@ async def _asked(process: asyncio.subprocess.Process, job: Job) -> bytes:
     return await process.stdout.readexactly(size)
 
 
-def _keep(known: dict[Any, Any], key: Any, value: Any) -> None:
+def _keep(known: dict[_K, _V], key: _K, value: _V) -> None:
     known[key] = value
     if len(known) > KEPT:
         del known[next(iter(known))]
