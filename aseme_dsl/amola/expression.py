@@ -780,16 +780,7 @@ def value_text(value: Value, *, expand: bool = False) -> str:
     def show(item: Value, least: int = 0) -> str:
         match item:
             case Literal(value=constant, type=kind):
-                if isinstance(constant, bool):
-                    text = "true" if constant else "false"
-                elif kind.kind is Kind.OUTCOME:
-                    text = str(constant)
-                elif isinstance(constant, str):
-                    text = f"{kind}.{constant}" if kind.kind is Kind.ENUM else _quoted(constant)
-                elif kind == DURATION:
-                    text = duration_text(int(constant))
-                else:
-                    text = _number(constant)
+                text = _literal_text(constant, kind)
             case EnumConstant(constant=constant, type=kind):
                 text = f"{kind.name}.{constant}"
             case VariableValue(name=name):
@@ -852,6 +843,16 @@ def value_text(value: Value, *, expand: bool = False) -> str:
         return f"({text})" if _binding(item) < least else text
 
     return show(value)
+
+
+def _literal_text(constant: bool | int | float | str, kind: Type) -> str:
+    if isinstance(constant, bool):
+        return "true" if constant else "false"
+    if kind.kind is Kind.OUTCOME:
+        return str(constant)
+    if isinstance(constant, str):
+        return f"{kind}.{constant}" if kind.kind is Kind.ENUM else _quoted(constant)
+    return duration_text(int(constant)) if kind == DURATION else _number(constant)
 
 
 def event_text(event: Event) -> str:

@@ -83,6 +83,8 @@ def make_server(
     _questions(server)
     _changes(server)
     _structure(server)
+    _semantic_tokens(server)
+    _notes(server)
     _hierarchy(server)
     _drawings(server, publishing)
     answer_authors(server)
@@ -390,6 +392,19 @@ def _structure(server: Server) -> None:
             for span, path in navigation.links(view)
         ]
 
+
+def _entry(server: Server, item: outline.Entry) -> lsp.DocumentSymbol:
+    return lsp.DocumentSymbol(
+        item.name,
+        _SYMBOLS.get(item.kind, lsp.SymbolKind.Variable),
+        server.texts.range(item.span),
+        server.texts.range(item.name_span),
+        detail=item.detail,
+        children=[_entry(server, inner) for inner in item.inside],
+    )
+
+
+def _semantic_tokens(server: Server) -> None:
     legend = lsp.SemanticTokensLegend(list(tokens.TYPES), list(tokens.MODIFIERS))
 
     @server.feature(
@@ -434,6 +449,21 @@ def _structure(server: Server) -> None:
             await server.in_pieces(tokens.encoded(server.texts.lines(view.source), within))
         )
 
+
+async def _encoded(server: Server, view: View) -> list[int]:
+    names = await server.in_pieces(tokens.tokens(view))
+    return await server.in_pieces(tokens.encoded(server.texts.lines(view.source), names))
+
+
+def _remember(server: Server, view: View, data: Sequence[int]) -> str:
+    """Keep the tokens that an editor has got, under a name that says which they are."""
+    known, _ = server.tokens.get(view.path, ("0", []))
+    name = str(int(known) + 1)
+    server.tokens[view.path] = (name, list(data))
+    return name
+
+
+def _notes(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_INLAY_HINT)
     async def inlay_hints(params: lsp.InlayHintParams) -> list[lsp.InlayHint] | None:
         found = await server.places(params.text_document.uri, params.range.start, params.range.end)
@@ -462,30 +492,6 @@ def _structure(server: Server) -> None:
             )
             for item in hints.lenses(view)
         ]
-
-
-def _entry(server: Server, item: outline.Entry) -> lsp.DocumentSymbol:
-    return lsp.DocumentSymbol(
-        item.name,
-        _SYMBOLS.get(item.kind, lsp.SymbolKind.Variable),
-        server.texts.range(item.span),
-        server.texts.range(item.name_span),
-        detail=item.detail,
-        children=[_entry(server, inner) for inner in item.inside],
-    )
-
-
-async def _encoded(server: Server, view: View) -> list[int]:
-    names = await server.in_pieces(tokens.tokens(view))
-    return await server.in_pieces(tokens.encoded(server.texts.lines(view.source), names))
-
-
-def _remember(server: Server, view: View, data: Sequence[int]) -> str:
-    """Keep the tokens that an editor has got, under a name that says which they are."""
-    known, _ = server.tokens.get(view.path, ("0", []))
-    name = str(int(known) + 1)
-    server.tokens[view.path] = (name, list(data))
-    return name
 
 
 # ---- calls ------------------------------------------------------------------------------------------

@@ -54,7 +54,7 @@ class Viewer:
         self._states: dict[str, tuple[int, bytes]] = {NO_TAB: (0, b"null")}
         self._ended = False
         self._secret = secrets.token_urlsafe(12)
-        self._server = _Server((LOOPBACK, port), _handler(self))
+        self._server = _Server((LOOPBACK, port), _Handler, self)
         self.port = int(self._server.server_address[1])
         self.url = f"http://{LOOPBACK}:{self.port}/{self._secret}/"
         self._thread = threading.Thread(target=self._server.serve_forever, args=(0.1,), daemon=True)
@@ -118,7 +118,10 @@ class _Server(ThreadingHTTPServer):
     request_queue_size = MOST
     """With few, who connects while others do would wait for seconds."""
 
-    def __init__(self, address: tuple[str, int], handler: type[BaseHTTPRequestHandler]) -> None:
+    def __init__(
+        self, address: tuple[str, int], handler: type[BaseHTTPRequestHandler], viewer: Viewer
+    ) -> None:
+        self.viewer = viewer
         self.places = Places()
         super().__init__(address, handler)
 
@@ -180,86 +183,85 @@ def page(nonce: str) -> bytes:
     return text.replace("NONCE", nonce).encode()
 
 
-def _handler(viewer: Viewer) -> type[BaseHTTPRequestHandler]:
-    class Handler(BaseHTTPRequestHandler):
-        """Answers the page of one viewer."""
+class _Handler(BaseHTTPRequestHandler):
+    """Answers the page of the server's viewer."""
 
-        protocol_version = "HTTP/1.1"
-        server: _Server
+    protocol_version = "HTTP/1.1"
+    server: _Server
 
-        def setup(self) -> None:
-            super().setup()
-            self.rfile.close()
-            self._coming = Timely(self.connection)
-            self.rfile = BufferedReader(self._coming)
+    def setup(self) -> None:
+        super().setup()
+        self.rfile.close()
+        self._coming = Timely(self.connection)
+        self.rfile = BufferedReader(self._coming)
 
-        def handle_one_request(self) -> None:
-            self._coming.next()
-            super().handle_one_request()
-            self.server.places.wait(self.connection, socket.SHUT_RDWR)
+    def handle_one_request(self) -> None:
+        self._coming.next()
+        super().handle_one_request()
+        self.server.places.wait(self.connection, socket.SHUT_RDWR)
 
-        def _asked(self) -> str | None:
-            """What is asked for by who knows the secret, and keeps the place while it is answered."""
-            asked = viewer.is_asked(self.headers.get("Host", ""), self.path)
-            return asked if asked is not None and self.server.places.answer(self.connection) else None
+    def _asked(self) -> str | None:
+        """What is asked for by who knows the secret, and keeps the place while it is answered."""
+        asked = self.server.viewer.is_asked(self.headers.get("Host", ""), self.path)
+        return asked if asked is not None and self.server.places.answer(self.connection) else None
 
-        def do_GET(self) -> None:
-            asked = self._asked()
-            name, _, question = (asked or "").partition("?")
-            if asked is None or name not in ("", "state"):
-                self._answer(HTTPStatus.NOT_FOUND)
-            elif name == "":
-                nonce = secrets.token_urlsafe(12)
-                policy = f"{_POLICY}; script-src 'nonce-{nonce}'"
-                self._answer(HTTPStatus.OK, page(nonce), "text/html", {"Content-Security-Policy": policy})
+    def do_GET(self) -> None:
+        asked = self._asked()
+        name, _, question = (asked or "").partition("?")
+        if asked is None or name not in ("", "state"):
+            self._answer(HTTPStatus.NOT_FOUND)
+        elif name == "":
+            nonce = secrets.token_urlsafe(12)
+            policy = f"{_POLICY}; script-src 'nonce-{nonce}'"
+            self._answer(HTTPStatus.OK, page(nonce), "text/html", {"Content-Security-Policy": policy})
+        else:
+            said = dict(parse_qsl(question[:_LARGEST]))
+            number = said.get("after", "")
+            found = self.server.viewer.wait(
+                int(number[:18]) if number.isdecimal() else 0, said.get("tab", NO_TAB)
+            )
+            if found is None:
+                self._answer(HTTPStatus.NO_CONTENT)
             else:
-                said = dict(parse_qsl(question[:_LARGEST]))
-                number = said.get("after", "")
-                found = viewer.wait(int(number[:18]) if number.isdecimal() else 0, said.get("tab", NO_TAB))
-                if found is None:
-                    self._answer(HTTPStatus.NO_CONTENT)
-                else:
-                    self._answer(HTTPStatus.OK, found[1], "application/json", {"X-Version": str(found[0])})
+                self._answer(HTTPStatus.OK, found[1], "application/json", {"X-Version": str(found[0])})
 
-        def do_POST(self) -> None:
-            asked = self._asked()
-            length = self.headers.get("Content-Length", "")
-            if asked != "act" or not length.isdecimal() or int(length[:18]) > _LARGEST:
-                self.close_connection = True
-                self._answer(HTTPStatus.NOT_FOUND)
-                return
-            try:
-                said = outside.loads(self.rfile.read(int(length)))
-            except ValueError:
-                said = None
-            if not isinstance(said, dict):
-                self._answer(HTTPStatus.BAD_REQUEST)
-                return
-            viewer.act(said)
-            self._answer(HTTPStatus.NO_CONTENT)
+    def do_POST(self) -> None:
+        asked = self._asked()
+        length = self.headers.get("Content-Length", "")
+        if asked != "act" or not length.isdecimal() or int(length[:18]) > _LARGEST:
+            self.close_connection = True
+            self._answer(HTTPStatus.NOT_FOUND)
+            return
+        try:
+            said = outside.loads(self.rfile.read(int(length)))
+        except ValueError:
+            said = None
+        if not isinstance(said, dict):
+            self._answer(HTTPStatus.BAD_REQUEST)
+            return
+        self.server.viewer.act(said)
+        self._answer(HTTPStatus.NO_CONTENT)
 
-        def log_message(self, format: str, *args: object) -> None:
-            """Nobody wants to know which page has asked for what."""
+    def log_message(self, format: str, *args: object) -> None:
+        """Nobody wants to know which page has asked for what."""
 
-        def _answer(
-            self,
-            status: HTTPStatus,
-            content: bytes = b"",
-            kind: str = "text/plain",
-            more: Mapping[str, str] | None = None,
-        ) -> None:
-            self.send_response(status)
-            if status is not HTTPStatus.NO_CONTENT:
-                self.send_header("Content-Type", f"{kind}; charset=utf-8")
-                self.send_header("Content-Length", str(len(content)))
-            self.send_header("Cache-Control", "no-store")
-            self.send_header("Referrer-Policy", "no-referrer")
-            for name, value in (more or {}).items():
-                self.send_header(name, value)
-            self.end_headers()
-            self.wfile.write(content)
-
-    return Handler
+    def _answer(
+        self,
+        status: HTTPStatus,
+        content: bytes = b"",
+        kind: str = "text/plain",
+        more: Mapping[str, str] | None = None,
+    ) -> None:
+        self.send_response(status)
+        if status is not HTTPStatus.NO_CONTENT:
+            self.send_header("Content-Type", f"{kind}; charset=utf-8")
+            self.send_header("Content-Length", str(len(content)))
+        self.send_header("Cache-Control", "no-store")
+        self.send_header("Referrer-Policy", "no-referrer")
+        for name, value in (more or {}).items():
+            self.send_header(name, value)
+        self.end_headers()
+        self.wfile.write(content)
 
 
 __all__ = ["Viewer", "page_state"]

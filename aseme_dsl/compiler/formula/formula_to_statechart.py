@@ -348,105 +348,155 @@ class _Builder:
             if inside is None:
                 break
             context, formula = context.inside(formula), ungrouped(inside)
-        row, operands = formula.operator.row, formula.operands
-        origin, span, branch = context.origin, formula.span, context.branch
-        children: list[State | _Place] = []
+        return _Level(self, label, formula, context).filled()
 
-        def node(child: str, name: str, kind: StateType, parent: str = label) -> None:
-            children.append(State(child, name, kind, parent, None, origin, span))
 
-        def point(number: int, kind: StateType) -> tuple[str, str]:
-            child = f"{label}.{number}"
-            node(child, child, kind)
-            return child, child
+_Point = tuple[str, str]
+"""The label and the name of a state."""
 
-        def term(number: int, operand: Formula) -> tuple[str, str]:
-            child = f"{label}.{number}"
-            children.append(_Place(child, label, operand, context))
-            return child, self.name_of(operand, context)
 
-        def arrow(
-            source: tuple[str, str],
-            target: tuple[str, str],
-            verb: str,
-            of: Formula,
-            *,
-            first: bool = False,
-            inside: _Context = context,
-        ) -> None:
-            way = (verb, ungrouped(of))
-            self.arrow(*source, *target, way, branch, origin, of.span, first, inside.values)
+class _Level:
+    """The children of one node, by the template of its formula's operator."""
 
-        start = point(1, StateType.START)
-        match row.template:
+    def __init__(self, builder: _Builder, label: str, formula: Formula, context: _Context) -> None:
+        self._builder = builder
+        self._label = label
+        self._formula = formula
+        self._context = context
+        self._children: list[State | _Place] = []
+
+    def filled(self) -> list[State | _Place]:
+        """The children, in order; the transitions between them are added to the builder."""
+        start = self._point(1, StateType.START)
+        template = self._formula.operator.row.template
+        match template:
             case Template.CHAIN:
-                before = start
-                for number, operand in enumerate(operands, 2):
-                    after = term(number, operand)
-                    arrow(before, after, "enter", operand)
-                    before = after
-                arrow(before, point(len(operands) + 2, StateType.END), "leave", operands[-1])
+                self._chain(start)
             case Template.BRANCHES:
-                choice = point(2, StateType.CONDITION)
-                terms = [term(number, operand) for number, operand in enumerate(operands, 3)]
-                end = point(len(operands) + 3, StateType.END)
-                arrow(start, choice, "start", formula)
-                for operand, target in zip(operands, terms, strict=True):
-                    arrow(choice, target, "enter", operand)
-                for operand, source in zip(reversed(operands), reversed(terms), strict=True):
-                    arrow(source, end, "leave", operand)
+                self._branches(start)
             case Template.CUT:
-                body, other = term(2, operands[0]), term(3, operands[1])
-                end = point(4, StateType.END)
-                arrow(start, body, "enter", operands[0])
-                arrow(body, other, "enter", operands[1], first=True)
-                arrow(body, end, "leave", operands[0])
-                arrow(other, end, "leave", operands[1])
+                self._cut(start)
             case Template.REGIONS:
-                parallel = f"{label}.2", self.name_of(formula, context)
-                end = f"{label}.3", f"{label}.3"
-                arrow(start, parallel, "start", formula)
-                arrow(parallel, end, "finish", formula)
-                node(*parallel, StateType.AND)
-                parts = operands * formula.count if row.counted else operands
-                for number, operand in enumerate(parts, 1):
-                    region = f"{parallel[0]}.{number}"
-                    first, last = (f"{region}.1", f"{region}.1"), (f"{region}.3", f"{region}.3")
-                    inner = context
-                    if row.counted:
-                        inner = context.numbered(number, formula.span)
-                    body = f"{region}.2", self.name_of(operand, inner)
-                    node(region, region, StateType.OR, parallel[0])
-                    node(*first, StateType.START, region)
-                    children.append(_Place(body[0], region, operand, inner))
-                    node(*last, StateType.END, region)
-                    arrow(first, body, "enter", operand, inside=inner)
-                    arrow(body, last, "leave", operand, inside=inner)
-                node(*end, StateType.END)
+                self._regions(start)
             case Template.BODY:
-                choice = point(2, StateType.CONDITION) if row.skips else start
-                body = term(len(children) + 1, operands[0])
-                end = point(len(children) + 1, StateType.END) if row.skips or row.leaves else start
-                if row.skips:
-                    arrow(start, choice, "start", formula)
-                    arrow(choice, body, "enter", operands[0])
-                else:
-                    arrow(start, body, "start", formula)
-                if row.repeats:
-                    arrow(body, body, "repeat", operands[0])
-                if row.skips:
-                    arrow(choice, end, "skip", operands[0])
-                if row.leaves:
-                    arrow(body, end, "leave", operands[0])
-            case Template.ACTIVITY:  # the whole is one activity, or one participant that is played
-                body = term(2, formula)
-                arrow(start, body, "enter", formula)
-                arrow(body, point(3, StateType.END), "leave", formula)
+                self._body(start)
+            case Template.ACTIVITY:
+                self._activity(start)
             case Template.INSIDE | Template.UNDECIDED:
                 raise AssertionError("neither parentheses nor holes are expanded")
             case _:
-                assert_never(row.template)
-        return children
+                assert_never(template)
+        return self._children
+
+    # ---- the templates -----------------------------------------------------------------------
+
+    def _chain(self, start: _Point) -> None:
+        operands = self._formula.operands
+        before = start
+        for number, operand in enumerate(operands, 2):
+            after = self._term(number, operand)
+            self._arrow(before, after, "enter", operand)
+            before = after
+        self._arrow(before, self._point(len(operands) + 2, StateType.END), "leave", operands[-1])
+
+    def _branches(self, start: _Point) -> None:
+        operands = self._formula.operands
+        choice = self._point(2, StateType.CONDITION)
+        terms = [self._term(number, operand) for number, operand in enumerate(operands, 3)]
+        end = self._point(len(operands) + 3, StateType.END)
+        self._arrow(start, choice, "start", self._formula)
+        for operand, target in zip(operands, terms, strict=True):
+            self._arrow(choice, target, "enter", operand)
+        for operand, source in zip(reversed(operands), reversed(terms), strict=True):
+            self._arrow(source, end, "leave", operand)
+
+    def _cut(self, start: _Point) -> None:
+        first, second = self._formula.operands
+        body, other = self._term(2, first), self._term(3, second)
+        end = self._point(4, StateType.END)
+        self._arrow(start, body, "enter", first)
+        self._arrow(body, other, "enter", second, first=True)
+        self._arrow(body, end, "leave", first)
+        self._arrow(other, end, "leave", second)
+
+    def _regions(self, start: _Point) -> None:
+        formula, label = self._formula, self._label
+        counted = formula.operator.row.counted
+        parallel = f"{label}.2", self._builder.name_of(formula, self._context)
+        end = f"{label}.3", f"{label}.3"
+        self._arrow(start, parallel, "start", formula)
+        self._arrow(parallel, end, "finish", formula)
+        self._node(*parallel, StateType.AND, label)
+        parts = formula.operands * formula.count if counted else formula.operands
+        for number, operand in enumerate(parts, 1):
+            context = self._context.numbered(number, formula.span) if counted else self._context
+            self._region(f"{parallel[0]}.{number}", parallel[0], operand, context)
+        self._node(*end, StateType.END, label)
+
+    def _region(self, region: str, parallel: str, operand: Formula, context: _Context) -> None:
+        first, last = (f"{region}.1", f"{region}.1"), (f"{region}.3", f"{region}.3")
+        body = f"{region}.2", self._builder.name_of(operand, context)
+        self._node(region, region, StateType.OR, parallel)
+        self._node(*first, StateType.START, region)
+        self._children.append(_Place(body[0], region, operand, context))
+        self._node(*last, StateType.END, region)
+        self._arrow(first, body, "enter", operand, inside=context)
+        self._arrow(body, last, "leave", operand, inside=context)
+
+    def _body(self, start: _Point) -> None:
+        row, operand = self._formula.operator.row, self._formula.operands[0]
+        choice = self._point(2, StateType.CONDITION) if row.skips else start
+        body = self._term(len(self._children) + 1, operand)
+        has_end = row.skips or row.leaves
+        end = self._point(len(self._children) + 1, StateType.END) if has_end else start
+        if row.skips:
+            self._arrow(start, choice, "start", self._formula)
+            self._arrow(choice, body, "enter", operand)
+        else:
+            self._arrow(start, body, "start", self._formula)
+        if row.repeats:
+            self._arrow(body, body, "repeat", operand)
+        if row.skips:
+            self._arrow(choice, end, "skip", operand)
+        if row.leaves:
+            self._arrow(body, end, "leave", operand)
+
+    def _activity(self, start: _Point) -> None:
+        """The whole is one activity, or one participant that is played."""
+        body = self._term(2, self._formula)
+        self._arrow(start, body, "enter", self._formula)
+        self._arrow(body, self._point(3, StateType.END), "leave", self._formula)
+
+    # ---- their pieces ------------------------------------------------------------------------
+
+    def _node(self, child: str, name: str, kind: StateType, parent: str) -> None:
+        span = self._formula.span
+        self._children.append(State(child, name, kind, parent, None, self._context.origin, span))
+
+    def _point(self, number: int, kind: StateType) -> _Point:
+        child = f"{self._label}.{number}"
+        self._node(child, child, kind, self._label)
+        return child, child
+
+    def _term(self, number: int, operand: Formula) -> _Point:
+        child = f"{self._label}.{number}"
+        self._children.append(_Place(child, self._label, operand, self._context))
+        return child, self._builder.name_of(operand, self._context)
+
+    def _arrow(
+        self,
+        source: _Point,
+        target: _Point,
+        verb: str,
+        of: Formula,
+        *,
+        first: bool = False,
+        inside: _Context | None = None,
+    ) -> None:
+        way = (verb, ungrouped(of))
+        context = self._context
+        values = (inside or context).values
+        self._builder.arrow(*source, *target, way, context.branch, context.origin, of.span, first, values)
 
 
 def _bound(context: _Context) -> Callable[[Formula, Sequence[Formula]], Formula]:

@@ -137,9 +137,7 @@ def build(
     before = earlier or Earlier()
     known = before.known
     system = with_labels(system, choice.labels)
-    backends = [name for name in choice.generated if not choice.only or name in choice.only]
-    backends += sorted(name for name in choice.only if name not in (*PARTS, *backends))
-    backends = [name for name in backends if _charts(system, name, choice)]
+    backends = _backends(system, choice)
     parts = [part for part in PARTS if not choice.only or part in choice.only]
     files: list[Planned] = []
     notes: list[str] = []
@@ -166,12 +164,7 @@ def build(
         files = [file for file in files if file.home is None or file.home.exists()]
     generated = [file for file in files if file.part in backends]
     if choice.native and not refused:
-        from aseme_dsl.project.building.native import NativeError, compiled
-
-        try:
-            files += compiled(generated, partial(_tell, told, "compiling to machine code"))
-        except NativeError as problem:
-            diagnostics.append(Diagnostic(NotCompiled(str(problem)), None, path=problem.path))
+        files += _native(generated, told, diagnostics)
     problems = choice.policy.apply(diagnostics)
     if refused or has_errors(problems):
         return Report(system.name, folder, notes=tuple(notes), diagnostics=in_order(problems))
@@ -188,6 +181,26 @@ def build(
     found = in_order((*problems, *choice.policy.apply(written.diagnostics)))
     count = _count(system, generated, written) if generated and earlier is None else None
     return Report(system.name, folder, written, count, tuple(notes), found)
+
+
+def _backends(system: System, choice: Choice) -> list[str]:
+    """The backends that write something: of the project, then those that are asked for besides."""
+    found = [name for name in choice.generated if not choice.only or name in choice.only]
+    found += sorted(name for name in choice.only if name not in (*PARTS, *found))
+    return [name for name in found if _charts(system, name, choice)]
+
+
+def _native(
+    generated: Sequence[Planned], told: Callable[[str], None], diagnostics: list[Diagnostic]
+) -> list[Planned]:
+    """The generated classes as machine code; what cannot be compiled is added to the diagnostics."""
+    from aseme_dsl.project.building.native import NativeError, compiled
+
+    try:
+        return list(compiled(generated, partial(_tell, told, "compiling to machine code")))
+    except NativeError as problem:
+        diagnostics.append(Diagnostic(NotCompiled(str(problem)), None, path=problem.path))
+        return []
 
 
 def _source(system: System, folder: Path) -> str:

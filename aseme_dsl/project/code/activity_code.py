@@ -109,30 +109,10 @@ def check_code(
     found: list[Diagnostic] = []
     if required is not None:
         found += check_files(system, folder, required, project, look)
-    complete = True
-    described: list[tuple[_Code, Activity, str, str]] = []
-    of_words: list[tuple[_Code, System]] = []
-    talks = _of_simulated(system)
-    for piece in pieces:
-        if piece.said.simulated:  # its code, which is to come, may raise any event
-            complete = False
-            continue
-        code = codes.get(piece.path) if piece.path is not None else None
-        if code is None or code.module is None:
-            complete = False
-            found += code.problems if code is not None else ()
-            if piece.is_missing and code is None:
-                problem = NoFileOfModule(piece.said.name, piece.target.partition(":")[0])
-                found.append(Diagnostic(problem, piece.said.span))
-            continue
-        if required is not None and piece.wanted in code.empty:
-            found.append(_unwritten(code.read, piece.said, piece.wanted, piece.what))
-        is_written = piece.said.takes is not None or piece.wanted not in code.empty
-        complete = complete and is_written
-        if is_written and piece.what == "activity":
-            talks[piece.said.name] = code.talk
-        described.append((code, piece.said, piece.wanted, piece.what))
-        of_words.append((code, types if code.module.imports_messages else no_types))
+    written = _written(pieces, codes, required)
+    found += written.problems
+    described = written.described
+    words = [(code, types if code.read.imports_messages else no_types) for code, *_ in described]
     known = {piece.path for piece in pieces}
     if any(code.problems for path, code in codes.items() if path not in known):
         needed = needed_by((code.read.source.path for code, *_ in described), folder, project, look)
@@ -142,7 +122,7 @@ def check_code(
     systems = systems_beside(system, required.neighbours if required is not None else ())
     checked = (
         memory.each(_problems_of, described, *world.inputs),
-        memory.each(_problems_of_words, of_words, *world.inputs),
+        memory.each(_problems_of_words, words, *world.inputs),
         memory.each(_problems_of_helper, [(code,) for code in helpers], types, *world.inputs),
         memory.each(_problems_of_fields, [(code,) for code in read.values()], types, *world.inputs),
     )
@@ -152,12 +132,54 @@ def check_code(
     found += (problem for results in checked for problems in results for problem in problems)
     if alone and system.aips:
         parts = parts_of(system, memory)
+        talks = {**_of_simulated(system), **written.talks}
         found += unfit_talk(parts, talks)
         found += unsaid(system, parts, talks, [talk for code in helpers for talk in code.talk])
-    if complete and world.events:
+    if written.is_complete and world.events:
         found += _never_raised([code for code in codes.values() if code.module is not None], world, memory)
     memory.end()
     return _kept(found)
+
+
+@dataclass(frozen=True, slots=True)
+class _Written:
+    """The code that there is of activities and modules."""
+
+    described: Sequence[tuple[_Code, Activity, str, str]]
+    """The code of each with its description, its class, and whether it is an activity or a module."""
+    talks: Mapping[str, tuple[Talk, ...]]
+    """The agent messages of each activity."""
+    problems: Sequence[Diagnostic]
+    is_complete: bool
+    """Whether there is code of all, so that what none of it does is not done."""
+
+
+def _written(pieces: Iterable[_Piece], codes: Mapping[str, _Code], required: Required | None) -> _Written:
+    """The code of these activities and modules, and what is wrong where there is none."""
+    described: list[tuple[_Code, Activity, str, str]] = []
+    talks: dict[str, tuple[Talk, ...]] = {}
+    problems: list[Diagnostic] = []
+    is_complete = True
+    for piece in pieces:
+        if piece.said.simulated:  # its code, which is to come, may raise any event
+            is_complete = False
+            continue
+        code = codes.get(piece.path) if piece.path is not None else None
+        if code is None or code.module is None:
+            is_complete = False
+            problems += code.problems if code is not None else ()
+            if piece.is_missing and code is None:
+                problem = NoFileOfModule(piece.said.name, piece.target.partition(":")[0])
+                problems.append(Diagnostic(problem, piece.said.span))
+            continue
+        if required is not None and piece.wanted in code.empty:
+            problems.append(_unwritten(code.read, piece.said, piece.wanted, piece.what))
+        is_written = piece.said.takes is not None or piece.wanted not in code.empty
+        is_complete = is_complete and is_written
+        if is_written and piece.what == "activity":
+            talks[piece.said.name] = code.talk
+        described.append((code, piece.said, piece.wanted, piece.what))
+    return _Written(described, talks, problems, is_complete)
 
 
 _Kept = tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]

@@ -351,15 +351,22 @@ def _play_here(
 def _whole_team_over(request: Request, loaded: Loaded, configuration: Configuration) -> Transport:
     """The transport of a team in this process; external agents may exchange messages with it."""
     from aseme_dsl.project.settings.platform_settings import IN_PROCESS
-    from aseme_dsl.project.settings.platforms import link_of
     from aseme_dsl.runtime.transport.port import LOCAL
-    from aseme_dsl.runtime.transport.reliable_delivery import Post
 
     if request.platform in (None, IN_PROCESS):
         return LOCAL
+    return _transport(str(request.platform), loaded, configuration, [name for name, _ in loaded.team])
+
+
+def _transport(
+    platform: str, loaded: Loaded, configuration: Configuration, agents: Sequence[str]
+) -> Transport:
+    """The transport of these agents over a platform. Raises PlatformError and TransportError."""
+    from aseme_dsl.project.settings.platforms import link_of
+    from aseme_dsl.runtime.transport.reliable_delivery import Post
+
     assert loaded.schema is not None  # every generated package has one
-    link = link_of(str(request.platform), loaded, configuration, [name for name, _ in loaded.team])
-    return Post(link, loaded.schema, loaded.model)
+    return Post(link_of(platform, loaded, configuration, agents), loaded.schema, loaded.model)
 
 
 def _play_robot(
@@ -375,11 +382,10 @@ def _play_robot(
     from aseme_dsl.project.playing.operable import operable, others
     from aseme_dsl.project.settings.deployment import misfits
     from aseme_dsl.project.settings.platform_settings import ZENOH
-    from aseme_dsl.project.settings.platforms import PlatformError, link_of
+    from aseme_dsl.project.settings.platforms import PlatformError
     from aseme_dsl.runtime.activity.activities import ActivityError
     from aseme_dsl.runtime.team.team import TeamError, make_team
     from aseme_dsl.runtime.transport import TransportError
-    from aseme_dsl.runtime.transport.reliable_delivery import Post
     from aseme_dsl.runtime.version.loading import activities_in, activities_of, importing
     from aseme_dsl.runtime.world.body import BodyConnectionError
     from aseme_dsl.runtime.world.shared_world import FarBody
@@ -407,9 +413,6 @@ def _play_robot(
         try:
             if trace is not None:
                 trace.parent.mkdir(parents=True, exist_ok=True)
-            assert loaded.schema is not None  # every generated package has one
-            link = link_of(request.platform or ZENOH, loaded, configuration, [robot])
-            transport = Post(link, loaded.schema, loaded.model)
             found = activities_in(activities) if loaded.code is None else activities_of(loaded.code)
             team = make_team(
                 loaded,
@@ -424,7 +427,7 @@ def _play_robot(
                 listeners=listeners,
                 path=folders,
                 here=[robot],
-                transport=transport,
+                transport=_transport(request.platform or ZENOH, loaded, configuration, [robot]),
                 origin=request.begin(),
                 real_time=_real_time(project),
                 carried=lambda: others(loaded, activities, configuration),
