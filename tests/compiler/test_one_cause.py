@@ -525,3 +525,37 @@ srm r {{ plays p.a  liveness {{ r = a }} }}
 srm q {{ plays p.b  liveness {{ q = b }} }}
 """
     assert [code for code in codes(text) if code[0] != "N"] == expected
+
+
+CROSSING = """system S
+message Road {{ double wait  double cars }}
+topic road {{ state Road }}
+srm light {{
+  var near : bool
+  liveness {{ light = (Red | Green)~ }}
+  control light {mode}{{ enter Red : {red}  enter Green : {green} }}
+}}
+"""
+
+
+def test_an_event_in_a_condition_is_no_missing_function() -> None:
+    text = CROSSING.format(mode="", red="when [ped && after(5s)]", green="else")
+    undeclared, event = found(text)
+    assert (undeclared.code, undeclared.span and undeclared.span.text) == ("E200", "ped")
+    assert (event.code, event.span and event.span.text) == ("E502", "after(5s)")
+    assert event.message == "`after(…)` is an event, not a part of a condition"
+
+
+def test_a_random_condition_does_not_blame_the_operator_around_it() -> None:
+    [item] = found(
+        CROSSING.format(mode="", red="[near && random() < 0.7]", green="else") + "team T { l : light }"
+    )
+    assert item.code == "E526"
+    assert item.message.startswith("a condition is looked at many times")
+
+
+def test_branches_in_a_meant_order_may_overlap() -> None:
+    pytest.importorskip("z3")
+    branches = {"red": "[road.state.Road.cars > 3]", "green": "[road.state.Road.wait > 5]"}
+    assert "W410" in codes(CROSSING.format(mode="", **branches))
+    assert "W410" not in codes(CROSSING.format(mode="first ", **branches))

@@ -24,6 +24,7 @@ from aseme_dsl.diagnostics.problems.expressions.conditions import (
     ConditionsUndecided,
     NoBranchHolds,
 )
+from aseme_dsl.grammar.text import tree
 from aseme_dsl.proofs.choice import (
     Always,
     Covered,
@@ -75,6 +76,32 @@ def check_conditions(
         return (), len(once)
     said = yield from memory.each_in_pieces(_said, zip(once.values()), prover)
     return tuple(chain.from_iterable(said)), 0
+
+
+def without_ordered(
+    found: Iterable[Diagnostic], blocks: Iterable[tree.Aip | tree.Srm | tree.Statechart]
+) -> tuple[Diagnostic, ...]:
+    """Without the overlaps in a `control … first`, where the order of the lines is meant."""
+    ordered = [
+        control.span
+        for block in blocks
+        if not isinstance(block, tree.Statechart)
+        for control in block.controls
+        if control.first
+    ]
+
+    def is_meant(item: Diagnostic) -> bool:
+        place = item.span
+        return (
+            isinstance(item.problem, BranchesOverlap)
+            and place is not None
+            and any(
+                span.source is place.source and span.start <= place.start and place.end <= span.end
+                for span in ordered
+            )
+        )
+
+    return tuple(item for item in found if not is_meant(item))
 
 
 def _situations(chart: Statechart, vocabulary: Vocabulary) -> tuple[tuple[object, Situation], ...]:
@@ -178,4 +205,4 @@ def contradiction(prover: Prover) -> Contradict:
     return contradict
 
 
-__all__ = ["FROM_CONDITIONS", "check_conditions", "contradiction", "vocabulary_of"]
+__all__ = ["FROM_CONDITIONS", "check_conditions", "contradiction", "vocabulary_of", "without_ordered"]

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.chart.flow import check_timers
-from aseme_dsl.compiler.checks.conditions import check_conditions
+from aseme_dsl.compiler.checks.conditions import check_conditions, without_ordered
 from aseme_dsl.compiler.checks.outcomes import check_deadlines
 from aseme_dsl.compiler.checks.talk.dialogue import check_multiplicity, check_waits
 from aseme_dsl.compiler.checks.talk.moves import check_moves
@@ -72,7 +72,7 @@ def check_whole(
     for problems in (yield from each(_wakes, zip(charts.of_roles), activities, known, charts.prover)):
         found.add(problems)
     compared, unchecked = yield from check_conditions(all_charts, charts.prover, memory)
-    found.add(compared)
+    found.add(without_ordered(compared, (*declared.blocks.aips, *declared.blocks.roles)))
     return found.of(unchecked)
 
 

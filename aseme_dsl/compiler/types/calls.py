@@ -16,7 +16,7 @@ from aseme_dsl.compiler.read.library import providers
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Related
 from aseme_dsl.diagnostics.problems.expressions import arguments as problems
-from aseme_dsl.diagnostics.problems.expressions.absences import NoFunction
+from aseme_dsl.diagnostics.problems.expressions.absences import EventAsFunction, NoFunction
 from aseme_dsl.diagnostics.problems.expressions.paths import (
     AgeFromArrival,
     NoHistory,
@@ -37,7 +37,9 @@ def function_name(checker: Checker, written: tree.Call) -> str | None:
         return None
     if name.text in FORMS or symbols.overloads(name.text):
         return name.text
-    if not symbols.is_excused(name.text):
+    if name.text == "after":
+        checker.report(EventAsFunction(name.text), written.span)
+    elif not symbols.is_excused(name.text):
         pool = (*symbols.function_names, *FORMS)
         checker.diagnostics.append(
             unknown(NoFunction, name, pool, libraries=providers(name.text, "function"))

@@ -61,7 +61,7 @@ def type_expression(
         checker.scope = replace(scope, taken=taken)
     condition = None
     if written.condition is not None:
-        value = _whole(checker, written.condition)
+        value = _condition(checker, written.condition)
         if is_condition(checker, value, None) and _is_decided(checker, value):
             condition = value
     elif written.when:
@@ -88,6 +88,16 @@ def type_expression(
     if wholly:
         exchange.check_use(checker, taken, typed)
     return typed, tuple(checker.diagnostics)
+
+
+def _condition(checker: Checker, written: tree.Expression) -> Value | None:
+    """A condition as a value. That it is random is the cause also where a logic operator stands around."""
+    before = len(checker.diagnostics)
+    value = _whole(checker, written)
+    for place, item in enumerate(checker.diagnostics[before:], before):
+        if isinstance(item.problem, values.RandomInLogic):
+            checker.diagnostics[place] = replace(item, problem=values.RandomInCondition())
+    return value
 
 
 def _is_decided(checker: Checker, value: Value | None) -> bool:

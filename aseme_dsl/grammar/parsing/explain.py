@@ -19,6 +19,7 @@ _CHOICES = {
     "TopicFlagWord": ("queued", "persist"),
     "Verb": BLOCKS["JunkControl"].words,
     "Reactive": ("reactive",),
+    "First": ("first",),
     "RoleType": ("system", "abstract", "human", "legacy", "external"),
     "ActivityKind": ("thread", "async", "process", "step"),
     "FunctionalityWord": BLOCKS["JunkFunctionality"].words,

@@ -239,6 +239,7 @@ class FormulaParameter(Node):
 class Control(Node):
     name: Leaf
     reactive: Leaf | None
+    first: Leaf | None
     entries: list[ControlEntry]
 
 

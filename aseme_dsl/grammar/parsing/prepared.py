@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 2027620336
+CHECKSUM = 2059946773
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -637,12 +637,13 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     ),
     'Control': (
         'common',
-        {'name': 'one', 'reactive': 'one', 'entries': 'many'},
+        {'name': 'one', 'reactive': 'one', 'first': 'one', 'entries': 'many'},
         (
             'series',
             ('word', 'control'),
             ('=', 'name', 'Name'),
             ('?', ('=', 'reactive', 'Reactive')),
+            ('?', ('=', 'first', 'First')),
             'Open',
             ('*=', 'entries', 'ControlEntry'),
             'Close',
@@ -652,6 +653,11 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         'match',
         {},
         ('pattern', 'reactive\\b'),
+    ),
+    'First': (
+        'match',
+        {},
+        ('pattern', 'first\\b'),
     ),
     'ControlEntry': (
         'abstract',

@@ -94,10 +94,10 @@ _ENTRY_WORDS = frozenset(("abstract", *(word for block in BLOCKS.values() for wo
 _OUTER = {
     "JunkActor": rf"actor\s+{_NAME}\s*\{{",
     "JunkAip": (
-        rf'participant\s+{_NAME}\s*[\[{{]|outcome\s*"|clause\s+(?:at\s+most|every|\(|{_NAME}\s*@)|control\s+{_NAME}(?:\s+reactive)?\s*\{{'
+        rf'participant\s+{_NAME}\s*[\[{{]|outcome\s*"|clause\s+(?:at\s+most|every|\(|{_NAME}\s*@)|control\s+{_NAME}(?:\s+reactive)?(?:\s+first)?\s*\{{'
     ),
     "JunkSrm": (
-        rf"includes\s+{_NAME}|plays\s+{_NAME}\s*\.|liveness\s*\{{|activities\s*\{{|modules\s*\{{|functionality\s+{_NAME}\s*\{{|control\s+{_NAME}(?:\s+reactive)?\s*\{{"
+        rf"includes\s+{_NAME}|plays\s+{_NAME}\s*\.|liveness\s*\{{|activities\s*\{{|modules\s*\{{|functionality\s+{_NAME}\s*\{{|control\s+{_NAME}(?:\s+reactive)?(?:\s+first)?\s*\{{"
         rf'|capability\s+{_NAME}\s*["=]|var\s+{_NAME}\s*:'
     ),
 }

@@ -335,13 +335,14 @@ class StandingWay:
 class Control:
     """`control NAME { … }`: of a formula, or (in an aip) of a participant or one of its helper formulas.
 
-    `reactive` is the word behind the name, where it stands.
+    `reactive` is the word behind the name, where it stands. With `first` the order of its lines decides.
     """
 
     name: Name
     entries: tuple[Way | LabelledWay, ...]
     span: Span
     reactive: Span | None = None
+    first: bool = False
 
 
 # ---- declarations ------------------------------------------------------------------------------

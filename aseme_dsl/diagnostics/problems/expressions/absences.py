@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, assert_never
 
+from aseme_dsl.diagnostics.problem import Problem
 from aseme_dsl.diagnostics.problems.absences import Absent, Importable, NoTopic, Unknown
 from aseme_dsl.diagnostics.wording import a, carried_on, listed
 
@@ -131,6 +132,21 @@ class NoFunction(Importable):
     code = "E502"
     what = "there is no function"
     advice = "declare it, or import the file that does"
+
+
+class EventAsFunction(Problem):
+    """An event with the name of a function, such as `after(5s)`, in a condition."""
+
+    code = "E502"
+    event: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.event}(…)` is an event, not a part of a condition"
+
+    @property
+    def hint(self) -> str:
+        return f"write it before the condition: `{self.event}(…) [ … ]`; to leave on either, write two lines"
 
 
 class NoTopicOfPath(NoTopic):

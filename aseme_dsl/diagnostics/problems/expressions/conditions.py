@@ -15,7 +15,10 @@ class BranchesOverlap(Problem):
     def message(self) -> str:
         return f"this and an earlier branch can both hold: {', '.join(self.facts)}"
 
-    hint = "let them exclude each other; if their order is meant, write `else` for the last branch"
+    hint = (
+        "let them exclude each other; if their order is meant, write `else` for the last branch, or "
+        "`control NAME first { … }`"
+    )
 
 
 class NoBranchHolds(Problem):

@@ -18,7 +18,11 @@ def control(pieces: Pieces, node: nodes.Control) -> tree.Control:
     """A `control` block."""
     reactive = pieces.name(node.reactive).span if node.reactive else None
     return tree.Control(
-        pieces.name(node.name), pieces.all(_control_entry, node.entries), pieces.span(node), reactive
+        pieces.name(node.name),
+        pieces.all(_control_entry, node.entries),
+        pieces.span(node),
+        reactive,
+        node.first is not None and bool(node.first),
     )
 
 
