@@ -18,6 +18,7 @@ from aseme_dsl.runtime.agent.overload import Overload
 from aseme_dsl.runtime.agent.renewal import is_for_any_plan, renewed
 from aseme_dsl.runtime.agent.requests import Requests
 from aseme_dsl.runtime.agent.state_transfer import Carried
+from aseme_dsl.runtime.agent.untakable import Untakable
 from aseme_dsl.runtime.channel.bus import SELECT, Bus
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
@@ -103,6 +104,7 @@ class Agent:
         self.requests = Requests(self, bus)
         self.intake = Intake(_queued(self.plan), not driver.clock.virtual, queue)
         self.overload = Overload(self, queue)
+        self._untakable = Untakable(lambda branch, item: self.conversations.refuse(self, branch, item))
         self._queue = chart.queue = queue
         self.steps: int = 0
         self.recent: deque[tuple[int, ...]] = deque(maxlen=8)
@@ -303,6 +305,8 @@ class Agent:
         if outcome.failure is not None or outcome.finished:
             self._end()
             return
+        if chart.PLAN.branches:
+            self._untakable.look(chart)
         if not self.modules.has_begun:
             self.modules.begin()
         if outcome.again:
@@ -510,6 +514,7 @@ class Agent:
         self.intake.queued = _queued(self.plan)
         self._info_of = {info.label: info for info in self.plan.branches}
         self.recent.clear()
+        self._untakable.forget()
         self._configuration = chart.configuration() if chart.started and self.trace.active else ()
         if not self.driver.clock.virtual:
             chart.pending = self._pending

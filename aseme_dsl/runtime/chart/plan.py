@@ -34,6 +34,8 @@ from functools import cached_property
 from typing import Any
 
 Term = tuple[Any, ...]
+Kind = tuple[str, str, str]
+"""An agent message: performative, message and the participant that it is from ("": any)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -264,6 +266,67 @@ class Plan:
         """The label of the innermost protocol branch around a state, or None."""
         around = [info.label for info in self.branches if (label + ".").startswith(info.label + ".")]
         return max(around, key=len, default=None)
+
+    @cached_property
+    def _sources(self) -> dict[str, list[Transition]]:
+        """The transitions of each source that can be taken while it is active."""
+        found: dict[str, list[Transition]] = {}
+        for item in self.transitions:
+            if item.kind not in ("exit", "abandon"):
+                found.setdefault(item.source, []).append(item)
+        return found
+
+    @cached_property
+    def _taken_from(self) -> dict[tuple[str, str], frozenset[Kind]]:
+        return {}
+
+    def taken_from(self, branch: str, leaf: str) -> frozenset[Kind]:
+        """The agent messages that a branch can take now or later while this leaf inside it is active.
+
+        All conditions may hold, and what is left may be complete. A message that no transition of the branch
+        takes is one for its activities, whenever one may be active.
+        """
+        found = self._taken_from.get((branch, leaf))
+        if found is None:
+            found = self._taken_from[branch, leaf] = frozenset(self._find_taken(branch, leaf))
+        return found
+
+    def _find_taken(self, branch: str, leaf: str) -> Iterator[Kind]:
+        within = f"{branch}."
+        todo = [(leaf, False)]
+        reached: set[tuple[str, bool]] = set()
+        while todo:
+            label, is_entered = todo.pop()
+            if (label, is_entered) in reached or not label.startswith(within):
+                continue
+            reached.add((label, is_entered))
+            state = self.by_label[label]
+            if state.parent is not None:
+                todo.append((state.parent, False))
+            if is_entered and state.type == "AND":
+                todo += [(child.label, True) for child in self.children(label)]
+            elif is_entered and state.type == "OR":
+                todo += [(child.label, True) for child in self.children(label) if child.type == "START"]
+            for item in self._sources.get(label, ()):
+                if item.kind == "external":
+                    todo.append((item.target, True))
+                if item.resume:
+                    todo += [(other.label, True) for other in self.states if is_in(other.label, item.target)]
+        by_lines: set[tuple[str, str]] = set()
+        labels = {label for label, _ in reached}
+        for item in self.transitions:
+            if self._around(item.source) == branch:
+                kinds = [event[1:4] for event in item.events if event[0] == "received"]
+                by_lines.update((performative, message) for performative, message, _ in kinds)
+                if item.source in labels:
+                    yield from kinds
+        if any(self.by_label[item].activity and self.branch_of(item) == branch for item in labels):
+            info = next(item for item in self.branches if item.label == branch)
+            yield from ((*kind, "") for kind in info.receives if kind not in by_lines)
+
+    def _around(self, label: str) -> str | None:
+        """The branch to which the transitions of a state belong: the innermost around it, never itself."""
+        return self.branch_of(label if label not in self.branch_labels else label.rpartition(".")[0])
 
     def variable_of(self, name: str, label: str) -> Variable:
         """The variable that a state's activity means by a name: the innermost. Raises LookupError."""

@@ -263,6 +263,11 @@ class Conversations:
                 self._delivery.losses.consumed(agent, place)
         return mail
 
+    def refuse(self, agent: Receiver, branch: str, identity: Identity) -> None:
+        """No later state of a branch takes a message that waits in it."""
+        with self._driver.holding(), self._lock:
+            self._parts.refuse(agent, branch, identity)
+
     def taken_by(self, agent: Receiver, branch: str) -> tuple[AgentMessage, ...]:
         """What a participation has taken: the last of each kind and sender, the newest at the end."""
         with self._lock:

@@ -249,8 +249,12 @@ class Delivery:
         place = self._members.desks[agent.name].branches.get(mail.branch)
         if conversation is None or (place is not None and place.conversation == conversation):
             return True
-        if mail.performative == LOST:
-            return False
+        if mail.performative != LOST:
+            self.give_back(agent, mail, conversation, "its part in the conversation is over")
+        return False
+
+    def give_back(self, agent: Receiver, mail: AgentMessage, conversation: str, reason: str) -> None:
+        """A message that has reached a branch will not be taken: it is unexpected."""
         info = agent.branch_info(mail.branch)
         acl = AclMessage(
             mail.performative,
@@ -267,8 +271,7 @@ class Delivery:
             agent.plan.system,
             mail.reply_with,
         )
-        self.unexpected(agent, acl, "its part in the conversation is over")
-        return False
+        self.unexpected(agent, acl, reason)
 
     def close(self, name: str) -> None:
         """Forget a conversation in which nobody takes part or may still do so."""

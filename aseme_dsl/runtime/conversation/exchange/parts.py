@@ -163,6 +163,15 @@ class Parts:
             place.answered[mail.sender] = mail
         return place, mail
 
+    def refuse(self, agent: Receiver, branch: str, identity: Identity) -> None:
+        """No later state of a branch takes a message that waits in it."""
+        place = self._members.desks[agent.name].branches.get(branch)
+        mail = place.waiting.pop(identity, None) if place is not None else None
+        if place is not None and mail is not None:
+            reason = f"no later state of {place.info.participant} takes it"
+            self._delivery.give_back(agent, mail, place.conversation or "", reason)
+            self._delivery.losses.consumed(agent, place)
+
     def taken_by(self, agent: Receiver, branch: str) -> tuple[AgentMessage, ...]:
         """What a participation has taken: the last of each kind and sender, the newest at the end."""
         place = self._members.desks[agent.name].branches.get(branch)
