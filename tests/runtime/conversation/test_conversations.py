@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.conversation.exchange import delivery
+from aseme_dsl.runtime.conversation.exchange import participant_delivery
 from aseme_dsl.runtime.message.acl import PERFORMATIVES, fipa_name
 from tests.runtime.playing import MS, SECOND, Played, play
 from tests.support.generated import generate
@@ -319,7 +319,7 @@ def test_each_of_them_is_sent_and_taken() -> None:
 
 def test_no_more_messages_wait_than_an_agent_can_remember(monkeypatch: pytest.MonkeyPatch) -> None:
     """Who asks for ever somebody who never listens is told, and nothing grows."""
-    monkeypatch.setattr(delivery, "WAITING", 20)
+    monkeypatch.setattr(participant_delivery, "WAITING", 20)
     run = play(
         """
         system S
