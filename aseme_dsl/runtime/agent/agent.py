@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections import deque
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from aseme_dsl.runtime.activity.activities import ActivityFinder
@@ -12,8 +12,10 @@ from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.activity.executions import Executions
 from aseme_dsl.runtime.activity.modules import Modules
 from aseme_dsl.runtime.activity.returning import frames_of, reason_of
+from aseme_dsl.runtime.agent.alarm import Alarm
 from aseme_dsl.runtime.agent.behaviours import JadeLikeAgent, agent_class
 from aseme_dsl.runtime.agent.course import changed_states, cycle, place_of_failure
+from aseme_dsl.runtime.agent.effects import Effects
 from aseme_dsl.runtime.agent.overload import Overload
 from aseme_dsl.runtime.agent.renewal import is_for_any_plan, renewed
 from aseme_dsl.runtime.agent.requests import Requests
@@ -26,31 +28,20 @@ from aseme_dsl.runtime.chart.input_queue import Errand, Intake, Posted, Writer
 from aseme_dsl.runtime.chart.inputs import (
     Addressed,
     AgentMessage,
-    Cancel,
     Effect,
-    Fault,
-    FunctionResult,
     Identity,
     Input,
-    Joined,
-    Left,
-    LeftOut,
-    MailTaken,
     Outcome,
     Publication,
-    Resumed,
     Sample,
     Sending,
     Settled,
-    Start,
-    Suspended,
 )
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.conversation.conversation import Conversations
 from aseme_dsl.runtime.message.convert import Messages, converted
 from aseme_dsl.runtime.message.free import ACLMessage
 from aseme_dsl.runtime.ports import Driver
-from aseme_dsl.runtime.time.timers import Timer
 from aseme_dsl.runtime.trace.trace import Trace
 from aseme_dsl.runtime.world.body import Body
 
@@ -120,27 +111,13 @@ class Agent:
         self._wanted = True  # the first step enters the root
         self._following = 0
         self._inputs: list[Posted] | None = None
-        self._due: Timer | None = None
+        self._alarm = Alarm(driver, self.errand, self._want)
         self._configuration: tuple[str, ...] = ()
-        self._missing: tuple[str, str] | None = None
-        """The state that is entered though the content of a message is missing, and what to say of it."""
         self._info_of = {info.label: info for info in self.plan.branches}
         self.shown: JadeLikeAgent | None = None
         """The agent with its behaviours, if it is shown so; made before the first step."""
-        self._carried_out: dict[type[Any], Callable[[Any], None]] = {
-            Start: self._start,
-            Cancel: self.executions.cancel,
-            Publication: self._publish,
-            Sending: self._send,
-            MailTaken: self._take_mail,
-            Joined: self._join,
-            Left: self._leave,
-            Suspended: self._suspend,
-            Resumed: lambda effect: self.conversations.resumed(self, effect.branch),
-            FunctionResult: _nothing,
-            Fault: self._count_fault,
-            LeftOut: lambda effect: self.overload.inside(effect.region, effect.channel),
-        }
+        self._effects = Effects(self, bus, self.executions, self.requests, self.overload)
+        self._carry_out = self._effects.carry_out
         if not driver.clock.virtual:
             chart.pending = self._pending
 
@@ -297,11 +274,11 @@ class Agent:
         for place, effect in enumerate(outcome.effects):
             if place == stop:
                 self.conversations.leaving(self, "failed")
-            self._carried_out[type(effect)](effect)
+            self._carry_out[type(effect)](effect)
         if outcome.failure is not None:
             self._note_failure(now, outcome)
         self.requests.prepared.end_step()
-        self._fail_for_content()
+        self._effects.fail_for_content()
         if outcome.failure is not None or outcome.finished:
             self._end()
             return
@@ -315,7 +292,7 @@ class Agent:
             self._follow(bool(inputs) or drained)
             if self.over:
                 return
-        self._sleep(now)
+        self._alarm.set(chart.due(now))
 
     def _follow(self, has_inputs: bool) -> None:
         """Count the steps in a row that only variables have asked for, and stop an agent that makes them for
@@ -347,24 +324,6 @@ class Agent:
         seen.extend(item for item in found if item.identity not in known)
         return found
 
-    def _sleep(self, now: int) -> None:
-        """Have the agent woken when time alone may enable something."""
-        due = self.chart.due(now)
-        if self._due is not None:
-            if self._due.moment == due and self._due.call is not None:
-                return
-            self._due.cancel()
-            self._due = None
-        if due is not None:
-            self._due = self.driver.at(due, self._wake)
-
-    def _wake(self) -> None:
-        self.errand(self._come_due)
-
-    def _come_due(self) -> None:
-        self._due = None
-        self._wanted = True
-
     # ---- the end -----------------------------------------------------------------------------
 
     def _note_failure(self, now: int, outcome: Outcome) -> None:
@@ -391,9 +350,7 @@ class Agent:
         self._end()
 
     def _end(self) -> None:
-        if self._due is not None:
-            self._due.cancel()
-            self._due = None
+        self._alarm.cancel()
         if self.shown is not None:
             self.shown.over(left=self.chart.finished or self.chart.failure is not None)
         if not self.stopped:
@@ -412,7 +369,7 @@ class Agent:
                 chart.taken, chart.effects = outcome.taken, outcome.effects
                 chart.abandon(branch)
                 for effect in outcome.of(Sending):
-                    self._send(effect)
+                    self._effects.send(effect)
 
     # ---- another plan ------------------------------------------------------------------------
 
@@ -422,7 +379,7 @@ class Agent:
         `changed` says whether the plan differs: then something may be enabled that was not.
         """
         # What has just become due is not due later once more: it is looked at now.
-        is_due = self._due is not None and self._due.moment <= self.driver.clock.now()
+        is_due = self._alarm.is_due(self.driver.clock.now())
         labels = carried.labels
         kept = {info.label for info in carried.chart.PLAN.branches}
         self._abandon([item for item in self.chart.ABANDON if labels.get(item) not in kept])
@@ -441,13 +398,13 @@ class Agent:
             self.intake.put_back([item for item in waiting if item is not None])
         self.conversations.leaving(self, "replaced")
         for effect in carried.effects:
-            self._carried_out[type(effect)](effect)
+            self._carry_out[type(effect)](effect)
         self.conversations.leaving(self, "left")
         if changed or is_due:
             self.errand(self._want)
         self.modules.renew(find)
         if carried.chart.started:
-            self._sleep(self.driver.clock.now())
+            self._alarm.set(self.chart.due(self.driver.clock.now()))
 
     def begin_as(self, chart: Chart, find: ActivityFinder, messages: Messages, *, dead: bool = False) -> None:
         """Leave the present plan, and enter another. Called while the agent is guarded, between two steps.
@@ -462,7 +419,7 @@ class Agent:
             effects = old.effects if not dead else [item for item in old.effects if not _is_said(item)]
             self.conversations.leaving(self, "crashed" if dead else "replaced")
             for effect in effects:
-                self._carried_out[type(effect)](effect)
+                self._carry_out[type(effect)](effect)
             if self.shown is not None:
                 self.shown.stop_behaviours()
             if self.shown is not None and not dead:
@@ -518,9 +475,7 @@ class Agent:
         self._configuration = chart.configuration() if chart.started and self.trace.active else ()
         if not self.driver.clock.virtual:
             chart.pending = self._pending
-        if self._due is not None:
-            self._due.cancel()
-            self._due = None
+        self._alarm.cancel()
 
     def _renewed(self, item: Posted, labels: Mapping[str, str] | None) -> Posted | None:
         """An input as the agent's plan has it; None, told in the trace, where it has nothing of that name."""
@@ -548,16 +503,7 @@ class Agent:
         """The transitions taken last, for messages about what does not end."""
         return cycle(self.plan, self.recent)
 
-    # ---- effects -----------------------------------------------------------------------------
-
-    def _count_fault(self, effect: Fault) -> None:
-        at = self.plan.transitions[effect.transition].at
-        self.trace.count_fault(self.driver.clock.now(), self.name, effect.reason, at)
-
-    def _take_mail(self, effect: MailTaken) -> None:
-        mail = self.conversations.taken(self, effect.branch, effect.identity)
-        if mail is not None:
-            self.take_note(effect.branch, mail)
+    # ---- behaviours --------------------------------------------------------------------------
 
     def take_note(self, branch: str, mail: AgentMessage) -> None:
         """A participant, by its branch, has taken a message: its behaviour is told."""
@@ -567,70 +513,6 @@ class Agent:
     def callback(self, label: str) -> type[Any] | None:
         """The activity of a state that is a method of a behaviour, if it is one."""
         return None if self.shown is None else self.shown.callback(label)
-
-    def _publish(self, effect: Publication) -> None:
-        self.bus.publish(self, effect.channel, effect.message, effect.host, region=effect.region)
-
-    def _start(self, start: Start) -> None:
-        if self._missing is not None and f"{start.label}.".startswith(f"{self._missing[0]}."):
-            self.executions.refuse(start, self._missing[1])
-            self._missing = None
-        else:
-            self.executions.start(start)
-
-    def _join(self, effect: Joined) -> None:
-        self.requests.prepared.forget(effect.branch)
-        self.conversations.joined(self, effect.branch)
-
-    def _leave(self, effect: Left) -> None:
-        self.requests.prepared.forget(effect.branch)
-        self.executions.leave(effect.branch)
-        self.conversations.left(self, effect.branch, effect.completed)
-
-    def _suspend(self, effect: Suspended) -> None:
-        self.executions.suspend(effect.branch)
-        self.conversations.suspended(self, effect.branch)
-
-    def _fail_for_content(self) -> None:
-        """Fail the state that was entered by a transition whose message has no content, or the agent."""
-        if self._missing is not None:
-            (state, reason), self._missing = self._missing, None
-            if not self.over and not self.executions.fail_inside(state, reason):
-                self.fail(reason)
-
-    def _send(self, effect: Sending) -> None:
-        is_farewell = bool(effect.way) and self.plan.transitions[effect.way[0]].kind == "abandon"
-        if is_farewell and self.conversations.place(self, effect.branch)[0] is None:
-            return  # it has not begun to talk with anybody
-        content = self.requests.content_of(effect)
-        performative, message = effect.performative, effect.message
-        if content is None:
-            reason = f"{performative} {message} is not sent: nothing has prepared its content"
-            ways = [self.plan.transitions[number] for number in effect.way]
-            self.trace.fault(self.driver.clock.now(), self.name, reason, ways[0].at if ways else "")
-            if is_farewell:
-                return
-            self._missing = (ways[-1].target if ways else effect.branch), reason
-            return
-        if effect.to is not None:
-            receivers: Collection[str] = (effect.to,)
-            self.conversations.send_to_agent(
-                self, effect.branch, performative, message, content, effect.to, effect.reply_by
-            )
-        else:
-            receivers = self.conversations.send(
-                self,
-                effect.branch,
-                performative,
-                message,
-                content,
-                effect.participant,
-                effect.excepts,
-                effect.reply_by,
-                one=effect.one,
-            )
-        if is_farewell:
-            self.conversations.took_leave(self, effect.branch, receivers)
 
     # ---- questions ---------------------------------------------------------------------------
 
@@ -655,7 +537,3 @@ def _not_here(agent: Agent, plan: str, by: str) -> None:
 def _queued(plan: Plan) -> frozenset[str]:
     """The channels whose signals queue."""
     return frozenset(info.name for info in plan.channels if info.queued)
-
-
-def _nothing(effect: object) -> None:
-    """Function results are in the record of the step."""
