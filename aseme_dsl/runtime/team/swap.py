@@ -288,6 +288,42 @@ class Swap:
         )
 
 
+class WaitingSwaps:
+    """The scheduled swaps of one team in virtual time, until they are done or refused."""
+
+    def __init__(self, team: Swappable) -> None:
+        self._team = team
+        self._waiting: list[Swap] = []
+
+    def schedule(self, change: Swap, at: int, within: int) -> Swap:
+        """Begin a swap at the moment `at`; for `within` ns it waits until no conversation is in the way."""
+        driver = self._team.driver
+        moment = max(at, driver.clock.now())
+
+        def begin() -> None:
+            if change.check() and not change.hold() and change.state == "waiting":
+                self._waiting.append(change)
+                driver.at(moment + within, lambda: self._too_late(change, within))
+            elif change.state == "prepared":
+                change.finish()
+
+        driver.at(moment, begin)
+        return change
+
+    def try_again(self) -> None:
+        """Do what can be done now that nothing is left to do at this instant."""
+        for change in list(self._waiting):
+            if change.hold():
+                change.finish()
+            if change.state != "waiting":
+                self._waiting.remove(change)
+
+    def _too_late(self, change: Swap, within: int) -> None:
+        if change in self._waiting:
+            self._waiting.remove(change)
+            change.refuse(f"{reason} after {shown(within)}" for reason in change.reasons)
+
+
 def plan_record(plan: Plan) -> dict[str, object]:
     """A plan for a reader of the trace: what the labels and numbers of later lines mean."""
     return {

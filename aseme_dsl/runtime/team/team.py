@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
@@ -15,7 +15,6 @@ from typing import Any
 from aseme_dsl.display import Displayed
 from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.agent.agent import Agent
-from aseme_dsl.runtime.agent.state_transfer import knowledge_of, variables_of
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
@@ -38,15 +37,16 @@ from aseme_dsl.runtime.team.ending import (
 from aseme_dsl.runtime.team.faults import Faults, Links
 from aseme_dsl.runtime.team.network import words_of
 from aseme_dsl.runtime.team.radio import Radio
-from aseme_dsl.runtime.team.swap import WITHIN, Swap, Version, activity_errors, plan_record, version_of
+from aseme_dsl.runtime.team.role_switches import RoleSwitches
+from aseme_dsl.runtime.team.swap import WITHIN, Swap, Version, WaitingSwaps, activity_errors, version_of
 from aseme_dsl.runtime.team.timed_inputs import TimedInput
-from aseme_dsl.runtime.time.clock import USUAL_LENGTH, shown
+from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 from aseme_dsl.runtime.trace.fault_counts import FaultCount
 from aseme_dsl.runtime.trace.trace import Listener, Trace
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.transport import LOCAL, Peer, Transport, TransportError
-from aseme_dsl.runtime.version.loading import Loaded, importing, other_names, put_in_place, standing_in
-from aseme_dsl.runtime.world.body import World
+from aseme_dsl.runtime.version.loading import Loaded, importing, other_names
+from aseme_dsl.runtime.world.body import Body, World
 
 
 class TeamError(Exception):
@@ -163,7 +163,7 @@ class Team:
         """
         members = list(agents)
         names = [name for name, _ in members]
-        mine = _here(names, setup)
+        here = _here(names, setup)
         self.seed = setup.seed
         self.world = setup.world
         self.system = setup.system or members[0][1].PLAN.system
@@ -178,20 +178,15 @@ class Team:
         find: ActivityFinder = activities if callable(activities) else dict(activities).get
         plans = {chart.PLAN.name: chart for _, chart in members}
         self.version = setup.version or Version(self.system, plans, find, self._messages, setup.schema)
-        self._others = setup.carried
-        self._changes: list[Swap] = []
+        self._switches = RoleSwitches(self, setup.carried)
+        self._swaps = WaitingSwaps(self)
         with importing(self._path):
-            charts = {chart.PLAN.name: chart for name, chart in members if name in mine}
-            self._check_activities(charts.values(), find)
-        self._script = self._checked(tuple(setup.timed_inputs), members)
-        there = setup.world.bodies if setup.world is not None else setup.bodies
-        with_radio = [
-            name
-            for name, chart in members
-            if name in mine and name in there and any(info.radio is not None for info in chart.PLAN.channels)
-        ]
-        if with_radio and setup.schema is None:
-            raise TeamError(f"{with_radio[0]} has a radio, but the messages have no schema for it")
+            charts = {chart.PLAN.name: chart for name, chart in members if name in here}
+            _check_activities(charts.values(), find)
+        self._script = _checked(tuple(setup.timed_inputs), members)
+        bodies = setup.world.bodies if setup.world is not None else setup.bodies
+        mine = [(name, chart) for name, chart in members if name in here]
+        with_radio = _with_radio(mine, bodies, setup.schema)
         try:
             self.trace = Trace(setup.trace, setup.listeners, background=setup.clock == "real")
         except TraceError as problem:
@@ -200,31 +195,46 @@ class Team:
         self.trace.now = self.driver.clock.now
         self.transport = setup.transport
         limits = setup.real_time or RealTime()
-        self._queue = queue = limits.queue
-        self.bus = Bus(self.driver, self.trace, setup.state_directory, setup.transport, queue)
+        self._queue = limits.queue
+        self.bus = Bus(self.driver, self.trace, setup.state_directory, setup.transport, limits.queue)
         self.conversations = Conversations(
-            self.driver, self.trace, setup.transport, queue, self.system, limits.conversation_limit
+            self.driver, self.trace, setup.transport, limits.queue, self.system, limits.conversation_limit
         )
-        self.elsewhere: dict[str, Plan] = {name: chart.PLAN for name, chart in members if name not in mine}
+        self.elsewhere: dict[str, Plan] = {name: chart.PLAN for name, chart in members if name not in here}
         """The plans of the agents that run in other processes."""
         self.agents: tuple[Agent, ...] = tuple(
-            Agent(
-                name,
-                chart(name),
-                find,
-                self.driver,
-                self.bus,
-                self.conversations,
-                self.trace,
-                setup.seed,
-                there.get(name),
-                setup.transport.behind,
-                queue,
-            )
-            for name, chart in members
-            if name in mine
+            self._agent(name, chart, find, setup, bodies.get(name)) for name, chart in mine
         )
         self._radios: dict[str, Radio] = {}
+        self._bring_together(names, with_radio, setup.schema)
+        self.driver.bring(self.agents)
+        self._faults = setup.faults
+        if setup.faults is not None:
+            self._make_faulty(setup.faults)
+
+    # ---- making ------------------------------------------------------------------------------
+
+    def _agent(
+        self, name: str, chart: type[Chart], find: ActivityFinder, setup: Setup, body: Body[Any, Any] | None
+    ) -> Agent:
+        return Agent(
+            name,
+            chart(name),
+            find,
+            self.driver,
+            self.bus,
+            self.conversations,
+            self.trace,
+            setup.seed,
+            body,
+            setup.transport.behind,
+            self._queue,
+        )
+
+    def _bring_together(
+        self, names: Sequence[str], with_radio: Container[str], schema: Schema | None
+    ) -> None:
+        """Let all agents, in the team's order, join the bus and the conversations."""
         running = {agent.name: agent for agent in self.agents}
         for name in names:
             agent = running.get(name)
@@ -233,18 +243,12 @@ class Team:
                 self.conversations.join_elsewhere(name, self.elsewhere[name])
                 continue
             radio = None
-            if setup.schema is not None and agent.name in with_radio:
-                radio = self._radios[agent.name] = Radio(agent, self.bus, setup.schema, names)
+            if schema is not None and name in with_radio:
+                radio = self._radios[name] = Radio(agent, self.bus, schema, names)
             self.bus.join(agent, radio)
             self.conversations.join(agent)
-            agent.chosen = self._chosen
+            agent.chosen = self._switches.follow
             agent.kinds = self.version.messages
-        self.driver.bring(self.agents)
-        self._faults = setup.faults
-        if setup.faults is not None:
-            self._make_faulty(setup.faults)
-
-    # ---- making ------------------------------------------------------------------------------
 
     def _driver(self, setup: Setup) -> VirtualDriver | RealDriver:
         if setup.clock == "virtual":
@@ -255,24 +259,6 @@ class Team:
             driver.watch = self._stop is not None
         driver.until = self._until
         return driver
-
-    def _check_activities(self, charts: Iterable[type[Chart]], find: ActivityFinder) -> None:
-        errors = activity_errors(charts, find)
-        if errors:
-            raise TeamError("\n".join(errors))
-
-    def _checked(
-        self, script: tuple[TimedInput, ...], members: Sequence[tuple[str, type[Chart]]]
-    ) -> tuple[TimedInput, ...]:
-        names = [name for name, _ in members]
-        read = {channel for _, chart in members for region in chart.PLAN.regions for channel in region.reads}
-        for item in script:
-            if item.agent is not None and item.agent not in names:
-                raise TeamError(f"the script is for an agent {item.agent}; there are {', '.join(names)}")
-            if item.channel and item.channel not in read:
-                known = ", ".join(sorted(read)) or "none"
-                raise TeamError(f"no agent of the team reads {item.channel}; there are {known}")
-        return script
 
     def _make_faulty(self, faults: Faults) -> None:
         if not self.driver.clock.virtual:
@@ -297,31 +283,7 @@ class Team:
         """
         if not self.driver.clock.virtual:
             raise TeamError("in real time a swap is prepared and finished, not scheduled")
-        change = Swap(self, version, agents)
-        moment = max(at, self.driver.clock.now())
-
-        def begin() -> None:
-            if change.check() and not change.hold() and change.state == "waiting":
-                self._changes.append(change)
-                self.driver.at(moment + within, lambda: self._too_late(change, within))
-            elif change.state == "prepared":
-                change.finish()
-
-        self.driver.at(moment, begin)
-        return change
-
-    def _try_changes(self) -> None:
-        """The swaps that wait, now that nothing is left to do at this instant."""
-        for change in list(self._changes):
-            if change.hold():
-                change.finish()
-            if change.state != "waiting":
-                self._changes.remove(change)
-
-    def _too_late(self, change: Swap, within: int) -> None:
-        if change in self._changes:
-            self._changes.remove(change)
-            change.refuse(f"{reason} after {shown(within)}" for reason in change.reasons)
+        return self._swaps.schedule(Swap(self, version, agents), at, within)
 
     def select(self, agent: str, plan: str, *, at: int = 0) -> None:
         """Have an agent leave its plan and enter another at a moment of virtual time; the trace tells how
@@ -335,83 +297,8 @@ class Team:
         self.driver.at(max(at, self.driver.clock.now()), choose)
 
     def choose(self, agent: Agent, plan: str, by: str, *, own: bool = False) -> str | None:
-        """Let an agent leave its plan and enter another: one of the team's system, or of another that the
-        robot carries (`player`, `Kouretes.player`). Called while the agent is guarded, between two steps.
-
-        `own` keeps it to the team's system: nothing is loaded. Gives the reason if it was refused. An agent
-        that follows the plan already goes on with it.
-        """
-        found = self._carried_plan(plan, own)
-        if isinstance(found, str):
-            return self._refuse(agent, plan, by, found)
-        version, kind = found
-        if agent.over:
-            return self._refuse(agent, plan, by, f"{agent.name} has ended")
-        if kind.PLAN.model == agent.plan.model:
-            return None
-        with importing(version.path), standing_in(version.modules):
-            errors = activity_errors((kind,), version.find)
-        if errors:
-            return self._refuse(agent, plan, by, "; ".join(errors))
-        if version is not self.version:
-            put_in_place(version.modules)
-            self.bind_message_types()
-        chart = kind(agent.name)
-        messages = version.messages if agent.messages else {}
-        variables_of(agent.chart, chart, version.messages)
-        knowledge_of(agent.chart, chart, version.messages)
-        before = agent.plan
-        now = self.driver.clock.now()
-        self.trace.write(
-            "select",
-            now,
-            agent=agent.name,
-            plan=f"{kind.PLAN.system}.{kind.PLAN.name}",
-            by=by,
-            before=before.model,
-            model=kind.PLAN.model,
-            source=kind.PLAN.source,
-            states=plan_record(kind.PLAN),
-        )
-        agent.begin_as(chart, version.find, messages)
-        self.renew(agent, version)
-        return None
-
-    def _carried_plan(self, plan: str, own: bool) -> tuple[Version, type[Chart]] | str:
-        """The chart of a plan's name, or why there is none."""
-        try:
-            versions = [self.version]
-            if not own and plan not in self.version.charts:
-                versions += [item for item in self._others() if item.system != self.version.system]
-        except Exception as error:  # another package in the folder, of anybody
-            return f"what the robot carries cannot be loaded: {error}"
-        found = [
-            (item, chart)
-            for item in versions
-            for name, chart in item.charts.items()
-            if plan in (name, f"{item.system}.{name}")
-        ]
-        known = ", ".join(f"{item.system}.{name}" for item in versions for name in item.charts)
-        if len(found) > 1:
-            return f"several plans are called {plan}; there are {known}"
-        return found[0] if found else f"there is no plan {plan}; there are {known}"
-
-    def _refuse(self, agent: Agent, plan: str, by: str, reason: str) -> str:
-        now = self.driver.clock.now()
-        self.trace.write("select", now, agent=agent.name, plan=plan, by=by, reason=reason)
-        return reason
-
-    def _chosen(self, agent: Agent, plan: str, by: str) -> None:
-        """A message says which plan an agent is to run: it does so before its next step.
-
-        To load what the robot carries besides is control, which other robots do not have.
-        """
-        of_another = by != agent.name and (by in self.elsewhere or any(by == x.name for x in self.agents))
-
-        def choose() -> None:
-            self.choose(agent, plan, by, own=of_another)
-
-        agent.errand(choose)
+        """Let an agent leave its plan and enter another: see `RoleSwitches.choose`."""
+        return self._switches.choose(agent, plan, by, own=own)
 
     def bind_message_types(self) -> None:
         """From now on agents of several versions may meet: each takes messages as its own plan has them."""
@@ -609,8 +496,7 @@ class Team:
         return give
 
     def _settled(self) -> str | None:
-        if self._changes:
-            self._try_changes()
+        self._swaps.try_again()
         if all(agent.over for agent in self.agents):
             return "finished"
         return self._stop(self) if self._stop is not None else None
@@ -650,6 +536,40 @@ class Team:
             waits,
             self._idle_since() is not None and is_stuck(waits),
         )
+
+
+def _check_activities(charts: Iterable[type[Chart]], find: ActivityFinder) -> None:
+    errors = activity_errors(charts, find)
+    if errors:
+        raise TeamError("\n".join(errors))
+
+
+def _checked(
+    script: tuple[TimedInput, ...], members: Sequence[tuple[str, type[Chart]]]
+) -> tuple[TimedInput, ...]:
+    names = [name for name, _ in members]
+    read = {channel for _, chart in members for region in chart.PLAN.regions for channel in region.reads}
+    for item in script:
+        if item.agent is not None and item.agent not in names:
+            raise TeamError(f"the script is for an agent {item.agent}; there are {', '.join(names)}")
+        if item.channel and item.channel not in read:
+            known = ", ".join(sorted(read)) or "none"
+            raise TeamError(f"no agent of the team reads {item.channel}; there are {known}")
+    return script
+
+
+def _with_radio(
+    agents: Iterable[tuple[str, type[Chart]]], bodies: Container[str], schema: Schema | None
+) -> list[str]:
+    """The agents that have a body and a channel by radio. Raises TeamError if there is no schema for one."""
+    found = [
+        name
+        for name, chart in agents
+        if name in bodies and any(info.radio is not None for info in chart.PLAN.channels)
+    ]
+    if found and schema is None:
+        raise TeamError(f"{found[0]} has a radio, but the messages have no schema for it")
+    return found
 
 
 def _here(names: Sequence[str], setup: Setup) -> Sequence[str]:
