@@ -12,7 +12,6 @@ from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.activity.executions import Executions
 from aseme_dsl.runtime.activity.modules import Modules
 from aseme_dsl.runtime.activity.returning import frames_of, reason_of
-from aseme_dsl.runtime.agent.alarm import Alarm
 from aseme_dsl.runtime.agent.behaviours import JadeLikeAgent, agent_class
 from aseme_dsl.runtime.agent.course import changed_states, cycle, place_of_failure
 from aseme_dsl.runtime.agent.effects import Effects
@@ -42,6 +41,7 @@ from aseme_dsl.runtime.conversation.conversation import Conversations
 from aseme_dsl.runtime.message.convert import Messages, converted
 from aseme_dsl.runtime.message.free import ACLMessage
 from aseme_dsl.runtime.ports import Driver
+from aseme_dsl.runtime.time.alarm import Alarm
 from aseme_dsl.runtime.trace.trace import Trace
 from aseme_dsl.runtime.world.body import Body
 

@@ -1,4 +1,4 @@
-"""Alarm: has an agent make a step when time alone may enable something."""
+"""Alarm: the one moment at which an agent is to step next because time alone may enable something."""
 
 from __future__ import annotations
 
