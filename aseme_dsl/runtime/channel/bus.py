@@ -21,15 +21,15 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from aseme_dsl.runtime.channel.persist import Kept
+from aseme_dsl.runtime.channel.routes import Routes
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.inputs import Happened, Identity, Sample
-from aseme_dsl.runtime.chart.plan import ChannelInfo, Plan, Term
+from aseme_dsl.runtime.chart.plan import ChannelInfo, Plan
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.ports import Links, Receiver, Speaker
 from aseme_dsl.runtime.time.timers import Scheduler, Timer
@@ -52,15 +52,6 @@ class _Held:
         self.was_full = False
 
 
-@dataclass(frozen=True, slots=True)
-class _Route:
-    """Who gets what an agent publishes on a channel: agents here, agents elsewhere, the names of all."""
-
-    here: tuple[Receiver, ...]
-    elsewhere: tuple[str, ...]
-    names: tuple[str, ...]
-
-
 class Bus:
     """The bus of a team: of its agents in this process, and by `transport` of those in others.
 
@@ -80,15 +71,10 @@ class Bus:
         self._transport = transport
         self._queue = queue
         self._driver = driver
-        self._agents: dict[str, Receiver] = {}
+        self._routes = routes = Routes()
+        self._agents = routes.agents
+        self._rules = routes.rules
         self._radios: dict[str, Speaker] = {}
-        self._rules: dict[str, ChannelInfo] = {}
-        self._reads: dict[str, dict[str, frozenset[str | None]]] = {}
-        self._writes: dict[str, frozenset[str]] = {}
-        self._plans: dict[str, Plan] = {}
-        self._roles: dict[str, str] = {}
-        """The role of each agent, in the team's order."""
-        self._routes: dict[tuple[str, str], _Route] = {}
         self._held: dict[tuple[str, str, str | None], _Held] = {}
         self._given = 0
         self._lock = threading.RLock()
@@ -105,21 +91,12 @@ class Bus:
 
     def join_elsewhere(self, name: str, plan: Plan) -> None:
         """An agent of the team runs in another process, with this plan; it counts in the team's order."""
-        self._plans[name] = plan
-        for info in plan.channels:
-            self._rules.setdefault(info.name, info)
-        self._roles[name] = plan.name
-        self._reads[name] = _reads(plan)
-        self._writes[name] = _writes(plan)
-        self._routes.clear()
+        self._routes.add(name, plan)
 
     def renew(self, plans: Mapping[str, Plan]) -> None:
         """Agents follow these plans now: take their rules instead."""
         with self._lock:
-            self._plans.update(plans)
-            self._rules.clear()
-            for name, plan in self._plans.items():
-                self.join_elsewhere(name, plan)
+            self._routes.renew(plans)
 
     # ---- publishing --------------------------------------------------------------------------
 
@@ -141,7 +118,7 @@ class Bus:
             reason = f"only {', '.join(sources)} may publish on {channel}, not {who}"
             self._refused("refused", agent, channel, message, reason)
             return
-        if host is not None and host not in self._roles:
+        if host is not None and host not in self._routes.roles:
             self._refused("refused", agent, channel, message, f"there is no agent {host}")
             return
         with self._driver.holding(), self._lock:
@@ -217,13 +194,13 @@ class Bus:
         rules = self._rules.get(channel)
         radio = self._radios.get(agent.name) if rules is not None and rules.radio is not None else None
         if host is not None:
-            route = self._route((host,))
+            route = self._routes.to((host,))
         elif channel == SELECT:
-            route = self._route((agent.name,))
+            route = self._routes.to((agent.name,))
         else:
-            route = self._receivers(agent.name, channel)
+            route = self._routes.receivers(agent.name, channel)
         if radio is not None:
-            route = self._route((agent.name,) if agent.name in route.names else ())
+            route = self._routes.to((agent.name,) if agent.name in route.names else ())
         self.trace.message(
             now,
             identity,
@@ -260,7 +237,7 @@ class Bus:
                 self.links.carry(
                     agent.name,
                     other.name,
-                    self._kind(item.channel),
+                    self._routes.kind(item.channel),
                     item.channel,
                     item.identity,
                     partial(self._bring, other, item),
@@ -269,16 +246,11 @@ class Bus:
     def _bring(self, other: Receiver, item: Sample) -> None:
         """Give an agent what another one has published. What goes by radio has no time of its own."""
         came = item.time if self.links is None else self._driver.clock.now()
-        moment = self._measured(item.channel, came)
+        moment = self._routes.measured(item.channel, came)
         if moment is not None and moment != item.time:
             self._tell_arrived(other, item.identity, item.channel, item.message, moment)
             item = Sample(item.channel, item.message, item.sender, moment, item.identity)
         other.post(item.identity, item)
-
-    def _measured(self, channel: str, came: int) -> int | None:
-        """When a message that came at a moment counts as sent, if it goes by radio; None if it has a time."""
-        rules = self._rules.get(channel)
-        return None if rules is None or rules.radio is None else came - rules.delay
 
     def _tell_arrived(
         self,
@@ -300,41 +272,6 @@ class Bus:
                 measured=moment,
                 host=host,
             )
-
-    def _kind(self, channel: str) -> str:
-        """How the links carry what is published on a channel: signal, state, data or radio."""
-        rules = self._rules.get(channel)
-        return "radio" if rules is not None and rules.radio is not None else channel.split(".", 2)[1]
-
-    # ---- routes ------------------------------------------------------------------------------
-
-    def _receivers(self, publisher: str, channel: str) -> _Route:
-        key = (publisher, channel)
-        found = self._routes.get(key)
-        if found is None:
-            rules = self._rules.get(channel)
-            found = self._routes[key] = self._route(
-                tuple(
-                    name
-                    for name in self._roles
-                    if channel in self._reads[name] and self._concerns(publisher, name, channel, rules)
-                )
-            )
-        return found
-
-    def _route(self, names: tuple[str, ...]) -> _Route:
-        here = tuple(self._agents[name] for name in names if name in self._agents)
-        return _Route(here, tuple(name for name in names if name not in self._agents), names)
-
-    def _concerns(self, publisher: str, reader: str, channel: str, rules: ChannelInfo | None) -> bool:
-        if reader == publisher or channel not in self._writes[reader]:
-            return True
-        if publisher in self._reads[reader][channel]:
-            return True
-        if rules is None:
-            return False
-        names = {*self._roles, *self._roles.values()}
-        return rules.radio is not None or bool(names & set(rules.sources))
 
     # ---- from outside ------------------------------------------------------------------------
 
@@ -379,7 +316,7 @@ class Bus:
         with self._driver.holding(), self._lock:
             identity = agent.identity()
             now = self._driver.clock.now()
-            measured = self._measured(channel, now)
+            measured = self._routes.measured(channel, now)
             moment = now if measured is None else measured
             self.trace.write(
                 "radio_received",
@@ -391,7 +328,7 @@ class Bus:
                 message=to_json(message),
                 measured=moment if moment != now else None,
             )
-            if channel in self._reads[agent.name]:
+            if self._routes.reads(agent.name, channel):
                 agent.post(identity, Sample(channel, message, sender, moment, identity))
 
     def arrived(
@@ -408,29 +345,15 @@ class Bus:
 
         The rules hold whoever sent it: what by them is not for the agent is not taken; gives the reason.
         """
-        reason = self._objection(agent, channel, sender, host)
+        reason = self._routes.objection(agent.name, channel, sender, host)
         if reason is not None:
             return reason
         with self._driver.holding(), self._lock:
-            by_radio = self._measured(channel, self._driver.clock.now())
+            by_radio = self._routes.measured(channel, self._driver.clock.now())
             moment = moment if by_radio is None else by_radio
             self._tell_arrived(agent, identity, channel, message, moment, host)
-            if channel in self._reads[agent.name] or channel == SELECT:
+            if self._routes.reads(agent.name, channel) or channel == SELECT:
                 agent.post(identity, Sample(channel, message, sender, moment, identity))
-        return None
-
-    def _objection(self, agent: Receiver, channel: str, sender: str, host: str | None) -> str | None:
-        """Why a message from elsewhere is not for this agent, or None."""
-        if host is None and agent.name not in self._receivers(sender, channel).names:
-            return f"{channel} of {sender} does not concern {agent.name}"
-        if host not in (None, agent.name):
-            return f"{channel} of {sender} is for {host}"
-        rules = self._rules.get(channel)
-        sources = set(rules.sources) if rules is not None else set()
-        known = {*self._roles, *self._roles.values()}
-        # Where an activity may publish, too, its agent has seen to it that it was that one.
-        if sources and sources <= known and not sources & {sender, self._roles[sender]}:
-            return f"only {', '.join(sorted(sources))} may publish on {channel}, not {sender}"
         return None
 
     def restore(self, messages: dict[str, object]) -> None:
@@ -451,9 +374,9 @@ class Bus:
                     continue
                 identity = agent.identity()
                 if host is None:
-                    route = self._receivers(agent.name, channel)
+                    route = self._routes.receivers(agent.name, channel)
                 else:
-                    route = self._route((host,) if host in self._roles else ())
+                    route = self._routes.to((host,) if host in self._routes.roles else ())
                 self.trace.message(now, identity, channel, message, route.names, host=host, via="kept")
                 self._deliver(route.here, agent, Sample(channel, message, agent.name, now, identity), None)
                 if route.elsewhere:
@@ -492,31 +415,3 @@ class Bus:
                 reason=reason,
                 until=until,
             )
-
-
-def _reads(plan: Plan) -> dict[str, frozenset[str | None]]:
-    """The channels that a plan reads, each with the senders that it names there (None: any)."""
-    found: dict[str, set[str | None]] = {c: {None} for region in plan.regions for c in region.reads}
-    for activity in (*plan.activities, *plan.modules):
-        for name in activity.reads:
-            host, _, channel = name.partition(".")
-            if channel.count(".") == 2:  # robot1.vision.state.Ball
-                found.setdefault(channel, {None}).add(host)
-    waiting: list[Term] = []
-    for transition in plan.transitions:
-        if transition.condition is not None:
-            waiting.append(transition.condition)
-        waiting.extend(transition.actions)
-    while waiting:
-        term = waiting.pop()
-        if term and term[0] == "member":
-            found.setdefault(term[2], {None}).add(term[1])
-        waiting.extend(item for item in term if isinstance(item, tuple) and item)
-    return {channel: frozenset(hosts) for channel, hosts in found.items()}
-
-
-def _writes(plan: Plan) -> frozenset[str]:
-    """The channels on which something in a plan publishes."""
-    activities = (channel for activity in plan.activities for channel in activity.writes)
-    regions = (channel for region in plan.regions for channel in region.writes)
-    return frozenset((*activities, *regions))
