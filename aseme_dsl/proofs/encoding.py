@@ -14,6 +14,7 @@ from typing import Any, assert_never
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Kind, Type
+from aseme_dsl.proofs.terms import Formula, Terms
 from aseme_dsl.proofs.unknowns import (
     AGE,
     AT,
@@ -41,9 +42,6 @@ from aseme_dsl.proofs.unknowns import (
 _INT_BITS = 63
 _TEXTS = (Kind.STRING, Kind.BYTES, Kind.AGENT)
 
-Formula = Any
-"""A Python bool or a boolean expression of z3."""
-
 
 @dataclass(frozen=True, slots=True)
 class Truth:
@@ -59,6 +57,7 @@ class Encoder:
     def __init__(self, z3: Any, context: Any, vocabulary: Vocabulary, conditions: Sequence[e.Value]) -> None:
         self._z3 = z3
         self._context = context
+        self.terms = Terms(z3, context)
         self._vocabulary = vocabulary
         self.unknowns: dict[Key, Unknown] = {}
         self.symbols: dict[Key, Any] = {}
@@ -115,18 +114,18 @@ class Encoder:
             if key[0] != THERE:
                 continue
             form, host, channel, path, extent = key[1:]
-            self.facts.append(self.implies(self.symbols[key], self.symbols[HAS, host, channel]))
+            self.facts.append(self.terms.implies(self.symbols[key], self.symbols[HAS, host, channel]))
             extents.setdefault((form, host, channel, path), []).append((extent, self.symbols[key]))
             age = self.symbols.get((AGE, host, channel))
             if age is not None and form == AT:
-                old = self.and_(self.symbols[HAS, host, channel], age >= -extent)
+                old = self.terms.and_(self.symbols[HAS, host, channel], age >= -extent)
                 self._relate_old(key, old)
         for (form, *_), items in extents.items():
             for (one, first), (two, second) in combinations(items, 2):
                 # at(x, -2s) there: so is at(x, -1s); mean(x, 1s) there: so is mean(x, 2s).
                 lesser, greater = (first, second) if one < two else (second, first)
                 assert form in (AT, MEAN)
-                self.facts.append(self.implies(lesser, greater))
+                self.facts.append(self.terms.implies(lesser, greater))
 
     def _relate_old(self, there: Key, old: Formula) -> None:
         """When the newest value is older than the offset, it is what `at` gives."""
@@ -135,14 +134,14 @@ class Encoder:
         then = self.symbols.get(there[1:])
         if now is not None and then is not None:
             present = [self.symbols[need] for need in self.unknowns[VALUE, host, channel, path].needs]
-            same = self.and_(self.symbols[there], then == now)
-            self.facts.append(self.implies(self.and_(old, *present), same))
+            same = self.terms.and_(self.symbols[there], then == now)
+            self.facts.append(self.terms.implies(self.terms.and_(old, *present), same))
 
     def _relate_hosts(self) -> None:
         """A message of one sender is a message of any."""
         for key in list(self.symbols):
             if key[0] == HAS and key[1] is not None and (HAS, None, key[2]) in self.symbols:
-                self.facts.append(self.implies(self.symbols[key], self.symbols[HAS, None, key[2]]))
+                self.facts.append(self.terms.implies(self.symbols[key], self.symbols[HAS, None, key[2]]))
 
     def _relate_calls(self) -> None:
         """A function gives equal results for equal arguments, or raises for both."""
@@ -155,13 +154,13 @@ class Encoder:
                     continue
                 if Kind.MESSAGE in (left.type.kind, right.type.kind):
                     break  # two different messages: nothing is known of their being equal
-                equal.append(self._equal(self._compute(left)[0], self._compute(right)[0]))
+                equal.append(self.terms.equal(self._compute(left)[0], self._compute(right)[0]))
             else:
-                same = self.and_(
-                    self._equal(self.symbols[one], self.symbols[two]),
+                same = self.terms.and_(
+                    self.terms.equal(self.symbols[one], self.symbols[two]),
                     self.symbols[RAISES, *one] == self.symbols[RAISES, *two],
                 )
-                self.facts.append(self.implies(self.and_(*equal), same))
+                self.facts.append(self.terms.implies(self.terms.and_(*equal), same))
 
     # ---- conditions -------------------------------------------------------------------------
 
@@ -180,25 +179,26 @@ class Encoder:
                 return self._all(parts) if (operator == "&&") is truth else self._any(parts)
             case e.Has():
                 there = self._present(presences(value.message, self._vocabulary))
-                return Truth(there if truth else self.not_(there), False)
+                return Truth(there if truth else self.terms.not_(there), False)
             case e.Holds(operand=operand):
                 held = self._is(True, operand)
-                return Truth(held.yes if truth else self.not_(held.yes), held.fault)
+                return Truth(held.yes if truth else self.terms.not_(held.yes), held.fault)
             case e.Literal(value=constant):
                 return Truth(bool(constant) is truth, False)
         there, missing = self._look(value)
         found, fault = self._compute(value)
-        sure = self.and_(there, self.not_(fault))
+        sure = self.terms.and_(there, self.terms.not_(fault))
         return Truth(
-            self.and_(sure, found if truth else self.not_(found)), self.or_(missing, self.and_(there, fault))
+            self.terms.and_(sure, found if truth else self.terms.not_(found)),
+            self.terms.or_(missing, self.terms.and_(there, fault)),
         )
 
     def _all(self, parts: Iterable[Truth]) -> Truth:
         yes: Formula = True
         fault: Formula = False
         for part in parts:
-            fault = self.or_(fault, self.and_(yes, part.fault))
-            yes = self.and_(yes, part.yes)
+            fault = self.terms.or_(fault, self.terms.and_(yes, part.fault))
+            yes = self.terms.and_(yes, part.yes)
         return Truth(yes, fault)
 
     def _any(self, parts: Iterable[Truth]) -> Truth:
@@ -206,8 +206,8 @@ class Encoder:
         fault: Formula = False
         for part in parts:
             before = fault
-            fault = self.or_(fault, self.and_(self.not_(yes), part.fault))
-            yes = self.or_(yes, self.and_(self.not_(before), part.yes))
+            fault = self.terms.or_(fault, self.terms.and_(self.terms.not_(yes), part.fault))
+            yes = self.terms.or_(yes, self.terms.and_(self.terms.not_(before), part.yes))
         return Truth(yes, fault)
 
     def _look(self, value: e.Value) -> tuple[Formula, Formula]:
@@ -223,23 +223,23 @@ class Encoder:
                 return self.symbols[THERE, *identity(value)], False
             case e.Element():
                 read = self._all(Truth(*self._look(operand)) for operand in e.operands(value))
-                return self.and_(read.yes, self.symbols[SET, *identity(value)]), read.fault
+                return self.terms.and_(read.yes, self.symbols[SET, *identity(value)]), read.fault
             case e.Holds():
                 return True, self._is(True, value).fault
             case e.Not() | e.Logic():
                 yes, no = self._is(True, value), self._is(False, value)
-                there = self.or_(yes.yes, self.and_(self.not_(yes.fault), no.yes))
-                return there, self.or_(yes.fault, self.and_(self.not_(yes.yes), no.fault))
+                there = self.terms.or_(yes.yes, self.terms.and_(self.terms.not_(yes.fault), no.yes))
+                return there, self.terms.or_(yes.fault, self.terms.and_(self.terms.not_(yes.yes), no.fault))
         parts = [Truth(*self._look(operand)) for operand in e.operands(value)]
         if isinstance(value, e.Has):
             return True, False
         found = self._all(parts)
         if is_unknown_function(value):
-            return self.and_(found.yes, self.functions), found.fault
+            return self.terms.and_(found.yes, self.functions), found.fault
         return found.yes, found.fault
 
     def _present(self, keys: Iterable[Key]) -> Formula:
-        return self.and_(*(self.symbols[key] for key in keys))
+        return self.terms.and_(*(self.symbols[key] for key in keys))
 
     def _compute(self, value: e.Value) -> tuple[Any, Formula]:
         """The value of what is there, and when computing it raises."""
@@ -257,19 +257,19 @@ class Encoder:
             case e.Call() if is_unknown_function(value):
                 faults = [self._compute(argument)[1] for argument in value.arguments if not _whole(argument)]
                 key = identity(value)
-                return self.symbols[key], self.or_(*faults, self.symbols[RAISES, *key])
+                return self.symbols[key], self.terms.or_(*faults, self.symbols[RAISES, *key])
             case e.Call(function=function):
                 parts = [self._compute(argument) for argument in value.arguments]
-                found = self._built_in(function.target[8:], [part for part, _ in parts])
-                return found, self.or_(*(fault for _, fault in parts))
+                found = self.terms.built_in(function.target[8:], [part for part, _ in parts])
+                return found, self.terms.or_(*(fault for _, fault in parts))
             case e.Size() if (count := written_size(value)) is not None:
                 return self._z3.IntVal(count, self._context), False
             case e.Size() | e.Contains() | e.Element() | e.ListValue():
                 faults = [self._compute(part)[1] for part in e.operands(value)]
-                return True if _whole(value) else self.symbols[identity(value)], self.or_(*faults)
+                return True if _whole(value) else self.symbols[identity(value)], self.terms.or_(*faults)
             case e.Compare(operator=operator):
                 (left, one), (right, two) = self._compute(value.left), self._compute(value.right)
-                return self._compared(operator, left, right), self.or_(one, two)
+                return self.terms.compared(operator, left, right), self.terms.or_(one, two)
             case e.Arithmetic():
                 return self._arithmetic(value)
             case e.Negate(operand=operand):
@@ -287,9 +287,9 @@ class Encoder:
             case Kind.BOOL:
                 return self._z3.BoolVal(bool(constant), self._context)
             case Kind.DOUBLE:
-                return self._real(Fraction(repr(constant)) if isinstance(constant, float) else constant)
+                return self.terms.real(Fraction(repr(constant)) if isinstance(constant, float) else constant)
             case Kind.STRING | Kind.BYTES | Kind.AGENT:
-                return self._real(self.texts.index(constant))
+                return self.terms.real(self.texts.index(constant))
             case Kind.OUTCOME if isinstance(constant, str):
                 number = self._vocabulary.outcomes[kind.name].index(constant)
                 return self._z3.IntVal(number, self._context)
@@ -300,104 +300,24 @@ class Encoder:
             case _:
                 assert_never(kind.kind)
 
-    def number(self, number: Fraction) -> Any:
-        """A real number as z3 writes it."""
-        return self._real(number)
-
-    def _real(self, number: Fraction | int) -> Any:
-        return self._z3.RealVal(str(Fraction(number)), self._context)
-
-    def _same_sort(self, left: Any, right: Any) -> tuple[Any, Any]:
-        if self._is_whole_number(left) and self._z3.is_real(right):
-            return self._z3.ToReal(left), right
-        if self._is_whole_number(right) and self._z3.is_real(left):
-            return left, self._z3.ToReal(right)
-        return left, right
-
-    def _is_whole_number(self, value: Any) -> bool:
-        return bool(self._z3.is_int(value))
-
-    def _equal(self, left: object, right: object) -> Any:
-        left, right = self._same_sort(left, right)
-        return left == right
-
-    def _compared(self, operator: str, left: Any, right: Any) -> Any:
-        left, right = self._same_sort(self._boolean(left), self._boolean(right))
-        match operator:
-            case "==":
-                return left == right
-            case "!=":
-                return left != right
-            case "<":
-                return left < right
-            case "<=":
-                return left <= right
-            case ">":
-                return left > right
-        return left >= right
-
-    def _boolean(self, value: Any) -> Any:
-        return self._z3.BoolVal(value, self._context) if isinstance(value, bool) else value
-
-    def _built_in(self, name: str, arguments: list[Any]) -> Any:
-        if name == "abs":
-            (value,) = arguments
-            return self._z3.If(value >= 0, value, -value)
-        left, right = self._same_sort(*arguments)
-        return self._z3.If(left <= right if name == "min" else left >= right, left, right)
-
     def _arithmetic(self, value: e.Arithmetic) -> tuple[Any, Formula]:
         (left, one), (right, two) = self._compute(value.left), self._compute(value.right)
-        fault = self.or_(one, two)
+        fault = self.terms.or_(one, two)
         operator = value.operator
         if operator in ("/", "%"):
-            fault = self.or_(fault, right == 0)
+            fault = self.terms.or_(fault, right == 0)
         if operator == "/" and value.type == DURATION and value.right.type == INT:
-            return self._floor_division(left, right), fault
+            return self.terms.floor_division(left, right), fault
         if operator == "/":
-            return self._to_real(left) / self._to_real(right), fault
+            return self.terms.to_real(left) / self.terms.to_real(right), fault
         if operator == "%":
-            return self._modulo(left, right), fault
-        left, right = self._same_sort(left, right)
+            return self.terms.modulo(left, right), fault
+        left, right = self.terms.same_sort(left, right)
         found = left + right if operator == "+" else left - right if operator == "-" else left * right
         if value.type == DURATION and DOUBLE in (value.left.type, value.right.type):
             z3 = self._z3
             found = z3.If(found >= 0, z3.ToInt(found), -z3.ToInt(-found))
         return found, fault
-
-    def _to_real(self, value: Any) -> Any:
-        return self._z3.ToReal(value) if self._is_whole_number(value) else value
-
-    def _floor_division(self, left: Any, right: Any) -> Any:
-        """Python's `//`: z3 rounds down only for positive divisors."""
-        return self._z3.If(right > 0, left / right, (-left) / (-right))
-
-    def _modulo(self, left: Any, right: Any) -> Any:
-        """Python's `%`: of the divisor's sign."""
-        if self._is_whole_number(left) and self._is_whole_number(right):
-            return self._z3.If(right > 0, left % right, -((-left) % (-right)))
-        left, right = self._to_real(left), self._to_real(right)
-        return left - right * self._z3.ToReal(self._z3.ToInt(left / right))
-
-    # ---- logic that is short where it can be ----------------------------------------------------
-
-    def not_(self, part: Formula) -> Formula:
-        return (not part) if isinstance(part, bool) else self._z3.Not(part)
-
-    def and_(self, *parts: Formula) -> Formula:
-        found = [part for part in parts if part is not True]
-        if any(part is False for part in found):
-            return False
-        return True if not found else found[0] if len(found) == 1 else self._z3.And(found)
-
-    def or_(self, *parts: Formula) -> Formula:
-        found = [part for part in parts if part is not False]
-        if any(part is True for part in found):
-            return True
-        return False if not found else found[0] if len(found) == 1 else self._z3.Or(found)
-
-    def implies(self, condition: Formula, consequence: Formula) -> Formula:
-        return self.or_(self.not_(condition), consequence)
 
 
 def _whole(value: e.Value) -> bool:
@@ -415,4 +335,4 @@ def _texts(conditions: Iterable[e.Value]) -> list[Any]:
     return sorted(found)
 
 
-__all__ = ["Encoder", "Formula"]
+__all__ = ["Encoder"]

@@ -15,8 +15,9 @@ from typing import Any, assert_never
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import Kind
-from aseme_dsl.proofs.encoding import Encoder, Formula
+from aseme_dsl.proofs.encoding import Encoder
 from aseme_dsl.proofs.evaluate import Values, holds
+from aseme_dsl.proofs.terms import Formula
 from aseme_dsl.proofs.unknowns import (
     AGE,
     CALL,
@@ -182,20 +183,22 @@ class Snapshot:
         encoder = self._encoder
         parts = [self._holding(condition) for condition in claim.open]
         parts += [
-            encoder.not_(encoder.and_(*(self._holding(condition) for condition in way)))
+            encoder.terms.not_(encoder.terms.and_(*(self._holding(condition) for condition in way)))
             for way in claim.closed
         ]
         if encoder.calls:
-            parts.append(encoder.functions if assumptions.functions else encoder.not_(encoder.functions))
+            parts.append(
+                encoder.functions if assumptions.functions else encoder.terms.not_(encoder.functions)
+            )
         for key, symbol in encoder.symbols.items():
             if key[0] == RAISES and not assumptions.raising:
-                parts.append(encoder.not_(symbol))
+                parts.append(encoder.terms.not_(symbol))
             elif key[0] in (HAS, THERE) and assumptions.present and key not in self._asked:
                 parts.append(symbol)
             elif key[0] == AGE and assumptions.late:
                 parts.append(symbol >= self._late)
             elif key[0] == EXPIRED and assumptions.late:
-                parts.append(symbol if key[1] in assumptions.timers else encoder.not_(symbol))
+                parts.append(symbol if key[1] in assumptions.timers else encoder.terms.not_(symbol))
         for part in parts:
             if part is False:
                 return False
@@ -235,7 +238,7 @@ class Snapshot:
             else:
                 candidate = self._read(model.eval(symbol, model_completion=True))
                 wanted = symbol == (
-                    self._encoder.number(candidate) if isinstance(candidate, Fraction) else candidate
+                    self._encoder.terms.real(candidate) if isinstance(candidate, Fraction) else candidate
                 )
             self._solver.add(wanted)
             values[unknown.key] = candidate
