@@ -141,7 +141,7 @@ def test_a_conversation_goes_on_after_the_server_was_restarted(net: Generated, s
 def test_a_server_that_hangs_is_noticed(
     talk: Generated, server: Server, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("aseme_dsl.runtime.platform.over_spade.SILENCE", 1.0)
+    monkeypatch.setattr("aseme_dsl.runtime.platform.spade_agent.SILENCE", 1.0)
     box = Box(talk)
     ann = part(talk, ["ann"], box.activities, link(server)).start()
     bob = part(talk, ["bob"], box.activities, link(server)).start()

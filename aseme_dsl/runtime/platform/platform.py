@@ -13,6 +13,10 @@ Headers = Mapping[str, str]
 """What is said of a text: FIPA's parameters of agent messages under their names there, and further ones."""
 
 
+class Refused(Exception):
+    """A connection that was not made, and that no further attempt would make; the text says why."""
+
+
 class Receives(Protocol):
     """Who is told what a platform brings. May be called from any thread, for one agent from one at a time."""
 
