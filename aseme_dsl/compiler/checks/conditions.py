@@ -40,7 +40,7 @@ from aseme_dsl.proofs.prover import Prover
 from aseme_dsl.proofs.unknowns import Vocabulary, identity
 from aseme_dsl.source import Span
 
-FROM_CONDITIONS = frozenset(("W410", "W411", "W412", "N711", "N712", "N713"))
+FROM_CONDITIONS = frozenset(("W410", "W411", "W412", "W438", "N711", "N712", "N713"))
 """The codes that are found only where z3 is installed."""
 
 

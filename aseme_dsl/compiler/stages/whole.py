@@ -9,6 +9,7 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.chart.flow import check_timers
 from aseme_dsl.compiler.checks.conditions import check_conditions, without_ordered
 from aseme_dsl.compiler.checks.outcomes import check_deadlines
+from aseme_dsl.compiler.checks.standing_still import check_standing_still
 from aseme_dsl.compiler.checks.talk.dialogue import check_multiplicity, check_waits
 from aseme_dsl.compiler.checks.talk.moves import check_moves
 from aseme_dsl.compiler.checks.talk.races import check_races
@@ -71,6 +72,8 @@ def check_whole(
         found.add(check_unwritten(charts.of_roles, fulfilment.srms, activities, known))
     for problems in (yield from each(_wakes, zip(charts.of_roles), activities, known, charts.prover)):
         found.add(problems)
+    still = yield from each(_still, zip(all_charts), activities, charts.prover)
+    found.add({item.span: item for problems in still for item in problems}.values())  # once a text
     compared, unchecked = yield from check_conditions(all_charts, charts.prover, memory)
     found.add(without_ordered(compared, (*declared.blocks.aips, *declared.blocks.roles)))
     return found.of(unchecked)
@@ -91,6 +94,10 @@ def _wakes(
     for activity in (*performed, *(module.statement for module in chart.modules)):
         written.update(activity.writes_variables)
     return tuple(check_waking(chart, frozenset(written), prover.vocabulary))
+
+
+def _still(chart: Statechart, activities: Mapping[str, Activity], prover: Prover) -> tuple[Diagnostic, ...]:
+    return check_standing_still(chart, activities, prover)
 
 
 def _statements(blocks: Blocks) -> Iterable[tree.Activity]:

@@ -59,6 +59,30 @@ class ConditionNeverHolds(Problem):
         return "what it wants, the other excludes: ask for one of them in another place, or leave this out"
 
 
+class MayWaitForEver(Problem):
+    """`state` waits, or the beginning of a composite if None; `facts` are values with which it does.
+
+    `of_outcome`: its condition asks how an activity has ended.
+    """
+
+    code = "W438"
+    state: str | None
+    facts: tuple[str, ...]
+    of_outcome: bool
+
+    @property
+    def message(self) -> str:
+        where = "this" if self.state is None else f"`{self.state}`"
+        return f"{where} can wait for ever: nothing leads on when {', '.join(self.facts)}"
+
+    @property
+    def hint(self) -> str:
+        what = "outcome" if self.of_outcome else "case"
+        return (
+            f"add a line for this {what}, make it a choice (`A | B`, `[A]`), or end the wait with `after(…)`"
+        )
+
+
 class BranchNeverTaken(Problem):
     """`earlier` is how many branches before it are, between them, always open when it is."""
 
@@ -123,5 +147,6 @@ __all__ = [
     "ConditionAlwaysHolds",
     "ConditionNeverHolds",
     "ConditionsUndecided",
+    "MayWaitForEver",
     "NoBranchHolds",
 ]
