@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any, assert_never
+from typing import assert_never
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.sag import Sag
@@ -93,7 +93,7 @@ def draw_model(model: Sag | Suc | Aip | Srm | Statechart) -> Drawing:
     return drawing
 
 
-Maker = tuple[Callable[..., list[Drawing]], tuple[Any, ...]]
+Maker = tuple[Callable[..., list[Drawing]], tuple[object, ...]]
 """What makes drawings, and of what: of nothing else, so that they need not be made again for the same."""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from operator import ge, gt, le, lt
-from typing import Any
+from typing import cast
 
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Value
@@ -67,10 +67,10 @@ def _compare(operator: str, first: Constant, second: Constant) -> bool:
             return first == second
         case "!=":
             return first != second
-    return _ORDERS[operator](first, second)
+    return _ORDERS[operator](cast(float, first), cast(float, second))
 
 
-_ORDERS: dict[str, Callable[[Any, Any], bool]] = {"<": lt, "<=": le, ">": gt, ">=": ge}
+_ORDERS: dict[str, Callable[[float, float], bool]] = {"<": lt, "<=": le, ">": gt, ">=": ge}
 
 
 def _arithmetic(operator: str, first: float, second: float) -> int | float:

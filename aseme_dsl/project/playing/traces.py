@@ -394,6 +394,6 @@ def convert(lines: Iterable[Line], wanted: Filter, path: Path) -> int:
 
 def kinds() -> Mapping[str, str]:
     """Every kind of line with what it means."""
-    from aseme_dsl.runtime.trace.trace_schema import schema
+    from aseme_dsl.runtime.trace.trace_schema import lines_of, schema
 
-    return {line["title"]: line.get("description", "") for line in schema()["oneOf"]}
+    return {str(line["title"]): str(line.get("description", "")) for line in lines_of(schema())}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 import inspect
 from collections.abc import Callable
-from typing import Any, ClassVar
+from typing import ClassVar, Protocol
 
 from aseme_dsl.runtime.activity.context import Context
 from aseme_dsl.runtime.message.naming import class_name, module_name
@@ -13,8 +13,15 @@ from aseme_dsl.runtime.message.naming import class_name, module_name
 KINDS = ("thread", "async", "process", "step")
 """How an activity runs: in a resident thread, on the event loop, in a resident process, inside the step."""
 
-ActivityFinder = Callable[[str], "type[Any] | None"]
+ActivityFinder = Callable[[str], "type[Executable] | None"]
 """Gives the class of an activity, or None where there is no code for it."""
+
+
+class Executable(Protocol):
+    """What has the code of an activity or module. Its parameters are those of its declaration."""
+
+    @property
+    def execute(self) -> Callable[..., object]: ...
 
 
 class ActivityError(Exception):
@@ -33,7 +40,7 @@ class Activity:
     kind: ClassVar[str | None] = None
     """One of `KINDS`; None: what the document says, or what `execute` shows."""
 
-    def execute(self, context: Context) -> Any:
+    def execute(self, context: Context) -> object:
         """Do what the activity is for. What it raises makes its state fail."""
         raise NotImplementedError
 
@@ -43,9 +50,9 @@ def from_package(package: str, has: Callable[[str], bool]) -> ActivityFinder:
 
     The finder raises ActivityError for a module that cannot be imported or lacks its class.
     """
-    found: dict[str, type[Any] | None] = {}
+    found: dict[str, type[Executable] | None] = {}
 
-    def find(activity: str) -> type[Any] | None:
+    def find(activity: str) -> type[Executable] | None:
         if activity not in found:
             found[activity] = _load(package, has, activity)
         return found[activity]
@@ -53,7 +60,7 @@ def from_package(package: str, has: Callable[[str], bool]) -> ActivityFinder:
     return find
 
 
-def _load(package: str, has: Callable[[str], bool], activity: str) -> type[Any] | None:
+def _load(package: str, has: Callable[[str], bool], activity: str) -> type[Executable] | None:
     module = module_name(activity)
     file = f"{module}.py"
     if not has(file):
@@ -68,18 +75,18 @@ def _load(package: str, has: Callable[[str], bool], activity: str) -> type[Any] 
     return kind
 
 
-def _empty(self: Any, context: Any) -> None:
+def _empty(self: object, context: object) -> None:
     pass
 
 
-def _described(self: Any, context: Any) -> None:
+def _described(self: object, context: object) -> None:
     """An execute that says what it would do, but does not."""
 
 
 _NOTHING = {_empty.__code__.co_code, _described.__code__.co_code}
 
 
-def has_code(kind: type[Any] | None) -> bool:
+def has_code(kind: type[Executable] | None) -> bool:
     """Whether a class says what its activity does: an `execute` that is missing or unwritten does not."""
     execute = getattr(kind, "execute", None)
     if execute is None or execute is Activity.execute:
@@ -93,7 +100,7 @@ def has_code(kind: type[Any] | None) -> bool:
     return not _is_unwritten(execute)
 
 
-def _is_unwritten(execute: Callable[..., Any]) -> bool:
+def _is_unwritten(execute: Callable[..., object]) -> bool:
     """Whether there is only a docstring, as a build starts it, or `...`; `pass` is somebody's word."""
     import ast
 
@@ -106,7 +113,7 @@ def _is_unwritten(execute: Callable[..., Any]) -> bool:
     return written is not None and all(isinstance(part, ast.Expr) for part in written.body)
 
 
-def kind_of(kind: type[Any], declared: str) -> str:
+def kind_of(kind: type[Executable], declared: str) -> str:
     """How the activity of a class runs; `declared` is what the document says.
 
     Raises:

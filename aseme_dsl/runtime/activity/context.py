@@ -10,7 +10,7 @@ from aseme_dsl.runtime.chart import history
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Sample
 from aseme_dsl.runtime.conversation.directory import AgentDirectory, Directory, Offer, Withdraw
 from aseme_dsl.runtime.time.clock import SECOND, nanoseconds
-from aseme_dsl.runtime.world.body import Body
+from aseme_dsl.runtime.world.body import AnyBody
 
 MessageT = TypeVar("MessageT")
 
@@ -86,7 +86,7 @@ class Port(Protocol):
     @property
     def cancelled(self) -> bool: ...
     @property
-    def body(self) -> Body[Any, Any]: ...
+    def body(self) -> AnyBody: ...
     @property
     def random(self) -> random.Random: ...
     @property
@@ -143,7 +143,7 @@ class Context:
         return self._port.now()
 
     @property
-    def body(self) -> Body[Any, Any]:
+    def body(self) -> AnyBody:
         """The robot's body. Raises LookupError if the agent has none here."""
         return self._port.body
 
@@ -191,7 +191,7 @@ class Context:
     def read(self, channel: str, kind: None = None, sender: str | None = None) -> Any: ...
     @overload
     def read(self, channel: str, kind: type[MessageT], sender: str | None = None) -> MessageT | None: ...
-    def read(self, channel: str, kind: type[Any] | None = None, sender: str | None = None) -> Any:
+    def read(self, channel: str, kind: type[object] | None = None, sender: str | None = None) -> Any:
         """The message that a condition would see, or None: a signal is taken by that.
 
         With `kind` the result is typed: `context.read("vision.state.Ball", Ball)`. Raises TypeError if the
@@ -276,11 +276,11 @@ class Context:
 
     # ---- writing -----------------------------------------------------------------------------
 
-    def publish(self, channel: str, message: Any, to: str | None = None) -> None:
+    def publish(self, channel: str, message: object, to: str | None = None) -> None:
         """Publish a message, to all or to one agent. Raises TypeError for the wrong type."""
         self._port.do(Publish(channel, message, to))
 
-    def set_variable(self, name: str, value: Any) -> None:
+    def set_variable(self, name: str, value: object) -> None:
         """Write a variable. Raises LookupError if there is none, TypeError if it is of another type."""
         self._port.do(SetVariable(name, value))
 
@@ -290,7 +290,7 @@ class Context:
 
     # ---- agent messages ----------------------------------------------------------------------
 
-    def prepare(self, message: Any) -> None:
+    def prepare(self, message: object) -> None:
         """Give what the next `send` of this message type contains.
 
         Inside a protocol's participant it is for that participant's transitions, elsewhere for any.
@@ -299,7 +299,7 @@ class Context:
         """
         self._port.do(Prepare(message))
 
-    def send(self, performative: str, message: Any, to: str, reply_within: float | None = None) -> None:
+    def send(self, performative: str, message: object, to: str, reply_within: float | None = None) -> None:
         """Send an agent message in this participant's conversation, to a participant or to one agent.
 
         `reply_within` says that an answer is wanted within so many seconds, to whoever looks at that
@@ -336,7 +336,7 @@ class Context:
         return None
 
 
-def check_message(channel: str, message: Any) -> None:
+def check_message(channel: str, message: object) -> None:
     """Whether a message is of the type that a channel carries, by its name.
 
     Raises:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Generator
-from typing import Any, Protocol
+from typing import Protocol
 
 from aseme_dsl.runtime.activity import access
 from aseme_dsl.runtime.activity import context as c
+from aseme_dsl.runtime.activity.activities import Executable
 from aseme_dsl.runtime.activity.returning import as_outcome
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.input_queue import Errand
@@ -20,14 +21,14 @@ from aseme_dsl.runtime.message.convert import Messages
 from aseme_dsl.runtime.ports import Driver, Stepping
 from aseme_dsl.runtime.time.timers import Timer
 from aseme_dsl.runtime.trace.trace import Trace
-from aseme_dsl.runtime.world.body import Body
+from aseme_dsl.runtime.world.body import AnyBody
 
 
 class Drafts(Protocol):
     """What activities prepare for the messages of their agent."""
 
     def cancelled(self, branch: str | None, label: str) -> None: ...
-    def add(self, branch: str | None, label: str, message: str, content: Any) -> None: ...
+    def add(self, branch: str | None, label: str, message: str, content: object) -> None: ...
     def begun_without_code(self, branch: str | None) -> None: ...
 
 
@@ -67,7 +68,7 @@ class Host(Stepping, Protocol):
     @property
     def seed(self) -> int: ...
     @property
-    def body(self) -> Body[Any, Any] | None: ...
+    def body(self) -> AnyBody | None: ...
     @property
     def conversations(self) -> Conversations: ...
     @property
@@ -78,7 +79,7 @@ class Host(Stepping, Protocol):
     def requests(self) -> Requests: ...
     @property
     def executions(self) -> Coded: ...
-    def callback(self, label: str) -> type[Any] | None: ...
+    def callback(self, label: str) -> type[Executable] | None: ...
     def take_note(self, branch: str, mail: AgentMessage) -> None: ...
 
 
@@ -131,7 +132,7 @@ class Execution:
         owner: Owner,
         start: Start,
         info: ActivityInfo,
-        code: Callable[[], Any] | None,
+        code: Callable[[], Executable] | None,
         kind: str,
         number: int,
         branch: str | None,
@@ -163,11 +164,11 @@ class Execution:
         self.earlier: Sent = set()
         """What of that an earlier start has sent, before the participant was suspended: not sent again."""
         self.timer: Timer | None = None
-        self.generator: Generator[Any, None, Any] | None = None
+        self.generator: Generator[object, None, object] | None = None
         self.keeps = ""
         """Who keeps the object of the code in a process of its own, `agent/module#generation`; "" where each
         start has its own object."""
-        self.handle: Any = None
+        self.handle: object = None
         """What the driver keeps for it."""
         self._chance: random.Random | None = None
 
@@ -191,12 +192,12 @@ class Execution:
         return self.start.activity
 
     @property
-    def arguments(self) -> dict[str, Any]:
+    def arguments(self) -> dict[str, object]:
         """What it is given, by parameter."""
         return dict(self.start.arguments)
 
     @property
-    def body(self) -> Body[Any, Any]:
+    def body(self) -> AnyBody:
         body = self.owner.agent.body
         if body is None:
             raise LookupError(f"agent {self.agent} has no body here: run it in a world")
@@ -266,7 +267,7 @@ class Execution:
                 )
             return item
 
-    def variable(self, name: str) -> Any:
+    def variable(self, name: str) -> object:
         agent = self.owner.agent
         variable = agent.plan.variable_of(name, self.label)
         access.check_get(self.info, variable, name)

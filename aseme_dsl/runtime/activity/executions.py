@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Generator, Mapping
 from dataclasses import dataclass, field, is_dataclass, replace
 from functools import partial
-from typing import Any
+from typing import cast
 
 from aseme_dsl.runtime.activity import access
 from aseme_dsl.runtime.activity import context as c
-from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, has_code, kind_of
+from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, Executable, has_code, kind_of
 from aseme_dsl.runtime.activity.execution import Execution, Host
 from aseme_dsl.runtime.activity.returning import as_outcome, frames_of, is_cancellation, reason_of
 from aseme_dsl.runtime.chart.functions import TYPES
@@ -34,7 +34,7 @@ class _Node:
     """A BASIC state: what runs there, and what is to run next."""
 
     info: ActivityInfo
-    code: type[Any] | None
+    code: type[Executable] | None
     """None where there is no code."""
     kind: str
     error: ActivityError | None
@@ -229,7 +229,7 @@ class Executions:
 
     def _node(self, start: Start) -> _Node:
         info = self._info(start.activity)
-        code: type[Any] | None = None
+        code: type[Executable] | None = None
         kind = info.kind
         error: ActivityError | None = None
         try:
@@ -372,7 +372,7 @@ class Executions:
                     return
                 execution.generator = made
             pause = next(execution.generator)
-            delay = TICK if pause is None else nanoseconds(pause)
+            delay = TICK if pause is None else nanoseconds(cast(float, pause))
         except StopIteration as end:
             execution.result = as_outcome(end.value)
             self.returned(execution, None)
@@ -389,7 +389,7 @@ class Executions:
     def _close(self, execution: Execution) -> None:
         """End a cancelled generator where it stands."""
         if execution.handle is not None:
-            execution.handle.cancel()
+            cast("Timer", execution.handle).cancel()  # see `_advance`
         error: BaseException | None = None
         try:
             assert execution.generator is not None
@@ -498,7 +498,7 @@ class Executions:
 
         return FrozenPort(execution)
 
-    def _check_kind(self, channel: str, message: Any) -> None:
+    def _check_kind(self, channel: str, message: object) -> None:
         """Refuse a class that has only the name of a message; one of another version may be another class."""
         agent, found = self.agent, type(message)
         kind = agent.kinds.get(found.__name__)
@@ -510,7 +510,7 @@ class Executions:
             )
             raise TypeError(text)
 
-    def _trace(self, what: str, effect: Start | Cancel, **members: Any) -> None:
+    def _trace(self, what: str, effect: Start | Cancel, **members: object) -> None:
         agent = self.agent
         if agent.trace.active:
             agent.trace.activity(what, agent.driver.clock.now(), agent.name, effect, **members)
@@ -519,7 +519,7 @@ class Executions:
 _TYPES = {**TYPES, "agent": (str, type(None))}
 
 
-def fits(kind: str, value: Any) -> bool:
+def fits(kind: str, value: object) -> bool:
     """Whether a value is of the type of a variable."""
     expected = _TYPES.get(kind)
     if expected is None:

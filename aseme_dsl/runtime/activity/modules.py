@@ -14,10 +14,9 @@ from collections.abc import Generator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 from aseme_dsl.runtime.activity import context as c
-from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, has_code, kind_of
+from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, Executable, has_code, kind_of
 from aseme_dsl.runtime.activity.execution import Execution, Host
 from aseme_dsl.runtime.activity.executions import Executions
 from aseme_dsl.runtime.activity.returning import frames_of, is_cancellation, reason_of
@@ -32,7 +31,7 @@ LONG = 2 * SECOND
 """A release that has not returned after this time is reported."""
 
 
-def code_of(info: ModuleInfo, find: ActivityFinder) -> type[Any] | None:
+def code_of(info: ModuleInfo, find: ActivityFinder) -> type[Executable] | None:
     """The class of a module; None where there is none, or nothing in it.
 
     Raises:
@@ -48,7 +47,7 @@ def code_of(info: ModuleInfo, find: ActivityFinder) -> type[Any] | None:
             raise ActivityError(f"module {info.name}: {info.target} is not a class")
     else:
         found = find(info.name)
-    kind: type[Any] | None = found
+    kind: type[Executable] | None = found
     if kind is None or not has_code(kind):
         return None
     kind_of(kind, info.kind)
@@ -58,13 +57,13 @@ def code_of(info: ModuleInfo, find: ActivityFinder) -> type[Any] | None:
 class _Code:
     """Makes the object of a module once, and gives it each time; a worker process makes its own."""
 
-    def __init__(self, kind: type[object]) -> None:
+    def __init__(self, kind: type[Executable]) -> None:
         self.kind = kind
-        self.made: Any = None
+        self.made: Executable | None = None
         self.__module__ = kind.__module__
         self.__qualname__ = kind.__qualname__
 
-    def __call__(self) -> Any:
+    def __call__(self) -> Executable:
         if self.made is None:
             self.made = self.kind()
         return self.made

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import traceback
 from pathlib import Path
-from typing import Any
 
 _CANCELLATIONS = ("Cancelled", "CancelledError", "GeneratorExit")
 """How a cancelled activity may end without having failed."""
 _RUNTIME = str(Path(__file__).parents[1])
 
 
-def as_outcome(result: Any) -> str | None:
+def as_outcome(result: object) -> str | None:
     """What an activity has returned as the name of an outcome; of what is no text, its type: `<int>`."""
     if result is None or isinstance(result, str):
         return result if result is None else str.__str__(result)
@@ -31,9 +30,9 @@ def reason_of(error: BaseException) -> str:
     return f"{type(error).__name__}: {text}" if text else type(error).__name__
 
 
-def frames_of(error: BaseException, own: bool = False) -> list[dict[str, Any]] | None:
+def frames_of(error: BaseException, own: bool = False) -> list[dict[str, object]] | None:
     """Where an exception was raised, outermost first; the runtime's own frames only if it is asked to."""
-    frames = [
+    frames: list[dict[str, object]] = [
         {"file": Path(frame.filename).name, "line": frame.lineno, "function": frame.name}
         for frame in traceback.extract_tb(error.__traceback__)
         if own or not frame.filename.startswith(_RUNTIME)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.activity import access
 from aseme_dsl.runtime.activity.context import (
@@ -22,7 +22,7 @@ from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Sample
 from aseme_dsl.runtime.chart.plan import ActivityInfo, Variable
 from aseme_dsl.runtime.conversation.directory import Directory
-from aseme_dsl.runtime.world.body import Body
+from aseme_dsl.runtime.world.body import AnyBody
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.activity.execution import Execution
@@ -55,13 +55,13 @@ class Snapshot:
     chance_seed: str
     info: ActivityInfo
     board: Board
-    variables: dict[str, tuple[Variable, Any]]
+    variables: dict[str, tuple[Variable, object]]
     """Those that its state can see, with their values."""
     mail: tuple[AgentMessage, ...] | None
     """What waits; None outside a protocol's participant."""
     received: tuple[AgentMessage, ...]
     """What was taken."""
-    arguments: dict[str, Any]
+    arguments: dict[str, object]
     """What it is given, by parameter."""
 
 
@@ -122,7 +122,7 @@ class SnapshotPort:
         return self._is_cancelled()
 
     @property
-    def body(self) -> Body[Any, Any]:
+    def body(self) -> AnyBody:
         raise LookupError("a 'process' activity cannot reach the robot's body: publish what it is to do")
 
     @property
@@ -167,7 +167,7 @@ class SnapshotPort:
             self._tell(TookSignal(channel, item.sender, item.identity))
         return item
 
-    def variable(self, name: str) -> Any:
+    def variable(self, name: str) -> object:
         variable, value = self._variable(name)
         access.check_get(self._snapshot.info, variable, name)
         return value
@@ -200,7 +200,7 @@ class SnapshotPort:
                 access.check_set(self._snapshot.info, variable, name)
         self._tell(doing)
 
-    def _variable(self, name: str) -> tuple[Variable, Any]:
+    def _variable(self, name: str) -> tuple[Variable, object]:
         try:
             return self._snapshot.variables[name]
         except KeyError:
@@ -225,7 +225,7 @@ class FrozenPort(SnapshotPort):
         self._execution = execution
 
     @property
-    def body(self) -> Body[Any, Any]:
+    def body(self) -> AnyBody:
         return self._execution.body
 
     @property
@@ -245,7 +245,7 @@ def snapshot_of(execution: Execution) -> Snapshot:
     agent = execution.owner.agent
     board = BoardCopy(execution.board, execution.info.reads)
     names = {variable.name.partition("@")[0] for variable in agent.plan.variables}
-    variables: dict[str, tuple[Variable, Any]] = {}
+    variables: dict[str, tuple[Variable, object]] = {}
     for name in sorted(names):
         try:
             variable = agent.plan.variable_of(name, execution.label)

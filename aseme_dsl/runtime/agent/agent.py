@@ -230,7 +230,7 @@ class Agent:
         if isinstance(item.input, Addressed | Settled):
             return self.conversations.place(self, item.input.branch)[0] == item.conversation
         if isinstance(item.input, Sample) and item.input.channel == SELECT:
-            self.chosen(self, item.input.message.plan, item.input.sender)
+            self.chosen(self, getattr(item.input.message, "plan"), item.input.sender)  # noqa: B009
             return SELECT in self.chart.READERS
         return True
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, is_dataclass
 from itertools import pairwise
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder
 from aseme_dsl.runtime.activity.execution import Host
@@ -801,7 +801,7 @@ def agent_class(step: type[Chart], find: ActivityFinder) -> type[JadeLikeAgent] 
     Raises:
         ActivityError: the user's cannot be imported, or is none for this chart.
     """
-    generated: type[JadeLikeAgent] | None = step.AGENT
+    generated = cast("type[JadeLikeAgent] | None", step.AGENT)
     own = find(generated.own) if generated is not None and generated.own else None
     if generated is None or own is None:
         return generated

@@ -23,7 +23,6 @@ import threading
 from collections.abc import Iterable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from aseme_dsl.runtime.channel.persist import Kept
 from aseme_dsl.runtime.channel.routes import Routes
@@ -275,7 +274,7 @@ class Bus:
 
     # ---- from outside ------------------------------------------------------------------------
 
-    def give(self, agent: Receiver, channel: str, message: Any, sender: str = "input") -> None:
+    def give(self, agent: Receiver, channel: str, message: object, sender: str = "input") -> None:
         """Give an agent a message that nobody of the team has published (a script, a test)."""
         with self._driver.holding(), self._lock:
             identity = self._outside()
@@ -356,7 +355,7 @@ class Bus:
                 agent.post(identity, Sample(channel, message, sender, moment, identity))
         return None
 
-    def restore(self, messages: dict[str, object]) -> None:
+    def restore(self, messages: Mapping[str, type[object]]) -> None:
         """Give the agents the states that were kept; `messages` are the classes by name.
 
         A kept state that is not of its message's type any more is told in the trace and left out.

@@ -12,9 +12,8 @@ import io
 import json
 import os
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.message.as_json import from_json, to_json
@@ -59,7 +58,7 @@ class Kept:
         if self._writer is not None:
             self._writer.join(seconds)
 
-    def put(self, agent: str, channel: str, host: str | None, message: Any) -> str | None:
+    def put(self, agent: str, channel: str, host: str | None, message: object) -> str | None:
         """Note what an agent said last; the reason why it cannot be kept, or None."""
         try:
             value = to_json(message)
@@ -115,8 +114,8 @@ class Kept:
         return failed
 
     def load(
-        self, agent: str, messages: dict[str, Any]
-    ) -> tuple[list[tuple[str, str | None, Any]], list[str]]:
+        self, agent: str, messages: Mapping[str, type[object]]
+    ) -> tuple[list[tuple[str, str | None, object]], list[str]]:
         """What an agent published last as (channel, receiver, message), and what could not be read of it."""
         path = self._path(agent)
         try:
@@ -133,7 +132,7 @@ class Kept:
             entries = [(str(s["channel"]), s["host"], s["message"]) for s in states]
         except (ValueError, KeyError, TypeError) as error:
             return [], [f"{path} is not a file of kept states: {error!r}"]
-        found: list[tuple[str, str | None, Any]] = []
+        found: list[tuple[str, str | None, object]] = []
         errors: list[str] = []
         for channel, host, value in entries:
             kind = messages.get(channel.rpartition(".")[2])

@@ -124,7 +124,8 @@ def _reads(plan: Plan) -> dict[str, frozenset[str | None]]:
     while waiting:
         term = waiting.pop()
         if term and term[0] == "member":
-            found.setdefault(term[2], {None}).add(term[1])
+            of = term[1]
+            found.setdefault(str(term[2]), {None}).add(None if of is None else str(of))
         waiting.extend(item for item in term if isinstance(item, tuple) and item)
     return {channel: frozenset(hosts) for channel, hosts in found.items()}
 

@@ -5,11 +5,14 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from aseme_dsl.runtime.chart import history
 from aseme_dsl.runtime.chart.history import History
 from aseme_dsl.runtime.chart.inputs import Identity, Sample
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
 
 NEVER = sys.maxsize
 """A moment that does not come."""
@@ -44,7 +47,7 @@ class Board:
         """What `read_messages` has put here before it comes as an input."""
         self.asked: list[Sample] = []
         self.timers: dict[str, int] = {}
-        self.drafts: dict[tuple[str, str | None], dict[tuple[str, ...], Any]] = {}
+        self.drafts: dict[tuple[str, str | None], dict[tuple[str, ...], object]] = {}
         for slots in self.SLOTS.values():
             for slot, _ in slots:
                 setattr(self, slot, None)
@@ -115,7 +118,7 @@ class Board:
         data = self._data.get(channel)
         return () if data is None else data.of(host)
 
-    def at(self, channel: str, host: str | None, moment: int) -> Any:
+    def at(self, channel: str, host: str | None, moment: int) -> object:
         """The message as it was at `moment`: the newest measured by then, or None."""
         items = self._data.get(channel, ()) if host is None else self.history(channel, host)
         found = history.at(items, moment)
@@ -186,11 +189,11 @@ class Board:
 
     # ---- drafts ----------------------------------------------------------------------------
 
-    def fill(self, channel: str, host: str | None, path: tuple[str, ...], value: Any) -> None:
+    def fill(self, channel: str, host: str | None, path: tuple[str, ...], value: object) -> None:
         """Set a member of the message that the next publication of the channel sends."""
         self.drafts.setdefault((channel, host), {})[path] = value
 
-    def take_drafts(self, channel: str, kind: Any) -> list[tuple[str | None, Any]]:
+    def take_drafts(self, channel: str, kind: type[DataclassInstance]) -> list[tuple[str | None, object]]:
         """The drafts of a channel as (receiver, message); one of defaults for all where there is none."""
         hosts = [host for other, host in self.drafts if other == channel]
         if not hosts:
@@ -198,14 +201,14 @@ class Board:
         return [(host, built(kind(), self.drafts.pop((channel, host)))) for host in hosts]
 
 
-def built(message: Any, members: Mapping[tuple[str, ...], Any]) -> Any:
+def built(message: DataclassInstance, members: Mapping[tuple[str, ...], object]) -> DataclassInstance:
     """A copy of `message` with the members at these paths replaced."""
     for path, value in members.items():
         message = _with(message, path, value)
     return message
 
 
-def _with(message: Any, path: tuple[str, ...], value: Any) -> Any:
+def _with(message: DataclassInstance, path: tuple[str, ...], value: object) -> DataclassInstance:
     if len(path) > 1:
         value = _with(getattr(message, path[0]), path[1:], value)
     return replace(message, **{path[0]: value})

@@ -10,7 +10,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
 from dataclasses import replace
 from random import Random
-from typing import Any
 
 from aseme_dsl.runtime.chart.board import NEVER, Board, built
 from aseme_dsl.runtime.chart.functions import checked, find_function, results_of
@@ -100,7 +99,7 @@ class Chart(ChartState):
 
     # ---- what generated code calls ---------------------------------------------------------
 
-    def begin(self, label: str, activity: str, arguments: tuple[tuple[str, Any], ...] = ()) -> int:
+    def begin(self, label: str, activity: str, arguments: tuple[tuple[str, object], ...] = ()) -> int:
         """Start an activity; the token is its own."""
         self.tokens += 1
         self.effects.append(Start(label, activity, self.tokens, arguments))
@@ -220,7 +219,7 @@ class Chart(ChartState):
             self.effects.append(Fault(transition, text))
         return False
 
-    def call(self, name: str, *arguments: Any) -> Any:
+    def call(self, name: str, *arguments: object) -> object:
         """Call a function of the document and note its result.
 
         Raises:
@@ -322,10 +321,10 @@ class Chart(ChartState):
         performative: str,
         message: str,
         participant: str,
-        members: Mapping[tuple[str, ...], Any] | None = None,
+        members: Mapping[tuple[str, ...], object] | None = None,
         to: str | None = None,
         excepts: tuple[str, ...] = (),
-        rest: Any = None,
+        rest: object = None,
         taken: tuple[str, ...] = (),
         reply_within: int | None = None,
         one: bool = False,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from importlib import import_module
-from typing import Any
 
 TYPES: dict[str, tuple[type, ...]] = {
     "bool": (bool,),
@@ -70,10 +69,10 @@ def checked(name: str, value: object, expected: tuple[type, ...]) -> object:
 
 def function_at(target: str, name: str, declared: str) -> Callable[..., object]:
     """The function `module:name`, which is looked for at the first call, and whose results are checked."""
-    found: list[Callable[..., Any]] = []
+    found: list[Callable[..., object]] = []
     expected = results_of(declared)
 
-    def call(*arguments: Any) -> Any:
+    def call(*arguments: object) -> object:
         if not found:
             found.append(find_function(target))
         return checked(name, found[0](*arguments), expected)

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Iterable, Iterator, Reversible, Sequence
 from functools import reduce
 from operator import add
-from typing import Any
+from typing import cast
 
 from aseme_dsl.runtime.chart.inputs import Sample
 
@@ -104,7 +104,7 @@ def mean(items: Sequence[Sample], moment: int, member: str) -> float | None:
     """
     path = member.split(".")
     found = (value_of(item.message, path) for item in items if item.time >= moment)
-    values = [value for value in found if value is not None]
+    values = cast("list[float]", [value for value in found if value is not None])
     # `sum` adds floats differently from one version of Python to another
     return reduce(add, values) / len(values) if values else None
 
@@ -134,7 +134,7 @@ def interpolated(items: Sequence[Sample], moment: int, member: str) -> float | N
     return None
 
 
-def value_of(message: object, path: Sequence[str]) -> Any:
+def value_of(message: object, path: Sequence[str]) -> object:
     """A member of a member …, or None where one on the way is absent."""
     for step in path:
         if message is None:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, Literal, TypeVar, dataclass_transform, get_args
+from typing import Literal, TypeVar, dataclass_transform, get_args
 
 _T = TypeVar("_T")
+_EffectT = TypeVar("_EffectT")
 
 
 @dataclass_transform(frozen_default=True)
@@ -41,7 +42,7 @@ class Sample:
     """
 
     channel: str
-    message: Any
+    message: object
     sender: str
     time: int
     identity: Identity
@@ -81,7 +82,7 @@ class Written:
     """A variable that an activity wrote."""
 
     variable: str
-    value: Any
+    value: object
 
 
 @_made_often
@@ -95,7 +96,7 @@ class AgentMessage:
     branch: str
     performative: str
     message: str
-    content: Any
+    content: object
     participant: str
     sender: str
     identity: Identity
@@ -146,7 +147,7 @@ class Start:
     label: str
     activity: str
     token: int
-    arguments: tuple[tuple[str, Any], ...] = ()
+    arguments: tuple[tuple[str, object], ...] = ()
 
 
 @_made_often
@@ -164,7 +165,7 @@ class Publication:
     """Publish `message`; to all when `host` is None. `region` is the label of the region that wrote it."""
 
     channel: str
-    message: Any
+    message: object
     host: str | None
     region: str
 
@@ -180,7 +181,7 @@ class Sending:
     branch: str
     performative: str
     message: str
-    content: Any
+    content: object
     participant: str
     filled: bool = False
     to: str | None = None
@@ -235,7 +236,7 @@ class FunctionResult:
     """A function of the document was called and gave `value`."""
 
     function: str
-    value: Any
+    value: object
 
 
 @_made_often
@@ -292,6 +293,6 @@ class Outcome:
         self.again = False
         self.failure = None
 
-    def of(self, kind: type[Any]) -> Iterable[Any]:
+    def of(self, kind: type[_EffectT]) -> Iterable[_EffectT]:
         """The effects of one kind, in order."""
         return (effect for effect in self.effects if isinstance(effect, kind))

@@ -39,7 +39,7 @@ def undecided(plan: Plan, branch: str) -> Undecided:
         if item.condition is None:
             continue
         terms = list(_terms(item.condition))
-        asked = [term[1] for term in terms if term[0] == "variable"]
+        asked = [str(term[1]) for term in terms if term[0] == "variable"]
         if item.when:
             optional.update(asked)
             continue

@@ -31,9 +31,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
-Term = tuple[Any, ...]
+Term = tuple[object, ...]
 Kind = tuple[str, str, str]
 """An agent message: performative, message and the participant that it is from ("": any)."""
 
@@ -84,7 +83,7 @@ class Variable:
 
     name: str
     type: str
-    initial: Any
+    initial: object
     scope: str | None = None
 
 
@@ -198,7 +197,7 @@ class Plan:
     """Functions as (name in call terms, "module:name", result type, place of the declaration)."""
     branches: tuple[BranchInfo, ...] = ()
     modules: tuple[ModuleInfo, ...] = ()
-    settings: tuple[tuple[str, str, Any], ...] = ()
+    settings: tuple[tuple[str, str, object], ...] = ()
     """What variables hold at first in some agents, as (agent, variable, value)."""
     numbers: tuple[tuple[str, int], ...] = ()
     """The numbers of agents that are not 1, as far as somebody asks for them."""

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from random import Random
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from aseme_dsl.runtime.chart.board import QUEUE, Board
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Outcome, Sample
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.chart.rounds import Rounds
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
 
 
 class ChartState:
@@ -52,9 +55,9 @@ class ChartState:
     )
 
     PLAN: ClassVar[Plan]
-    AGENT: ClassVar[type[Any] | None] = None
+    AGENT: ClassVar[type[object] | None] = None
     """What shows the chart as an agent with behaviours (`behaviours.py`), if it is to be shown so."""
-    MESSAGES: ClassVar[Mapping[str, Any]] = {}
+    MESSAGES: ClassVar[Mapping[str, type[DataclassInstance]]] = {}
     """The message class of each channel that the chart publishes, and of each message it sends."""
     READERS: ClassVar[Mapping[str, tuple[int, ...]]] = {}
     """The numbers of the regions that read a channel."""
@@ -179,6 +182,6 @@ class ChartState:
         for slot in self.VARIABLES[name]:
             setattr(self, slot, value)
 
-    def variable(self, name: str) -> Any:
+    def variable(self, name: str) -> object:
         """The value of a variable between steps."""
         return getattr(self, self.VARIABLES[name][0])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import TypeVar, cast
 
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.inputs import (
@@ -22,6 +22,8 @@ from aseme_dsl.runtime.chart.inputs import (
 )
 from aseme_dsl.runtime.chart.state import ChartState
 from aseme_dsl.runtime.time.clock import shown
+
+_InputT = TypeVar("_InputT", bound=Input)
 
 
 def _arrived(chart: ChartState, item: Sample) -> None:
@@ -164,14 +166,23 @@ def _is_at(leaf: int, leaves: Iterable[tuple[int, int]]) -> bool:
     return any(first <= leaf <= last for first, last in leaves)
 
 
-RECEIVE: Mapping[type[Input], Callable[[Any, Any], None]] = {
-    Sample: _arrived,
-    Completed: _completed,
-    Crashed: _crashed,
-    Happened: _happened,
-    Written: _written,
-    AgentMessage: _mailed,
-    Addressed: lambda chart, item: chart.rounds.addressed(item),
-    Settled: lambda chart, item: chart.rounds.settled(item),
-}
+Receive = Callable[[ChartState, Input], None]
+
+
+def _of(kind: type[_InputT], receive: Callable[[ChartState, _InputT], None]) -> tuple[type[Input], Receive]:
+    return cast("tuple[type[Input], Receive]", (kind, receive))  # looked up by the class of the input
+
+
+RECEIVE: Mapping[type[Input], Receive] = dict(
+    (
+        _of(Sample, _arrived),
+        _of(Completed, _completed),
+        _of(Crashed, _crashed),
+        _of(Happened, _happened),
+        _of(Written, _written),
+        _of(AgentMessage, _mailed),
+        _of(Addressed, lambda chart, item: chart.rounds.addressed(item)),
+        _of(Settled, lambda chart, item: chart.rounds.settled(item)),
+    )
+)
 """What each kind of input does to a chart."""

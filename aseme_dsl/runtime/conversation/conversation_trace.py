@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
-from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.chart.plan import BranchInfo
@@ -171,7 +170,7 @@ class ConversationTrace:
         )
 
 
-def _said(acl: AclMessage) -> dict[str, Any]:
+def _said(acl: AclMessage) -> dict[str, object]:
     """An agent message as the trace tells it."""
     return {
         "performative": acl.performative,

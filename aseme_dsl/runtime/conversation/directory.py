@@ -16,7 +16,7 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Protocol
+from typing import Protocol
 
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.message.acl import JSON, AgentIdentifier
@@ -393,7 +393,7 @@ def _joined(base: Entry, more: Entry) -> Entry:
 
 def as_json(service: Service) -> dict[str, object]:
     """A service as JSON, named as FIPA names it; what is empty is left out."""
-    found: dict[str, Any] = {
+    found: dict[str, object] = {
         "type": service.type,
         "name": service.name,
         "protocols": list(service.protocols),

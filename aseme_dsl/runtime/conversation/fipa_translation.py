@@ -11,7 +11,6 @@ import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
-from typing import Any
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
@@ -50,7 +49,7 @@ class Understood:
 
     performative: str
     message: str
-    content: Any
+    content: object
     participant: str
     infos: tuple[BranchInfo, ...]
 
@@ -91,7 +90,7 @@ class Context:
     sent: tuple[tuple[str, str], ...] = ()
 
 
-_Found = dict[str, tuple[Any, list[BranchInfo]]]
+_Found = dict[str, tuple[object, list[BranchInfo]]]
 
 
 def understood(message: FipaMessage, plan: Plan, context: Context, kinds: Messages) -> Understood:
@@ -204,7 +203,7 @@ def _of_cancel(performative: str, found: _Found, plan: Plan, context: Context) -
     return [] if cancelled else [name for name in found if name not in ends]
 
 
-def _reason_of(message: FipaMessage) -> Any:
+def _reason_of(message: FipaMessage) -> object:
     """What a `not-understood` says was not understood, as far as that can be read."""
     try:
         content = _content(message)
@@ -214,7 +213,7 @@ def _reason_of(message: FipaMessage) -> Any:
     return inner if isinstance(inner, dict) else content
 
 
-def _content(message: FipaMessage) -> Any:
+def _content(message: FipaMessage) -> dict[str, object]:
     if message.language.lower() not in ("", JSON):
         raise NotUnderstood(f"the content is in {message.language[:100]}; {JSON} is understood")
     if isinstance(message.content, bytes) or message.encoding.lower() not in ("", "utf-8", "utf8"):
@@ -240,7 +239,7 @@ def _speakers(plan: Plan, infos: Iterable[BranchInfo], performative: str, messag
             if transition.source.startswith(inside):
                 for event in transition.events:
                     if event[:3] == ("received", performative, message):
-                        found[event[3]] = None
+                        found[str(event[3])] = None
     for info in infos:
         found.update((name, None) for name, _, _ in info.participants if name != info.participant)
     return list(found) or [""]

@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.conversation import fipa_translation
@@ -236,7 +235,7 @@ class FreeMessages:
         ]
 
 
-def _kind(content: Any) -> str:
+def _kind(content: object) -> str:
     return "text" if isinstance(content, str) else type(content).__name__
 
 

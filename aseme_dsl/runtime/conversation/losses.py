@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import LOST, REASONS, AgentMessage, Reason
 from aseme_dsl.runtime.chart.plan import Plan
@@ -165,7 +164,7 @@ class Losses:
         if not moves:
             return
         performative, message = moves[0]
-        content: Any = place.said.get(message)
+        content: object = place.said.get(message)
         if content is None:
             kind = agent.kinds.get(message)
             content = kind() if kind is not None else None

@@ -22,7 +22,6 @@ import json
 from collections.abc import Callable, Container, Iterable
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Any
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.conversation import management_sl
@@ -82,7 +81,7 @@ class _Question:
     manager: str
     act: str
     message: FipaMessage
-    content: dict[str, Any]
+    content: dict[str, object]
     sl: management_sl.Asked | None
     """What was asked for in SL; None: in JSON."""
 
@@ -179,11 +178,11 @@ class Management:
                 "refuse" if is_argument else "not-understood", problem.error, str(problem)
             ) from None
         description = asked.content.get("description")
-        if description is not None and "lease-time" in description:
+        if isinstance(description, dict) and "lease-time" in description:
             description["lease-time"] = self._lease(description["lease-time"])
         return _Question(to, manager, act, message, asked.content, asked)
 
-    def _lease(self, value: Any) -> float:
+    def _lease(self, value: object) -> float:
         """A lease in seconds, from a moment or a span of SL. Raises _Refused."""
         clock = self._directory.clock
         reason = "lease-time is a moment, or a span such as +00000000T000100000"
@@ -370,14 +369,16 @@ def _most(content: dict[str, object]) -> int | None:
     return most
 
 
-def _entry(given: dict[str, Any]) -> tuple[Entry, int | None]:
+def _entry(given: dict[str, object]) -> tuple[Entry, int | None]:
     """An entry from its JSON, with its lease in ns."""
     _only(given, _ENTRY, "the description", DESCRIPTION)
     services = given.get("services", [])
     if not isinstance(services, list):
         raise _Refused("refuse", *_value_of(DESCRIPTION, "services", "services is a list"))
     lease = given.get("lease-time")
-    if lease is not None and (type(lease) not in (int, float) or not 0 < lease < 1e9):
+    if lease is not None and (
+        not isinstance(lease, (int, float)) or isinstance(lease, bool) or not 0 < lease < 1e9
+    ):
         reason = "lease-time is a number of seconds"
         raise _Refused("refuse", *_value_of(DESCRIPTION, "lease-time", reason))
     agent = AgentIdentifier(_text(given, "name", DESCRIPTION), _texts(given, "addresses", DESCRIPTION))
@@ -402,7 +403,7 @@ def _service(given: dict[str, object]) -> Service:
     )
 
 
-def _text(given: dict[str, Any], name: str, what: str) -> str:
+def _text(given: dict[str, object], name: str, what: str) -> str:
     value = given.get(name, "")
     if not isinstance(value, str):
         raise _Refused("refuse", *_value_of(what, name, f"{name[:100]} is a string"))
@@ -424,7 +425,7 @@ def _lists(given: dict[str, object], what: str) -> tuple[tuple[str, ...], ...]:
 
 def _described(entry: Entry, lease: int | None = None) -> dict[str, object]:
     """An entry as JSON; what is empty is left out."""
-    found: dict[str, Any] = {
+    found: dict[str, object] = {
         "name": entry.name,
         "addresses": list(entry.agent.addresses),
         "services": [_with_registered_names(as_json(service)) for service in entry.services],
@@ -436,7 +437,8 @@ def _described(entry: Entry, lease: int | None = None) -> dict[str, object]:
     return {name: value for name, value in found.items() if value}
 
 
-def _with_registered_names(service: dict[str, Any]) -> dict[str, Any]:
-    if "protocols" in service:
-        service["protocols"] = [registered_name(name) for name in service["protocols"]]
+def _with_registered_names(service: dict[str, object]) -> dict[str, object]:
+    protocols = service.get("protocols")
+    if isinstance(protocols, list):
+        service["protocols"] = [registered_name(name) for name in protocols]
     return service

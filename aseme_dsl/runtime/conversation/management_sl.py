@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage, Span
 from aseme_dsl.runtime.message.acl_text import AclTextError
@@ -34,7 +33,7 @@ class SlError(Exception):
 class Asked:
     """What is asked for: as JSON, and the action and the expression that the answers repeat."""
 
-    content: dict[str, Any]
+    content: dict[str, object]
     action: Term
     whole: tuple[Term, ...]
 
@@ -69,7 +68,7 @@ def asked(message: FipaMessage, manager: str, act: str) -> Asked:
     if not isinstance(function, Form):
         wanted = "(iota ?x (result (action …) ?x))" if act == "subscribe" else "(action …)"
         raise SlError("unrecognised-value", f"the content is {wanted}, in parentheses")
-    content: dict[str, Any] = {} if act == "subscribe" else {"action": function.name}
+    content: dict[str, object] = {} if act == "subscribe" else {"action": function.name}
     if act == "subscribe" and function.name != "search":
         raise SlError("unsupported-value", f"a subscription is to a search, not to {function.name[:100]}")
     if function.name in FUNCTIONS:
@@ -118,7 +117,7 @@ def _object(form: Form) -> dict[str, object]:
     """A description as JSON."""
     if form.terms:
         raise SlError("unrecognised-value", f"a {form.name} has named parameters only")
-    found: dict[str, Any] = {}
+    found: dict[str, object] = {}
     for name, value in form.parameters:
         if name == "name" and isinstance(value, Form) and value.name == "agent-identifier":
             found["name"] = value.parameter("name") or ""
@@ -192,56 +191,72 @@ def done(question: Asked | None, manager: str) -> str:
     return dumps(Form("done", (action,)))
 
 
-def result(question: Asked, act: str, manager: str, found: Any) -> str:
+def result(question: Asked, act: str, manager: str, found: object) -> str:
     """What was found, as FIPA describes it."""
     described: Term
     if isinstance(found, Mapping):
         services = tuple(
-            Form("ap-service", (), (("name", item["name"]), ("type", item["type"])))
-            for item in found["ap-services"]
+            Form("ap-service", (), (("name", _term(item["name"])), ("type", _term(item["type"]))))
+            for item in _objects(found["ap-services"])
         )
-        parameters = (("name", found["name"]), ("ap-services", Form("set", services)))
+        parameters = (("name", _term(found["name"])), ("ap-services", Form("set", services)))
         described = Form("ap-description", (), parameters)
     else:
-        described = Form("set", tuple(_description(manager, item) for item in found))
+        described = Form("set", tuple(_description(manager, item) for item in _objects(found)))
     if act == "subscribe":
         return dumps(Form("=", (question.whole[0], described)))
     return dumps(Form("result", (question.action, described)))
 
 
-def _description(manager: str, item: Mapping[str, Any]) -> Form:
-    parameters: list[tuple[str, Term]] = [("name", _agent(item["name"], item.get("addresses", ())))]
+def _description(manager: str, item: Mapping[str, object]) -> Form:
+    parameters: list[tuple[str, Term]] = [("name", _agent(str(item["name"]), item.get("addresses", [])))]
     for name, value in item.items():
         if name in ("name", "addresses"):
             continue
         if name == "services":
-            parameters.append((name, Form("set", tuple(map(_service, value)))))
-        elif name == "lease-time":
+            parameters.append((name, Form("set", tuple(map(_service, _objects(value))))))
+        elif name == "lease-time" and isinstance(value, (int, float)):
             parameters.append((name, Span(milliseconds=round(value * 1000))))
         elif isinstance(value, list):
-            parameters.append((name, Form("set", tuple(value))))
+            parameters.append((name, Form("set", _terms(value))))
         else:
-            parameters.append((name, value))
+            parameters.append((name, _term(value)))
     return Form(DESCRIPTIONS[manager], (), tuple(parameters))
 
 
-def _service(item: Mapping[str, Any]) -> Form:
+def _service(item: Mapping[str, object]) -> Form:
     parameters: list[tuple[str, Term]] = []
     for name, value in item.items():
-        if name == "properties":
+        if name == "properties" and isinstance(value, dict):
             properties = (
                 Form("property", (), (("name", key), ("value", text))) for key, text in value.items()
             )
             parameters.append((name, Form("set", tuple(properties))))
         else:
-            parameters.append((name, Form("set", tuple(value)) if isinstance(value, list) else value))
+            parameters.append((name, Form("set", _terms(value)) if isinstance(value, list) else _term(value)))
     return Form("service-description", (), tuple(parameters))
 
 
-def _agent(name: str, addresses: Any = ()) -> Form:
+def _term(value: object) -> Term:
+    """A value of the directory's JSON, which is one of SL, too."""
+    assert isinstance(value, str | bytes | int | float | Form)
+    return value
+
+
+def _terms(values: object) -> tuple[Term, ...]:
+    assert isinstance(values, list)
+    return tuple(map(_term, values))
+
+
+def _objects(values: object) -> list[Mapping[str, object]]:
+    assert isinstance(values, list)
+    return values
+
+
+def _agent(name: str, addresses: object = None) -> Form:
     parameters: list[tuple[str, Term]] = [("name", _clean(name))]
     if addresses:
-        parameters.append(("addresses", Form("sequence", tuple(addresses))))
+        parameters.append(("addresses", Form("sequence", _terms(addresses))))
     return Form("agent-identifier", (), tuple(parameters))
 
 

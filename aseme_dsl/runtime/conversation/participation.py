@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Reason
 from aseme_dsl.runtime.chart.plan import BranchInfo
@@ -41,7 +41,7 @@ class Participation:
     """The last one taken of each kind and sender, the newest at the end."""
     answered: dict[str, AgentMessage] = field(default_factory=dict)
     """The last one taken of each sender: what is sent to it next is an answer to that."""
-    said: dict[str, Any] = field(default_factory=dict)
+    said: dict[str, object] = field(default_factory=dict)
     """What it has sent last of each type of message."""
     completed: list[tuple[str, str]] = field(default_factory=list)
     """Agents that have completed, each with its participant: lost once no message of them waits."""

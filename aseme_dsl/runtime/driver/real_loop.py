@@ -6,7 +6,7 @@ import asyncio
 import selectors
 import threading
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, cast
 
 from aseme_dsl.runtime.activity.stacks import place_of
 from aseme_dsl.runtime.driver.virtual_loop import run_async
@@ -33,7 +33,7 @@ class RealLoop:
 
     def cancel(self, execution: Execution) -> None:
         """Tell an activity that its state was left; once more, if it does not listen."""
-        loop, _ = execution.handle
+        loop, _ = _handle(execution)
         loop.call_soon_threadsafe(_cancel, execution)
 
     def look(self, patience: int) -> None:
@@ -75,8 +75,13 @@ class RealLoop:
         self._ended(execution)
 
 
+def _handle(execution: Execution) -> tuple[asyncio.AbstractEventLoop, asyncio.Task[None] | None]:
+    """The loop and the task of an activity, which `launch` has given it."""
+    return cast("tuple[asyncio.AbstractEventLoop, asyncio.Task[None] | None]", execution.handle)
+
+
 def _cancel(execution: Execution) -> None:
-    task: asyncio.Task[Any] | None = execution.handle[1]
+    _, task = _handle(execution)
     if task is not None:
         task.cancel()
 

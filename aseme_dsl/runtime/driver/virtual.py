@@ -22,11 +22,12 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from contextvars import copy_context
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.activity.context import Cancelled
 from aseme_dsl.runtime.activity.snapshot import run_snapshot
 from aseme_dsl.runtime.activity.stacks import activity_of, place_of
+from aseme_dsl.runtime.chart.input_queue import Errand, Posted
 from aseme_dsl.runtime.ports import Stepping
 from aseme_dsl.runtime.time.clock import VirtualClock, shown
 from aseme_dsl.runtime.time.timers import Timer, Timers
@@ -92,7 +93,7 @@ class VirtualDriver:
         """What did not return when the run was to end, if something did not."""
         self._timers = Timers()
         self._jobs: deque[Callable[[], None]] = deque()
-        self._wave: deque[tuple[Stepping, list[Any]]] = deque()
+        self._wave: deque[tuple[Stepping, list[Posted | Errand]]] = deque()
         self._steps: dict[str, int] = {}
         self._drained = 0
         self._woken = False
@@ -163,7 +164,7 @@ class VirtualDriver:
         handle = execution.handle
         if isinstance(handle, _Seat):
             self._queue(handle)
-        elif handle is not None:
+        elif isinstance(handle, asyncio.Task):
             handle.cancel()
 
     def wait(self, execution: Execution, duration: int) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import asyncio
 import contextvars
 from collections import deque
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Awaitable, Callable
+from typing import TYPE_CHECKING, Any, cast
 
 from aseme_dsl.runtime.activity.returning import as_outcome
 from aseme_dsl.runtime.time.clock import nanoseconds
@@ -27,7 +27,8 @@ async def _error(execution: Execution) -> BaseException | None:
         context = execution.context
         context.raise_if_cancelled()
         assert execution.code is not None
-        execution.result = as_outcome(await execution.code().execute(context, **execution.arguments))
+        made = execution.code().execute(context, **execution.arguments)
+        execution.result = as_outcome(await cast("Awaitable[object]", made))
     except BaseException as raised:  # whatever it is, the agent must hear of it
         return raised
     return None

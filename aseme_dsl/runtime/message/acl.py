@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import Identity
 
@@ -102,7 +101,7 @@ class AclMessage:
     sender: str
     receivers: tuple[str, ...]
     message: str
-    content: Any
+    content: object
     protocol: str
     conversation: str
     participant: str
@@ -133,7 +132,7 @@ class AgentIdentifier:
     name: str
     addresses: tuple[str, ...] = ()
     resolvers: tuple[AgentIdentifier, ...] = ()
-    parameters: tuple[tuple[str, Any], ...] = ()
+    parameters: tuple[tuple[str, object], ...] = ()
     """Others, by name (`X-age`); values as in `FipaMessage.parameters`."""
 
 
@@ -176,5 +175,5 @@ class FipaMessage:
     in_reply_to: str = ""
     reply_by: datetime | Span | None = None
     """A moment without a time zone is in local time."""
-    parameters: tuple[tuple[str, Any], ...] = ()
+    parameters: tuple[tuple[str, object], ...] = ()
     """Others, by name (`X-message`): text, a `Word`, bytes, a number, a moment or a tuple of such."""

@@ -18,9 +18,12 @@ import math
 import re
 from collections.abc import Callable, Iterable, Iterator
 from datetime import UTC, datetime, timedelta, timezone
-from typing import Any, NoReturn
+from typing import NoReturn, TypeVar
 
 from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage, Span, Word
+from aseme_dsl.runtime.message.by_name import made
+
+_T = TypeVar("_T")
 
 DEEPEST = 50
 """So deep may lists and agent identifiers be nested."""
@@ -99,8 +102,8 @@ class Reader:
     def message(self) -> FipaMessage:
         self.open("a message begins with '('")
         act = self.word("an act such as inform")
-        given: dict[str, Any] = {}
-        others: list[tuple[str, Any]] = []
+        given: dict[str, object] = {}
+        others: list[tuple[str, object]] = []
         for name, place in self.parameters():
             known = _PARAMETERS.get(name.lower())
             if known is None:
@@ -110,7 +113,7 @@ class Reader:
             if field in given:
                 self.fail(f":{name.lower()} is given twice", place)
             given[field] = reading(self)
-        return FipaMessage(act.lower(), **given, parameters=tuple(others))
+        return made(FipaMessage, act.lower(), **given, parameters=tuple(others))
 
     def parameters(self) -> Iterator[tuple[str, int]]:
         """The names of the parameters up to the closing parenthesis, with their places."""
@@ -134,8 +137,8 @@ class Reader:
     def agent(self) -> AgentIdentifier:
         place = self.open("an agent identifier begins with '('")
         self.keyword("agent-identifier")
-        given: dict[str, Any] = {}
-        others: list[tuple[str, Any]] = []
+        given: dict[str, object] = {}
+        others: list[tuple[str, object]] = []
         for name, _ in self.parameters():
             match name.lower():
                 case "name":
@@ -149,12 +152,12 @@ class Reader:
         self.depth -= 1
         if "name" not in given:
             self.fail("the agent identifier has no :name", place)
-        return AgentIdentifier(**given, parameters=tuple(others))
+        return made(AgentIdentifier, **given, parameters=tuple(others))
 
     def agents(self) -> tuple[AgentIdentifier, ...]:
         return tuple(self.items("set", self.agent))
 
-    def items(self, keyword: str, item: Callable[[], Any]) -> Iterator[Any]:
+    def items(self, keyword: str, item: Callable[[], _T]) -> Iterator[_T]:
         self.open(f"'(' and the word {keyword} are wanted here")
         self.keyword(keyword)
         self.depth -= 1
@@ -196,7 +199,7 @@ class Reader:
     def protocol(self) -> str:
         return str(self.word("the protocol's name as a word"))
 
-    def expression(self) -> Any:
+    def expression(self) -> object:
         self.blanks()
         string = self.string()
         if string is not None:
@@ -204,7 +207,7 @@ class Reader:
         place = self.at
         if self.data[self.at : self.at + 1] == b"(":
             self.open("")
-            found: list[Any] = []
+            found: list[object] = []
             while True:
                 self.blanks()
                 if self.take(b")"):
@@ -404,8 +407,8 @@ def dumps(message: FipaMessage) -> bytes:
         add("protocol", _as_word(message.protocol, "protocol"))
     if message.conversation:
         add("conversation-id", _word_or_string(message.conversation))
-    for name, value in _named(message.parameters, _PARAMETERS):
-        add(name, _expression(value))
+    for name, further in _named(message.parameters, _PARAMETERS):
+        add(name, _expression(further))
     return b"\n".join(lines) + b")"
 
 
@@ -424,7 +427,7 @@ def _agent(agent: AgentIdentifier, depth: int = 0) -> bytes:
     return b" ".join(parts) + b")"
 
 
-def _named(parameters: Iterable[tuple[str, object]], known: Iterable[str]) -> Iterator[tuple[str, Any]]:
+def _named(parameters: Iterable[tuple[str, object]], known: Iterable[str]) -> Iterator[tuple[str, object]]:
     taken = set(known)
     for name, value in parameters:
         if not _PARAMETER.fullmatch(name) or name.lower() in taken:

@@ -11,18 +11,23 @@ from dataclasses import fields, is_dataclass
 from enum import IntEnum
 from functools import cache
 from types import NoneType, UnionType
-from typing import Any, Union, get_args, get_origin, get_type_hints
+from typing import TypeVar, Union, cast, get_args, get_origin, get_type_hints, overload
+
+from aseme_dsl.runtime.message.by_name import made
+
+_T = TypeVar("_T")
 
 _WORDS = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf}
 
 
-def to_json(value: Any) -> Any:
+def to_json(value: object) -> object:
     """A value of a message as what `json` can write. Raises TypeError for what no message contains."""
-    kind = value.__class__
+    kind: type = value.__class__
     if kind is float:
-        if math.isfinite(value):
-            return value
-        return "NaN" if value != value else ("Infinity" if value > 0 else "-Infinity")
+        number = cast(float, value)
+        if math.isfinite(number):
+            return number
+        return "NaN" if number != number else ("Infinity" if number > 0 else "-Infinity")
     if kind is bool or kind is int or kind is str or value is None:
         return value
     if hasattr(kind, "__dataclass_fields__"):
@@ -38,7 +43,11 @@ def to_json(value: Any) -> Any:
     raise TypeError(f"a message does not contain a {kind.__name__}: {value!r}")
 
 
-def from_json(kind: Any, data: Any) -> Any:
+@overload
+def from_json(kind: type[_T], data: object) -> _T: ...
+@overload
+def from_json(kind: object, data: object) -> object: ...
+def from_json(kind: object, data: object) -> object:
     """The value of type `kind` that `to_json` wrote as `data`; members not given have their defaults.
 
     Raises:
@@ -53,13 +62,13 @@ def _names(kind: type) -> tuple[str, ...]:
 
 
 @cache
-def member_types(kind: type) -> dict[str, Any]:
+def member_types(kind: type[object]) -> dict[str, object]:
     """The types of a message's members."""
     hints = get_type_hints(kind)
-    return {name: hints[name] for name in _names(kind)}
+    return {item.name: hints[item.name] for item in fields(cast(type, kind))}
 
 
-def _read(kind: Any, data: Any, place: str) -> Any:
+def _read(kind: object, data: object, place: str) -> object:
     origin = get_origin(kind)
     if origin in (Union, UnionType):
         if data is None:
@@ -95,7 +104,7 @@ def _read(kind: Any, data: Any, place: str) -> Any:
     raise _misfit(place, f"a {getattr(kind, '__name__', kind)}", data)
 
 
-def _read_message(kind: type, data: Any, place: str) -> Any:
+def _read_message(kind: type, data: object, place: str) -> object:
     if not isinstance(data, dict):
         raise _misfit(place, f"a {kind.__name__}", data)
     types = member_types(kind)
@@ -104,10 +113,10 @@ def _read_message(kind: type, data: Any, place: str) -> Any:
         known = ", ".join(types) or "none"
         raise ValueError(f"{place or kind.__name__} has no member {strangers[0]}; it has {known}")
     inside = place + "." if place else ""
-    return kind(**{name: _read(types[name], value, inside + name) for name, value in data.items()})
+    return made(kind, **{name: _read(types[name], value, inside + name) for name, value in data.items()})
 
 
-def _read_enum(kind: type[IntEnum], data: Any, place: str) -> IntEnum:
+def _read_enum(kind: type[IntEnum], data: object, place: str) -> IntEnum:
     if isinstance(data, str):
         name = data.removeprefix(kind.__name__ + ".")
         if name in kind.__members__:
@@ -120,5 +129,5 @@ def _read_enum(kind: type[IntEnum], data: Any, place: str) -> IntEnum:
     raise _misfit(place, f"one of {', '.join(kind.__members__)}", data)
 
 
-def _misfit(place: str, wanted: str, data: Any) -> ValueError:
+def _misfit(place: str, wanted: str, data: object) -> ValueError:
     return ValueError(f"{place + ': ' if place else ''}{wanted} is wanted, not {data!r}")

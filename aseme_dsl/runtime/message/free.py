@@ -66,7 +66,7 @@ class ACLMessage:
                 f"the content is a text or a message that the system declares, not {self.content!r}"
             )
 
-    def create_reply(self, performative: str, content: Any = "") -> ACLMessage:
+    def create_reply(self, performative: str, content: object = "") -> ACLMessage:
         """The answer to this message: to its sender, in the same conversation."""
         return ACLMessage(
             performative,
@@ -146,12 +146,12 @@ class MessageTemplate:
         return _equal("reply_with", name)
 
     @staticmethod
-    def match_content(content: Any) -> MessageTemplate:
+    def match_content(content: object) -> MessageTemplate:
         """Messages with exactly this content."""
         return MessageTemplate(lambda message: bool(message.content == content), f"content {content!r}")
 
     @staticmethod
-    def match_message(kind: type[Any]) -> MessageTemplate:
+    def match_message(kind: type[object]) -> MessageTemplate:
         """Messages whose content is of this class, by its name: a message of the system, or `str`."""
         name = kind.__name__
         return MessageTemplate(lambda message: type(message.content).__name__ == name, f"message {name}")

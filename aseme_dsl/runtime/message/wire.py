@@ -9,22 +9,31 @@ from __future__ import annotations
 import base64
 import json
 import struct
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, is_dataclass
 from enum import IntEnum
 from functools import cached_property
 from types import NoneType
-from typing import TYPE_CHECKING, Any, TypeVar, get_args
+from typing import TYPE_CHECKING, Protocol, TypeVar, cast, get_args
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.message.as_json import from_json, member_types, to_json
+from aseme_dsl.runtime.message.by_name import made
 from aseme_dsl.runtime.message.checked import check as check  # for generated modules
 
 if TYPE_CHECKING:
+    from google.protobuf.descriptor import FieldDescriptor
     from google.protobuf.message import Message as ProtoMessage
 
 M = TypeVar("M")
 _compact = json.JSONEncoder(separators=(",", ":")).encode
+
+
+class _Entry(Protocol):
+    """An entry of a map."""
+
+    key: object
+    value: object
 
 
 class WireError(ValueError):
@@ -101,13 +110,13 @@ class Schema:
             WireError: It is none.
         """
         try:
-            found: M = from_json(kind, outside.loads(data))
+            found = from_json(kind, outside.loads(data))
         except (ValueError, RecursionError) as problem:
             raise WireError(f"{len(data)} bytes cannot be read as {kind.__name__}: {problem}") from None
         return found
 
     @cached_property
-    def _protos(self) -> dict[type[object], Any]:
+    def _protos(self) -> dict[type[object], type[ProtoMessage]]:
         """The protobuf class of each class."""
         from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
 
@@ -122,7 +131,7 @@ class Schema:
 
     @cached_property
     def _members(self) -> dict[type[object], tuple[_Member, ...]]:
-        return {kind: tuple(_members_of(kind, proto.DESCRIPTOR)) for kind, proto in self._protos.items()}
+        return {kind: tuple(_members_of(kind, proto)) for kind, proto in self._protos.items()}
 
     def _to_proto(self, message: object) -> ProtoMessage:
         kind = type(message)
@@ -147,29 +156,31 @@ class Schema:
                 raise WireError(f"{kind.__name__}.{member.name} = {value!r}: {problem}") from None
         return proto
 
-    def _set(self, proto: ProtoMessage, member: _Member, value: Any) -> None:
+    def _set(self, proto: ProtoMessage, member: _Member, value: object) -> None:
         nested = member.kind in self._protos
         if member.entries:
             target = getattr(proto, member.field)
-            for item in value:
+            for item in cast("Iterable[_Entry]", value):
                 if is_dataclass(item.value):
                     target[item.key].CopyFrom(self._to_proto(item.value))
                 else:
                     target[item.key] = item.value
         elif member.repeated:
-            getattr(proto, member.field).extend(self._to_proto(item) if nested else item for item in value)
+            items = cast("Iterable[object]", value)
+            getattr(proto, member.field).extend(self._to_proto(item) if nested else item for item in items)
         elif nested:
             getattr(proto, member.field).CopyFrom(self._to_proto(value))
         else:
             setattr(proto, member.field, value)
 
-    def _from_proto(self, kind: type[M], proto: object) -> M:
-        return kind(**{member.name: self._get(kind, proto, member) for member in self._members[kind]})
+    def _from_proto(self, kind: type[M], proto: ProtoMessage) -> M:
+        make: Callable[..., M] = kind
+        return make(**{member.name: self._get(kind, proto, member) for member in self._members[kind]})
 
-    def _get(self, owner: type[object], proto: Any, member: _Member) -> Any:
-        def one(value: Any) -> Any:
+    def _get(self, owner: type[object], proto: ProtoMessage, member: _Member) -> object:
+        def one(value: object) -> object:
             if member.kind in self._protos:
-                return self._from_proto(member.kind, value)
+                return self._from_proto(member.kind, cast("ProtoMessage", value))
             return _constant(member.kind, value, f"{owner.__name__}.{member.name}")
 
         if member.entries:
@@ -185,8 +196,8 @@ class Schema:
     def _entry(self, kind: type[object], parts: Mapping[str, _Member], key: object, value: object) -> object:
         part = parts["value"]
         if part.kind in self._protos:
-            value = self._from_proto(part.kind, value)
-        return kind(key=key, value=_constant(part.kind, value, f"{kind.__name__}.value"))  # type: ignore[call-arg]
+            value = self._from_proto(part.kind, cast("ProtoMessage", value))
+        return made(kind, key=key, value=_constant(part.kind, value, f"{kind.__name__}.value"))
 
     # ---- radio ---------------------------------------------------------------------------------
 
@@ -208,7 +219,7 @@ class Schema:
         number = list(self.radio).index(channel)
         return bytes([number]) + b"".join(_packed(message, letters, type(message).__name__))
 
-    def unpack(self, data: bytes) -> tuple[str, Any]:
+    def unpack(self, data: bytes) -> tuple[str, object]:
         """The channel and the message that `pack` made these bytes of.
 
         Raises:
@@ -224,32 +235,33 @@ class Schema:
         return channel, message
 
 
-def _hints(kind: object) -> dict[str, Any]:
+def _hints(kind: object) -> dict[str, object]:
     """The types of the members of a message's class."""
     return member_types(kind)
 
 
-def _constant(kind: type, value: Any, where: str) -> Any:
+def _constant(kind: type, value: object, where: str) -> object:
     """An enum's number as its constant; anything else as it is."""
     if not issubclass(kind, IntEnum):
         return value
     try:
-        return kind(value)
+        return kind(cast(int, value))
     except ValueError:
         raise WireError(f"{where}: {kind.__name__} has no constant with the number {value}") from None
 
 
-def _members_of(kind: type[object], descriptor: Any) -> Iterator[_Member]:
+def _members_of(kind: type[object], proto: type[ProtoMessage]) -> Iterator[_Member]:
     """Members and fields stand in the same order."""
     hints = _hints(kind)
-    for name, field in zip(hints, descriptor.fields, strict=True):
+    fields = cast("Sequence[FieldDescriptor]", proto.DESCRIPTOR.fields)
+    for name, field in zip(hints, fields, strict=True):
         hint = hints[name]
         optional = NoneType in get_args(hint)
         repeated = Ellipsis in get_args(hint)
         if optional or repeated:
             hint = next(part for part in get_args(hint) if part not in (NoneType, Ellipsis))
         entries = repeated and field.message_type is not None and field.message_type.GetOptions().map_entry
-        yield _Member(name, field.name, hint, optional, repeated, entries)
+        yield _Member(name, field.name, cast(type, hint), optional, repeated, entries)
 
 
 # ---- the radio's form --------------------------------------------------------------------------
@@ -275,9 +287,9 @@ def _packed(message: object, letters: Iterator[str], where: str) -> Iterator[byt
         yield _number(letter, value, f"{where}.{name}")
 
 
-def _number(letter: str, value: Any, where: str) -> bytes:
+def _number(letter: str, value: object, where: str) -> bytes:
     if letter == "m":
-        value = round(value / _MILLISECOND)
+        value = round(cast(int, value) / _MILLISECOND)
     try:
         return _FORMATS[letter].pack(value)
     except (struct.error, OverflowError, TypeError):
@@ -293,21 +305,22 @@ class _Reader:
     data: bytes
     position: int
 
-    def number(self, letter: str, where: str) -> Any:
+    def number(self, letter: str, where: str) -> bool | int | float:
         form = _FORMATS[letter]
         if self.position + form.size > len(self.data):
             raise WireError(f"{where}: the message ends too early")
+        value: bool | int | float
         (value,) = form.unpack_from(self.data, self.position)
         self.position += form.size
         return value * _MILLISECOND if letter == "m" else value
 
 
-def _unpacked(kind: Any, letters: Iterator[str], reader: _Reader) -> Any:
-    members: dict[str, Any] = {}
+def _unpacked(kind: type[object], letters: Iterator[str], reader: _Reader) -> object:
+    members: dict[str, object] = {}
     for name, hint in _hints(kind).items():
         where = f"{kind.__name__}.{name}"
         if is_dataclass(hint):
-            members[name] = _unpacked(hint, letters, reader)
+            members[name] = _unpacked(cast(type, hint), letters, reader)
             continue
         letter = next(letters)
         if letter == _OPTIONAL:
@@ -316,5 +329,6 @@ def _unpacked(kind: Any, letters: Iterator[str], reader: _Reader) -> Any:
                 members[name] = None
                 continue
             hint = next(part for part in get_args(hint) if part is not NoneType)
-        members[name] = _constant(hint, reader.number(letter, where), where)
-    return kind(**members)
+        members[name] = _constant(cast(type, hint), reader.number(letter, where), where)
+    make: Callable[..., object] = kind
+    return make(**members)

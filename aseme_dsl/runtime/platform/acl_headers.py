@@ -14,7 +14,6 @@ import zlib
 from collections.abc import Mapping
 from contextlib import suppress
 from datetime import UTC, datetime, timedelta
-from typing import Any
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.message.acl import (
@@ -28,6 +27,7 @@ from aseme_dsl.runtime.message.acl import (
     registered_name,
 )
 from aseme_dsl.runtime.message.acl_text import AclTextError, moment_text, read_moment
+from aseme_dsl.runtime.message.by_name import made
 from aseme_dsl.runtime.platform.platform import Headers
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
@@ -116,13 +116,13 @@ def ours(headers: Headers) -> dict[str, object]:
     return found
 
 
-def read_letter(said: Mapping[str, Any], headers: Headers, payload: bytes, system: str) -> Envelope:
+def read_letter(said: Mapping[str, object], headers: Headers, payload: bytes, system: str) -> Envelope:
     """The envelope that `ours` has read, if it is that of the payload.
 
     Raises:
         EnvelopeError: it is not.
     """
-    values: dict[str, Any] = {}
+    values: dict[str, object] = {}
     for name, value in said.items():
         kind = _TYPES.get(name)
         if kind is None:
@@ -146,11 +146,11 @@ def read_letter(said: Mapping[str, Any], headers: Headers, payload: bytes, syste
         values["performative"] = performative
         for name, header in _READABLE.items():
             values[name] = headers.get(header, "")
-        values["protocol"] = protocol_of(values["protocol"])
+        values["protocol"] = protocol_of(str(values["protocol"]))
         ontology, language = headers.get("ontology", ""), headers.get("language", "")
         values["ontology"] = ontology if ontology != system else ""
         values["language"] = language if language != JSON else ""
-    return Envelope(**values)
+    return made(Envelope, **values)
 
 
 def _tuple(name: str, value: object) -> tuple[object, ...]:

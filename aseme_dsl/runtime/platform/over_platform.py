@@ -16,7 +16,7 @@ import time
 from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, performative_of
 from aseme_dsl.runtime.platform import acl_headers
@@ -211,12 +211,14 @@ class PlatformLink:
         if life in self._heard:
             self._heard[life] = time.monotonic()
 
-    def _heed(self, to: str, origin: str, said: Mapping[str, Any], headers: Headers, body: str) -> None:
+    def _heed(self, to: str, origin: str, said: Mapping[str, object], headers: Headers, body: str) -> None:
         """Something that links say to each other."""
-        if isinstance(said.get("here"), dict) and isinstance(said.get("life"), int):
-            self._there(said["here"], said["life"], origin, answered="asked" in said)
+        here, life = said.get("here"), said.get("life")
+        if isinstance(here, dict) and isinstance(life, int):
+            self._there(here, life, origin, answered="asked" in said)
         elif "bye" in said:
-            self._gone(said["bye"])
+            if isinstance(bye := said["bye"], int):
+                self._gone(bye)
         elif isinstance(said.get("question"), str) and isinstance(said.get("what"), str):
             arguments = (to, origin, said["question"], said["what"], body)
             threading.Thread(target=self._answer, args=arguments, name="aseme answer", daemon=True).start()
@@ -225,7 +227,7 @@ class PlatformLink:
         else:
             raise EnvelopeError("it says nothing that is understood")
 
-    def _there(self, here: Mapping[str, Any], life: int, origin: str, *, answered: bool) -> None:
+    def _there(self, here: Mapping[str, object], life: int, origin: str, *, answered: bool) -> None:
         """A process says that it is there, with its agents and their addresses."""
         news: list[str] = []
         with self._lock:
@@ -246,7 +248,7 @@ class PlatformLink:
         for name in news:
             self._hears.appeared(name, life)
 
-    def _gone(self, life: Any) -> None:
+    def _gone(self, life: int) -> None:
         """The process of an incarnation is not there any more."""
         with self._lock:
             self._heard.pop(life, None)
@@ -311,8 +313,8 @@ class PlatformLink:
             self._platform.send(to, origin, headers, payload.decode(), kept=False)
         self._note(origin, {"answer": name}, sender=to)
 
-    def _take_answer(self, said: Mapping[str, Any], headers: Headers, body: str) -> None:
-        put = self._questions.get(said["answer"])
+    def _take_answer(self, said: Mapping[str, object], headers: Headers, body: str) -> None:
+        put = self._questions.get(str(said["answer"]))
         if put is None:
             return  # nobody waits for it any more
         envelope = said.get("envelope")

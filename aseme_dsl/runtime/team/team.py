@@ -10,10 +10,10 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from types import FrameType
-from typing import Any
+from typing import cast
 
 from aseme_dsl.display import Displayed
-from aseme_dsl.runtime.activity.activities import ActivityFinder
+from aseme_dsl.runtime.activity.activities import ActivityFinder, Executable
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.board import QUEUE
@@ -24,6 +24,7 @@ from aseme_dsl.runtime.driver.real import RealDriver
 from aseme_dsl.runtime.driver.real_time import RealTime
 from aseme_dsl.runtime.driver.virtual import VirtualDriver
 from aseme_dsl.runtime.message.as_json import to_json
+from aseme_dsl.runtime.message.by_name import made
 from aseme_dsl.runtime.message.wire import Schema
 from aseme_dsl.runtime.team.ending import (
     NOTHING,
@@ -46,7 +47,7 @@ from aseme_dsl.runtime.trace.trace import Listener, Trace
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.transport import LOCAL, Peer, Transport, TransportError
 from aseme_dsl.runtime.version.loading import Loaded, importing, other_names
-from aseme_dsl.runtime.world.body import Body, World
+from aseme_dsl.runtime.world.body import AnyBody, AnyWorld
 
 
 class TeamError(Exception):
@@ -110,14 +111,14 @@ class Setup:
 
     system: str = ""
     """Its name; without it, the one that the first agent's plan says."""
-    messages: Mapping[str, Any] = field(default_factory=dict)
+    messages: Mapping[str, type[object]] = field(default_factory=dict)
     """The message classes by name, which scripts and kept states need."""
     schema: Schema | None = None
     """How messages become bytes, which radio needs."""
     clock: str = "virtual"
     seed: int = 1
-    world: World[Any, Any] | None = None
-    bodies: Mapping[str, Any] = field(default_factory=dict)
+    world: AnyWorld | None = None
+    bodies: Mapping[str, AnyBody] = field(default_factory=dict)
     """The agents' bodies where there is no world."""
     until_ns: int | None = None
     """When the run ends."""
@@ -150,7 +151,7 @@ class Team:
     def __init__(
         self,
         agents: Iterable[tuple[str, type[Chart]]],
-        activities: ActivityFinder | Mapping[str, type[Any]],
+        activities: ActivityFinder | Mapping[str, type[Executable]],
         setup: Setup = Setup(),
     ) -> None:
         """Put the agents, given with their charts in the team's order, on a bus.
@@ -349,7 +350,7 @@ class Team:
         """The agents that run in other processes: who is there, and what came from whom."""
         return self.transport.peers()
 
-    def history(self, agent: str, channel: str, since: int, until: int) -> list[tuple[int, Any]]:
+    def history(self, agent: str, channel: str, since: int, until: int) -> list[tuple[int, object]]:
         """The data that an agent in another process has published in a span of time, as (time, message).
 
         It is asked for it, and has what it published lately. Times are in ns of this run.
@@ -603,11 +604,11 @@ def _here(names: Sequence[str], setup: Setup) -> Sequence[str]:
 
 def run(
     loaded: Loaded,
-    activities: ActivityFinder | Mapping[str, type[Any]],
+    activities: ActivityFinder | Mapping[str, type[Executable]],
     *,
     plan: str | None = None,
     agent: str | None = None,
-    **options: Any,
+    **options: object,
 ) -> RunResult:
     """Run a system's team or, with `plan`, one agent (of that name, or called `agent`) with that plan.
 
@@ -625,11 +626,11 @@ def run(
 
 def make_team(
     loaded: Loaded,
-    activities: ActivityFinder | Mapping[str, type[Any]],
+    activities: ActivityFinder | Mapping[str, type[Executable]],
     *,
     plan: str | None = None,
     agent: str | None = None,
-    **options: Any,
+    **options: object,
 ) -> Team:
     """The team of a generated system, ready to run; see `run`."""
     charts = loaded.charts
@@ -645,9 +646,10 @@ def make_team(
         members = [(agent or name, chart)]
     else:
         raise TeamError(f"{loaded.name} declares no team: say which plan to run; it has {known}")
-    path = (*loaded.path, *options.pop("path", ()))
+    path = (*loaded.path, *cast("Sequence[Path]", options.pop("path", ())))
     find: ActivityFinder = activities if callable(activities) else dict(activities).get
-    setup = Setup(
+    setup = made(
+        Setup,
         version=version_of(loaded, find),
         system=loaded.name,
         messages=loaded.messages,
@@ -667,7 +669,7 @@ def _interruptible(stop: Callable[[str], None]) -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    before: dict[int, Any] = {}
+    before: dict[int, Callable[[int, FrameType | None], object] | int | signal.Handlers | None] = {}
 
     def handle(number: int, frame: FrameType | None) -> None:
         for each, handler in before.items():

@@ -16,7 +16,6 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import Any
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.message.as_json import from_json
@@ -40,7 +39,7 @@ class TimedInput:
     at: int
     agent: str | None
     channel: str = ""
-    message: Any = None
+    message: object = None
     event: str = ""
     sender: str = "input"
 

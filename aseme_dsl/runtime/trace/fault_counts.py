@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 MOST_FAULTS = 1000
 """After so many different faults, further ones are counted together."""
@@ -21,29 +20,38 @@ class FaultCount:
     count: int
 
 
+@dataclass(slots=True)
+class _Counter:
+    """The first fault of a kind, and how many there were."""
+
+    agent: str
+    activity: str
+    time: int
+    count: int = 0
+
+    def of(self, reason: str, at: str) -> FaultCount:
+        return FaultCount(reason, self.agent, at, self.activity, self.time, self.count)
+
+
 class FaultCounts:
     """Counts the faults of a run by reason and place. Not for several threads at once."""
 
     def __init__(self) -> None:
-        self._found: dict[tuple[str, str], list[Any]] = {}
-        self._more: list[Any] | None = None
+        self._found: dict[tuple[str, str], _Counter] = {}
+        self._more: _Counter | None = None
 
     def add(self, reason: str, agent: str, at: str, activity: str, moment: int) -> None:
         """Count a fault."""
         entry = self._found.get((reason, at))
         if entry is None and len(self._found) < MOST_FAULTS:
-            entry = self._found[reason, at] = [agent, activity, moment, 0]
+            entry = self._found[reason, at] = _Counter(agent, activity, moment)
         if entry is None:
-            entry = self._more = self._more or [agent, activity, moment, 0]
-        entry[3] += 1
+            entry = self._more = self._more or _Counter(agent, activity, moment)
+        entry.count += 1
 
     def counts(self) -> tuple[FaultCount, ...]:
         """All faults, in the order in which the first of each kind came."""
-        found = [
-            FaultCount(reason, agent, at, activity, moment, count)
-            for (reason, at), (agent, activity, moment, count) in self._found.items()
-        ]
+        found = [entry.of(reason, at) for (reason, at), entry in self._found.items()]
         if self._more is not None:
-            agent, activity, moment, count = self._more
-            found.append(FaultCount("faults of further kinds", agent, "", activity, moment, count))
+            found.append(self._more.of("faults of further kinds", ""))
         return tuple(found)

@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any
 
 OPERATOR = "asemec-operator"
 """The common name of an operator's certificate, which no agent can have."""
 
 
-def access_rules(robot: str, team: Iterable[str], controlled: bool = False) -> dict[str, Any]:
+def access_rules(robot: str, team: Iterable[str], controlled: bool = False) -> dict[str, object]:
     """Zenoh's `access_control` for a robot: each other one speaks for itself, and hears its own.
 
     If the team is `controlled`, an operator may ask for control; `robot` may be the `OPERATOR`, too.
     """
-    rules: list[dict[str, Any]] = []
-    subjects: list[dict[str, Any]] = []
-    policies: list[dict[str, Any]] = []
+    rules: list[dict[str, object]] = []
+    subjects: list[dict[str, object]] = []
+    policies: list[dict[str, object]] = []
 
     def allow(name: str, given: Iterable[tuple[str, list[str], list[str]]]) -> None:
-        mine = [
+        mine: list[dict[str, object]] = [
             {
                 "id": f"{name} {number}",
                 "permission": "allow",

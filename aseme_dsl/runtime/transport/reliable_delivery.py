@@ -20,7 +20,7 @@ import threading
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.chart.inputs import LOST, Identity
@@ -266,7 +266,7 @@ class Post(Transport):
             raise TransportError(f"there is no agent {sender} elsewhere with a channel {channel}")
         shift = state.origin - (difference_to(state, other) or 0)
         question = json.dumps({"channel": channel, "since": since + shift, "until": until + shift})
-        found: list[tuple[int, Any]] = []
+        found: list[tuple[int, object]] = []
         answers = state.link.ask(sender, "history", question.encode(), timeout, other.life)
         for envelope, payload in answers:
             if envelope.kind == envelopes.ACKNOWLEDGE:

@@ -20,7 +20,6 @@ from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.activity.activities import ActivityFinder, from_package
@@ -66,7 +65,7 @@ class Loaded:
     name: str
     charts: Mapping[str, type[Chart]]
     team: tuple[tuple[str, str], ...]
-    messages: Mapping[str, Any]
+    messages: Mapping[str, type[object]]
     schema: Schema | None = None
     model: str = ""
     """The hash of all its models."""
@@ -170,7 +169,7 @@ def _is_inside(name: str, packages: tuple[str, ...]) -> bool:
 
 def _source_of(module: ModuleType) -> str | bytes | None:
     """The text of a module, as its loader has it."""
-    get: Any = getattr(module.__loader__, "get_source", None)
+    get = getattr(module.__loader__, "get_source", None)
     try:
         source: str | None = get(module.__name__) if get is not None else None
     except ImportError:

@@ -19,7 +19,7 @@ from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from queue import SimpleQueue
-from typing import IO, TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING
 
 from aseme_dsl.runtime.activity.context import Cancelled
 from aseme_dsl.runtime.activity.returning import reason_of
@@ -41,7 +41,7 @@ class ReportedError(Exception):
         self.frames = frames
 
 
-def put(file: IO[bytes], item: tuple[Any, ...]) -> None:
+def put(file: IO[bytes], item: tuple[object, ...]) -> None:
     """Send an item. Raises what pickling raises, and OSError."""
     data = pickle.dumps(item)
     file.write(len(data).to_bytes(4, "big") + data)
@@ -322,13 +322,13 @@ class Processes:
 
     def cancel(self, execution: Execution) -> None:
         """Tell an activity that its state was left."""
-        process: _Process | None = execution.handle
+        process = _process_of(execution)
         if process is None:
             with self._lock:
                 job = next((job for job in self._waiting if job[0] is execution), None)
                 if job is not None:
                     self._waiting.remove(job)
-                process = execution.handle
+                process = _process_of(execution)
             if job is not None:
                 execution.returned(Cancelled())
                 self.ended(execution)
@@ -337,7 +337,7 @@ class Processes:
 
     def kill(self, execution: Execution, reason: str) -> bool:
         """End an activity that does not listen, with its process; not one that cannot have heard yet."""
-        process: _Process | None = execution.handle
+        process = _process_of(execution)
         return process is not None and process.listens and process.kill(execution, reason)
 
     def renew(self, path: Sequence[Path], names: Mapping[str, str], code: VersionFiles | None) -> None:
@@ -369,3 +369,10 @@ class Processes:
         """Wait for all workers to end, so many seconds at the most."""
         for process in (*self._all, *self._kept.values(), *self._retired):
             process.thread.join(seconds())
+
+
+def _process_of(execution: Execution) -> _Process | None:
+    """The process in which an activity runs; None while it waits for one."""
+    handle = execution.handle
+    assert handle is None or isinstance(handle, _Process)
+    return handle

@@ -147,7 +147,7 @@ class Threads:
 
     def cancel(self, execution: Execution) -> None:
         """Tell an activity that its state was left."""
-        execution.handle.set()
+        _event(execution).set()
         with self._lock:
             if execution not in self._waiting:
                 return
@@ -170,7 +170,7 @@ class Threads:
 
     def wait(self, execution: Execution, duration: int) -> None:
         """Let time pass in the activity's own thread. Raises Cancelled."""
-        if execution.cancelled or execution.handle.wait(duration / SECOND):
+        if execution.cancelled or _event(execution).wait(duration / SECOND):
             raise Cancelled
 
     def close(self) -> None:
@@ -186,3 +186,9 @@ class Threads:
         for worker in tuple(self._workers):
             if worker.execution is None:
                 worker.thread.join(seconds())
+
+
+def _event(execution: Execution) -> threading.Event:
+    """What tells the thread of an activity that its state was left."""
+    assert isinstance(execution.handle, threading.Event)
+    return execution.handle

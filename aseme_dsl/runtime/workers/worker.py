@@ -15,8 +15,9 @@ from functools import cache
 from pathlib import Path
 from queue import SimpleQueue
 from types import ModuleType
-from typing import IO, Any
+from typing import IO
 
+from aseme_dsl.runtime.activity.activities import Executable
 from aseme_dsl.runtime.activity.context import Cancelled, Context
 from aseme_dsl.runtime.activity.returning import as_outcome, frames_of, reason_of
 from aseme_dsl.runtime.activity.snapshot import Snapshot, SnapshotPort, Told
@@ -36,7 +37,7 @@ class _Worker:
         """Whether the other end has said that nothing more comes. It says nothing if it is killed."""
         self.jobs: SimpleQueue[bytes | None] = SimpleQueue()
         self.cancelled = threading.Event()
-        self.kept: dict[str, object] = {}
+        self.kept: dict[str, Executable] = {}
         """What runs again and again: the object of a module, by who keeps it."""
 
     def listen(self) -> None:
@@ -70,7 +71,7 @@ class _Worker:
             reason, frames, result = "", None, None
             try:
                 _, module, place, name, keep, snapshot = pickle.loads(data)
-                code = self.kept.pop(keep, None) or _class(module, place, name)()
+                code: Executable = self.kept.pop(keep) if keep in self.kept else _class(module, place, name)()
                 result = self._run(code, snapshot)
                 if keep:
                     self.kept = {keep: code}
@@ -78,7 +79,7 @@ class _Worker:
                 kind, reason, frames = type(error).__name__, reason_of(error), frames_of(error)
             put(self.answers, ("end", kind, reason, frames, result))
 
-    def _run(self, code: Any, snapshot: Snapshot) -> str | None:
+    def _run(self, code: Executable, snapshot: Snapshot) -> str | None:
         begun = time.monotonic_ns()
 
         def tell(told: Told) -> None:
@@ -104,13 +105,13 @@ _CANCEL = pickle.dumps(("cancel",))
 _CLOSE = pickle.dumps(("close",))
 
 
-def _class(module: str, place: str | tuple[Path, str] | None, name: str) -> type[Any]:
+def _class(module: str, place: str | tuple[Path, str] | None, name: str) -> type[Executable]:
     """The class of an activity.
 
     A module that cannot be imported by its name is loaded from its file; one of a version, which is given as
     its folder and hash, only from there.
     """
-    found: Any = sys.modules.get(module)
+    found: object = sys.modules.get(module)
     if found is None and isinstance(place, tuple):
         package = module.rpartition(".")[0]
         if package not in sys.modules:
@@ -125,7 +126,8 @@ def _class(module: str, place: str | tuple[Path, str] | None, name: str) -> type
             found = _loaded(module, place)
     for part in name.split("."):
         found = getattr(found, part)
-    kind: type[Any] = found
+    assert isinstance(found, type)
+    kind: type[Executable] = found
     return kind
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from aseme_dsl.runtime.message.free import Text
 from aseme_dsl.runtime.message.wire import Schema, WireError
@@ -20,7 +19,7 @@ class Codec:
     """Whether they travel as JSON."""
     largest: int | None
 
-    def encode(self, message: Any) -> bytes:
+    def encode(self, message: object) -> bytes:
         """The payload of a message. Raises WireError."""
         if isinstance(message, Text):
             payload = _utf_8(message.text)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from typing import Any
 
 from aseme_dsl.runtime.chart.inputs import LOST
 from aseme_dsl.runtime.message.acl import JSON, AclMessage, name_of
@@ -74,7 +73,9 @@ def sender_of(state: Delivery, to: str, sender: str) -> Other | None:
     return other
 
 
-def decoded(state: Delivery, other: Other, envelope: Envelope, payload: bytes) -> tuple[Envelope, Any] | None:
+def decoded(
+    state: Delivery, other: Other, envelope: Envelope, payload: bytes
+) -> tuple[Envelope, object] | None:
     """The message in an envelope; None, after telling why, if it is none for us."""
     mail = envelope.kind in (envelopes.MAIL, envelopes.LOSS)
     name = envelope.message if mail else envelope.channel
@@ -84,7 +85,7 @@ def decoded(state: Delivery, other: Other, envelope: Envelope, payload: bytes) -
         return None
     if envelope.kind == envelopes.LOSS:  # it has no content
         return envelope, None
-    kind: Any = state.codec.schema.channels.get(name)
+    kind: type[object] | None = state.codec.schema.channels.get(name)
     if mail:
         kind = Text if not name else None
         kind = kind or next((k for k in state.codec.schema.classes if k.__name__ == name), None)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from aseme_dsl.runtime.transport.delivery.records import Other, Sent
 from aseme_dsl.runtime.transport.delivery.state import Delivery
@@ -26,7 +25,7 @@ def tell_once(state: Delivery, other: Other, what: str, reason: str, about: str 
         tell(state, other, what, reason=reason)
 
 
-def tell(state: Delivery, other: Other, what: str, **members: Any) -> None:
+def tell(state: Delivery, other: Other, what: str, **members: object) -> None:
     """Trace what has become of an agent elsewhere."""
     mine = state.mine
     now = state.now()

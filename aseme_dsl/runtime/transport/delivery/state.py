@@ -5,8 +5,9 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from aseme_dsl.runtime.message.by_name import made
 from aseme_dsl.runtime.transport.delivery.archive import Archive
 from aseme_dsl.runtime.transport.delivery.codec import Codec
 from aseme_dsl.runtime.transport.delivery.records import Other, Way
@@ -59,9 +60,10 @@ class Delivery:
         """The time of our run."""
         return self.team.driver.clock.now()
 
-    def envelope(self, kind: int, sequence: int = 0, moment: int = 0, **members: Any) -> Envelope:
+    def envelope(self, kind: int, sequence: int = 0, moment: int = 0, **members: object) -> Envelope:
         """An envelope of this incarnation of ours, of now or of a moment of the machine's clock."""
-        return Envelope(
+        return made(
+            Envelope,
             kind,
             self.codec.model,
             self.incarnation,
