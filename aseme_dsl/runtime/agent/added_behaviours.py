@@ -54,7 +54,7 @@ class Behaviour(HasDataStore):
     def on_start(self) -> None:
         """Called once, before its first action; to be overridden."""
 
-    def action(self) -> Any:
+    def action(self) -> object:
         """What it does; to be overridden. A generator may take time."""
         raise NotImplementedError
 
@@ -62,7 +62,7 @@ class Behaviour(HasDataStore):
         """Whether it has done all; asked after each action."""
         raise NotImplementedError
 
-    def on_end(self) -> Any:
+    def on_end(self) -> object:
         """Called when it is done; to be overridden. In an FSM, what it returns chooses the transition."""
         return None
 
@@ -192,11 +192,11 @@ class WakerBehaviour(Behaviour):
         if seconds is not None:
             self.seconds = seconds
 
-    def on_wake(self) -> Any:
+    def on_wake(self) -> object:
         """What it does when its time has come; to be overridden."""
         raise NotImplementedError
 
-    def action(self) -> Any:
+    def action(self) -> object:
         return self.on_wake()
 
     def done(self) -> bool:
@@ -231,7 +231,7 @@ class TickerBehaviour(Behaviour):
         if seconds is not None:
             self.seconds = seconds
 
-    def on_tick(self) -> Any:
+    def on_tick(self) -> object:
         """What it does at each tick; to be overridden."""
         raise NotImplementedError
 
@@ -239,7 +239,7 @@ class TickerBehaviour(Behaviour):
         """This tick is the last."""
         self._stopped = True
 
-    def action(self) -> Any:
+    def action(self) -> object:
         self.tick_count += 1
         return self.on_tick()
 
@@ -267,7 +267,7 @@ class TickerBehaviour(Behaviour):
 class CompositeBehaviour(Behaviour):
     """A behaviour with others in it."""
 
-    exit_value: Any = None
+    exit_value: object = None
     """What `on_end` of the behaviour that ended last in it has returned; its own `on_end` returns it, too."""
     _sub: tuple[Behaviour, ...] = ()
 
@@ -290,20 +290,20 @@ class CompositeBehaviour(Behaviour):
         """What is in it."""
         return self._sub
 
-    def action(self) -> Any:
+    def action(self) -> object:
         """Nothing: what is in it acts."""
 
     def done(self) -> bool:
         return False
 
-    def on_end(self) -> Any:
+    def on_end(self) -> object:
         return self.exit_value
 
     def _first(self) -> tuple[Behaviour, ...]:
         """What starts with it."""
         return self._sub[:1]
 
-    def _after(self, ended: Behaviour, result: Any) -> tuple[Behaviour, ...] | None:
+    def _after(self, ended: Behaviour, result: object) -> tuple[Behaviour, ...] | None:
         """What starts after one in it has ended; None: it is done."""
         raise NotImplementedError
 
@@ -316,7 +316,7 @@ class CompositeBehaviour(Behaviour):
 class SequentialBehaviour(CompositeBehaviour):
     """Its behaviours run one after the other."""
 
-    def _after(self, ended: Behaviour, result: Any) -> tuple[Behaviour, ...] | None:
+    def _after(self, ended: Behaviour, result: object) -> tuple[Behaviour, ...] | None:
         place = next(number for number, item in enumerate(self._sub) if item is ended)
         return self._sub[place + 1 : place + 2] or None
 
@@ -335,7 +335,7 @@ class ParallelBehaviour(CompositeBehaviour):
         self._ended = 0
         return self._sub
 
-    def _after(self, ended: Behaviour, result: Any) -> tuple[Behaviour, ...] | None:
+    def _after(self, ended: Behaviour, result: object) -> tuple[Behaviour, ...] | None:
         self._ended += 1
         wanted = self.when if isinstance(self.when, int) else 1 if self.when == ANY else len(self._sub)
         return None if self._ended >= wanted else ()
@@ -389,7 +389,7 @@ class FSMBehaviour(CompositeBehaviour):
         self.current = self._initial
         return (self._states[self._initial or ""],)
 
-    def _after(self, ended: Behaviour, result: Any) -> tuple[Behaviour, ...] | None:
+    def _after(self, ended: Behaviour, result: object) -> tuple[Behaviour, ...] | None:
         name = next(name for name, item in self._states.items() if item is ended)
         if name in self._lasts:
             return None

@@ -5,9 +5,8 @@ from __future__ import annotations
 import itertools
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
 
-from aseme_dsl.runtime.activity.activities import ActivityFinder
+from aseme_dsl.runtime.activity.activities import ActivityFinder, Executable
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.activity.executions import Executions
 from aseme_dsl.runtime.activity.modules import Modules
@@ -43,7 +42,7 @@ from aseme_dsl.runtime.message.free import ACLMessage
 from aseme_dsl.runtime.ports import Driver
 from aseme_dsl.runtime.time.alarm import Alarm
 from aseme_dsl.runtime.trace.trace import Trace
-from aseme_dsl.runtime.world.body import Body
+from aseme_dsl.runtime.world.body import AnyBody
 
 FOLLOWING = 900
 """After so many steps in a row for which only variables ask, an agent's regions wake each other for ever."""
@@ -69,7 +68,7 @@ class Agent:
         conversations: Conversations,
         trace: Trace,
         seed: int = 1,
-        body: Body[Any, Any] | None = None,
+        body: AnyBody | None = None,
         behind: int = 0,
         queue: int = QUEUE,
     ) -> None:
@@ -330,7 +329,7 @@ class Agent:
         self.failed_at = place_of_failure(self.plan, outcome)
         self.trace.failure(now, self.name, outcome.failure or "", self.failed_at)
 
-    def fail(self, reason: str, frames: list[dict[str, Any]] | None = None) -> None:
+    def fail(self, reason: str, frames: list[dict[str, object]] | None = None) -> None:
         """Stop the agent for a reason that its chart does not know. Called while the agent is guarded."""
         if self.over:
             return
@@ -486,7 +485,7 @@ class Agent:
             self.trace.fault(self.driver.clock.now(), self.name, text)
             return None
 
-    def understood(self, content: Any) -> Any:
+    def understood(self, content: object) -> object:
         """The content of an agent message as the agent's plan has it; as it is, where it has none."""
         if not self.messages:
             return content
@@ -510,7 +509,7 @@ class Agent:
         if self.shown is not None:
             self.shown.take_note(branch, mail)
 
-    def callback(self, label: str) -> type[Any] | None:
+    def callback(self, label: str) -> type[Executable] | None:
         """The activity of a state that is a method of a behaviour, if it is one."""
         return None if self.shown is None else self.shown.callback(label)
 

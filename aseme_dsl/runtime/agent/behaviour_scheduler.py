@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import TypeVar, cast
 
 from aseme_dsl.runtime.activity.execution import Host
 from aseme_dsl.runtime.activity.returning import frames_of, reason_of
@@ -16,6 +16,8 @@ from aseme_dsl.runtime.conversation.moves import MoveError
 from aseme_dsl.runtime.message.free import ACLMessage, MessageTemplate
 from aseme_dsl.runtime.time.clock import MILLISECOND, nanoseconds
 from aseme_dsl.runtime.time.timers import Timer
+
+_T = TypeVar("_T")
 
 TICK = 10 * MILLISECOND
 """After so long a behaviour acts again that neither is done nor waits for anything."""
@@ -37,7 +39,7 @@ class _Leaf:
     wakes: bool = False
     """Whether a message wakes it."""
     timer: Timer | None = None
-    generator: Generator[Any, None, Any] | None = None
+    generator: Generator[object, None, object] | None = None
     blocked: bool = False
     until: int | None = None
     """Until when it is blocked, if that was said."""
@@ -214,8 +216,8 @@ class BehaviourScheduler:
             behaviour = around
 
     def _call(
-        self, behaviour: Behaviour, root: Behaviour, call: Callable[[], Any], what: str
-    ) -> tuple[bool, Any]:
+        self, behaviour: Behaviour, root: Behaviour, call: Callable[[], _T], what: str
+    ) -> tuple[bool, _T | None]:
         """Call something of the user's; what it raises is told, and the behaviour removed."""
         try:
             return True, call()
@@ -355,7 +357,7 @@ class BehaviourScheduler:
         else:
             self._sleep(leaf, self.now() + TICK)
 
-    def _pause(self, leaf: _Leaf, pause: Any) -> None:
+    def _pause(self, leaf: _Leaf, pause: object) -> None:
         """A generator waits: for what it has yielded."""
         if isinstance(pause, Pause):
             self._sleep(leaf, pause.until, wakes=pause.message)
@@ -363,7 +365,7 @@ class BehaviourScheduler:
         fine, moment = self._call(
             leaf.behaviour,
             leaf.root,
-            lambda: self.now() + (TICK if pause is None else nanoseconds(pause)),
+            lambda: self.now() + (TICK if pause is None else nanoseconds(cast(float, pause))),
             "action",
         )
         if fine:
@@ -371,7 +373,7 @@ class BehaviourScheduler:
 
     # ---- the trace ---------------------------------------------------------------------------
 
-    def _trace(self, what: str, behaviour: Behaviour, **members: Any) -> None:
+    def _trace(self, what: str, behaviour: Behaviour, **members: object) -> None:
         host = self._host
         if host.trace.active:
             host.trace.write(
@@ -385,7 +387,7 @@ class BehaviourScheduler:
 _END = object()
 
 
-def _next(generator: Generator[Any, None, Any]) -> Any:
+def _next(generator: Generator[object, None, object]) -> object:
     """What a generator yields, or `_END`."""
     return next(generator, _END)
 

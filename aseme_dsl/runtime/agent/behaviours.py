@@ -14,9 +14,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, is_dataclass
 from itertools import pairwise
-from typing import Any, ClassVar, cast
+from typing import Any, ClassVar, TypeVar, cast
 
-from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder
+from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, Executable
 from aseme_dsl.runtime.activity.execution import Host
 from aseme_dsl.runtime.activity.executions import fits
 from aseme_dsl.runtime.activity.returning import frames_of, reason_of
@@ -31,6 +31,8 @@ from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.conversation.directory import AgentDirectory, Directory, Offer, Service, Withdraw
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.message.free import ACLMessage, MessageTemplate
+
+_T = TypeVar("_T")
 
 START, CHOICE, END = "START", "CHOICE", "END"
 """The points of a behaviour: where it begins, where it chooses, where it is done."""
@@ -134,11 +136,11 @@ class Behaviour(HasDataStore):
         """A variable of its participant or of the role. Raises LookupError if there is none."""
         return self.agent._variable(name, self.states[-1])
 
-    def set_variable(self, name: str, value: Any) -> None:
+    def set_variable(self, name: str, value: object) -> None:
         """Write a variable of its participant or of the role. Raises LookupError and TypeError."""
         self.agent._set_variable(name, value, self.name, self.states[-1])
 
-    def prepare(self, message: Any) -> None:
+    def prepare(self, message: object) -> None:
         """Give what the next `send` of this message type of its participant contains. Raises TypeError."""
         self.agent._prepare(message, self)
 
@@ -465,7 +467,7 @@ class JadeLikeAgent:
         """A variable of the role. Raises LookupError if there is none."""
         return self._variable(name, ROOT)
 
-    def set_variable(self, name: str, value: Any) -> None:
+    def set_variable(self, name: str, value: object) -> None:
         """Write a variable of the role. Raises LookupError if there is none, TypeError for another type."""
         self._set_variable(name, value, type(self).__name__, ROOT)
 
@@ -545,7 +547,7 @@ class JadeLikeAgent:
 
     # ---- for its behaviours --------------------------------------------------------------------
 
-    def _prepare(self, message: Any, by: Behaviour) -> None:
+    def _prepare(self, message: object, by: Behaviour) -> None:
         if isinstance(message, type) or not is_dataclass(message):
             raise TypeError(f"what is prepared is a message, not {message!r}")
         branch = self.plan.branch_of(by.states[-1])
@@ -555,7 +557,7 @@ class JadeLikeAgent:
         branch = self.plan.branch_of(by.states[-1])
         return () if branch is None else self._shell.conversations.taken_by(self._shell, branch)
 
-    def _default_of(self, message: str) -> Any:
+    def _default_of(self, message: str) -> object:
         return self._shell.kinds[message]()
 
     def _tells_responses(self, by: Behaviour) -> bool:
@@ -573,10 +575,10 @@ class JadeLikeAgent:
         self._known[branch] = conversation, frozenset(item.identity for item in heard)
         return tuple(item for item in heard if before != conversation or item.identity not in known)
 
-    def _variable(self, name: str, label: str) -> Any:
+    def _variable(self, name: str, label: str) -> object:
         return self._shell.chart.variable(self.plan.variable_of(name, label).name)
 
-    def _set_variable(self, name: str, value: Any, by: str, label: str) -> None:
+    def _set_variable(self, name: str, value: object, by: str, label: str) -> None:
         shell, variable = self._shell, self.plan.variable_of(name, label)
         if not fits(variable.type, value):
             raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
@@ -623,7 +625,7 @@ class JadeLikeAgent:
             responses = [mail] if mail.performative in fipa_callbacks.RESPONSES else []
             self._try(item.name, item.at, lambda: fipa_callbacks.check_nothing(method(responses), name), name)
 
-    def callback(self, label: str) -> type[Any] | None:
+    def callback(self, label: str) -> type[Executable] | None:
         """The activity of a state that is a method of its participant's behaviour, if it is one."""
         branch = self.plan.branch_of(label)
         item = self._part(branch) if branch is not None else None
@@ -783,7 +785,7 @@ class JadeLikeAgent:
                 if self.now - since >= item.timeout and type(item).on_wake is not WakerBehaviour.on_wake:
                     self._try(item.name, item.at, item.on_wake, "on_wake")
 
-    def _try(self, name: str, at: str, call: Any, what: str) -> Any:
+    def _try(self, name: str, at: str, call: Callable[[], _T], what: str) -> _T | None:
         """Call something of the user's; what it raises becomes a fault."""
         try:
             return call()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from typing import Any
+from typing import TypeVar, cast
 
 from aseme_dsl.runtime.activity.execution import Host
 from aseme_dsl.runtime.activity.executions import Executions
@@ -12,6 +12,7 @@ from aseme_dsl.runtime.agent.requests import Requests
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.inputs import (
     Cancel,
+    Effect,
     Fault,
     FunctionResult,
     Joined,
@@ -24,6 +25,8 @@ from aseme_dsl.runtime.chart.inputs import (
     Start,
     Suspended,
 )
+
+_T = TypeVar("_T")
 
 
 class Effects:
@@ -39,20 +42,22 @@ class Effects:
         self._conversations = agent.conversations
         self._missing: tuple[str, str] | None = None
         """The state that is entered though the content of a message is missing, and what to say of it."""
-        self.carry_out: Mapping[type[Any], Callable[[Any], None]] = {
-            Start: self._start,
-            Cancel: executions.cancel,
-            Publication: self._publish,
-            Sending: self.send,
-            MailTaken: self._take_mail,
-            Joined: self._join,
-            Left: self._leave,
-            Suspended: self._suspend,
-            Resumed: lambda effect: self._conversations.resumed(agent, effect.branch),
-            FunctionResult: _nothing,
-            Fault: self._count_fault,
-            LeftOut: lambda effect: overload.inside(effect.region, effect.channel),
-        }
+        self.carry_out: Mapping[type[Effect], Callable[[Effect], None]] = dict(
+            (
+                _of(Start, self._start),
+                _of(Cancel, executions.cancel),
+                _of(Publication, self._publish),
+                _of(Sending, self.send),
+                _of(MailTaken, self._take_mail),
+                _of(Joined, self._join),
+                _of(Left, self._leave),
+                _of(Suspended, self._suspend),
+                _of(Resumed, lambda effect: self._conversations.resumed(agent, effect.branch)),
+                _of(FunctionResult, _nothing),
+                _of(Fault, self._count_fault),
+                _of(LeftOut, lambda effect: overload.inside(effect.region, effect.channel)),
+            )
+        )
         """The function for each type of effect."""
 
     def _count_fault(self, effect: Fault) -> None:
@@ -138,3 +143,8 @@ def _nothing(effect: object) -> None:
 
 
 __all__ = ["Effects"]
+
+
+def _of(kind: type[_T], carry_out: Callable[[_T], None]) -> tuple[type[Effect], Callable[[Effect], None]]:
+    """What carries out the effects of one class: it is looked up by that class."""
+    return cast("tuple[type[Effect], Callable[[Effect], None]]", (kind, carry_out))

@@ -9,10 +9,11 @@ The activities that only wait, or that fill in what a method has given already, 
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from dataclasses import dataclass, is_dataclass
-from typing import Any, Literal, Protocol, assert_never
+from typing import Any, Literal, Protocol, assert_never, cast
 
+from aseme_dsl.runtime.activity.activities import Executable
 from aseme_dsl.runtime.activity.context import Context
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage
 from aseme_dsl.runtime.library import agents
@@ -269,19 +270,19 @@ def is_activity(protocol: str, participant: str, method: str) -> bool:
     return any(item.method == method for item in CALLBACKS.get((protocol, participant), {}).values())
 
 
-def activity_of(callback: Callback, behaviour: Participant) -> type[Any]:
+def activity_of(callback: Callback, behaviour: Participant) -> type[Executable]:
     """The class of an activity that calls a method of a behaviour."""
 
     class Called:
         kind = "step"
 
-        def execute(self, context: Context) -> Generator[Any, None, None]:
+        def execute(self, context: Context) -> Generator[object, None, None]:
             yield from _run(callback, behaviour, context)
 
     return Called
 
 
-def _run(callback: Callback, behaviour: Participant, context: Context) -> Generator[Any, None, None]:
+def _run(callback: Callback, behaviour: Participant, context: Context) -> Generator[object, None, None]:
     method = getattr(behaviour, callback.method, None) if callback.method else None
     match callback.does:
         case "content":
@@ -320,8 +321,9 @@ def _run(callback: Callback, behaviour: Participant, context: Context) -> Genera
             yield from _iterate(callback, behaviour, context)
         case "lot":
             lot = _checked((yield from _value(method)), callback, behaviour, needed=True)
-            context.set_variable("lot", lot.id)
-            context.set_variable("price", lot.price)
+            assert lot is not None  # it is needed
+            context.set_variable("lot", getattr(lot, "id"))  # noqa: B009  the message `Lot` of the protocol
+            context.set_variable("price", getattr(lot, "price"))  # noqa: B009
         case "offers":
             yield float(getattr(behaviour, "reply_within", REPLY_WITHIN))
             if method is not None:
@@ -335,10 +337,10 @@ def _run(callback: Callback, behaviour: Participant, context: Context) -> Genera
                 made = [item for item in _those(behaviour, PAYMENTS) if item.message == "Sale"]
                 yield from _nothing(method, made, callback, behaviour)
         case "choose":
-            chosen = yield from _value(method, _last(behaviour, callback.answers))
-            if chosen is not None:
-                context.set_variable("chosen", chosen)
-            context.set_variable(callback.variable, chosen is not None)
+            one = yield from _value(method, _last(behaviour, callback.answers))
+            if one is not None:
+                context.set_variable("chosen", one)
+            context.set_variable(callback.variable, one is not None)
         case "condition":
             holds = yield from _value(method)
             context.set_variable(callback.variable, not holds)
@@ -354,12 +356,12 @@ def _run(callback: Callback, behaviour: Participant, context: Context) -> Genera
             assert_never(callback.does)
 
 
-def _for_ever() -> Generator[Any, None, None]:
+def _for_ever() -> Generator[object, None, None]:
     while True:
         yield FOREVER
 
 
-def _tell_responses(behaviour: Participant, callback: Callback) -> Generator[Any, None, None]:
+def _tell_responses(behaviour: Participant, callback: Callback) -> Generator[object, None, None]:
     method = getattr(behaviour, "handle_all_responses", None)
     if method is not None and behaviour.tells_responses():
         yield from _nothing(method, _those(behaviour, RESPONSES), callback, behaviour)
@@ -369,7 +371,7 @@ def _offers(behaviour: Participant) -> list[AgentMessage]:
     return [item for item in behaviour.news() if item.performative in OFFERS]
 
 
-def _iterate(callback: Callback, behaviour: Participant, context: Context) -> Generator[Any, None, None]:
+def _iterate(callback: Callback, behaviour: Participant, context: Context) -> Generator[object, None, None]:
     """Begin another round with a message, accept somebody or nobody, or leave that to the protocol."""
     responses = [item for item in behaviour.news() if item.performative in RESPONSES]
     behaviour.tells_responses()
@@ -391,7 +393,7 @@ def _iterate(callback: Callback, behaviour: Participant, context: Context) -> Ge
         context.set_variable("proposals", 0)
 
 
-def _awarded(method: Any, behaviour: Participant) -> Generator[Any, None, list[str] | None]:
+def _awarded(method: object, behaviour: Participant) -> Generator[object, None, list[str] | None]:
     """The agents that are to have the contract, in this order; None: that is left to the protocol."""
     if method is None or not behaviour.tells_responses():
         return None
@@ -400,7 +402,7 @@ def _awarded(method: Any, behaviour: Participant) -> Generator[Any, None, list[s
     return None if made is None else _chosen(made, responses, behaviour)
 
 
-def _chosen(made: Any, responses: Sequence[AgentMessage], behaviour: Participant) -> list[str]:
+def _chosen(made: object, responses: Sequence[AgentMessage], behaviour: Participant) -> list[str]:
     """The agents that a method has returned. Raises TypeError for one that has not proposed."""
     proposed = {item.sender for item in responses if item.performative == "propose"}
     chosen = list(dict.fromkeys(made)) if isinstance(made, (list, tuple, set)) else [made]
@@ -410,7 +412,7 @@ def _chosen(made: Any, responses: Sequence[AgentMessage], behaviour: Participant
             f"handle_all_responses of {behaviour.name} returned {wrong!r}: it returns the agents to accept,"
             f" of {', '.join(sorted(proposed)) or 'nobody'}"
         )
-    return chosen
+    return [str(name) for name in chosen]
 
 
 def _choose(context: Context, chosen: Sequence[str]) -> None:
@@ -431,8 +433,8 @@ def _choose(context: Context, chosen: Sequence[str]) -> None:
 
 
 def _nothing(
-    method: Any, messages: list[AgentMessage], callback: Callback, behaviour: Participant
-) -> Generator[Any, None, None]:
+    method: object, messages: list[AgentMessage], callback: Callback, behaviour: Participant
+) -> Generator[object, None, None]:
     """Call what only hears of messages. Raises TypeError if it wants to answer them."""
     made = yield from _value(method, messages)
     check_nothing(made, f"{getattr(method, '__name__', callback.method)} of {behaviour.name}")
@@ -444,15 +446,15 @@ def check_nothing(made: object, name: str) -> None:
         raise TypeError(f"{name} returned {made!r}: it returns nothing, since the protocol says what is sent")
 
 
-def _value(method: Any, *arguments: Any) -> Generator[Any, None, Any]:
+def _value(method: object, *arguments: object) -> Generator[object, None, object]:
     """What a method returns; a generator takes the time that it yields."""
-    made = method(*arguments)
+    made = cast("Callable[..., object]", method)(*arguments)
     if isinstance(made, Generator):
         made = yield from made
     return made
 
 
-def _checked(made: Any, callback: Callback, behaviour: Participant, *, needed: bool) -> Any:
+def _checked(made: object, callback: Callback, behaviour: Participant, *, needed: bool) -> object:
     """What a method has returned, if it is the message that it should return."""
     if made is None and not needed:
         return None
@@ -463,7 +465,7 @@ def _checked(made: Any, callback: Callback, behaviour: Participant, *, needed: b
     return made
 
 
-def _argument(failure: FailureException) -> Any:
+def _argument(failure: FailureException) -> object:
     """The message with which something has failed, if there is one."""
     found = failure.args[0] if failure.args else None
     return found if is_dataclass(found) else None

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 from aseme_dsl.runtime.chart.plan import Plan, is_in
 
@@ -22,7 +21,7 @@ Branch = str | None
 class _Draft:
     label: str
     message: str
-    content: Any
+    content: object
 
 
 class Prepared:
@@ -35,7 +34,7 @@ class Prepared:
         """The branches of which an activity without code has begun: it prepares what it has no code for."""
         self._cancelled: list[tuple[Branch, str]] = []
 
-    def add(self, branch: Branch, label: str, message: str, content: Any) -> None:
+    def add(self, branch: Branch, label: str, message: str, content: object) -> None:
         """The activity of a state prepares a message; it replaces its own draft."""
         drafts = self._drafts.setdefault(branch, [])
         drafts[:] = [item for item in drafts if (item.label, item.message) != (label, message)]
@@ -45,7 +44,7 @@ class Prepared:
         """An activity without code begins."""
         self._codeless.add(branch)
 
-    def take(self, plan: Plan, branch: str, message: str, source: str) -> Any:
+    def take(self, plan: Plan, branch: str, message: str, source: str) -> object:
         """The draft of a branch for what a transition out of `source` sends; None if there is none.
 
         Those of the source go first, then the newest that does not belong to a concurrent state.

@@ -18,7 +18,6 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from random import Random
-from typing import Any
 
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.chart import INACTIVE, Chart
@@ -88,7 +87,7 @@ class _Tree:
 
     def groups(self, kind: str) -> dict[object, list[str]]:
         """The labels by key, in document order: by the exact place, the full path, the path of names."""
-        found: dict[Any, list[str]] = defaultdict(list)
+        found: dict[object, list[str]] = defaultdict(list)
         for state in self.plan.states:
             key = self.key(state, kind)
             if key is not None:
@@ -300,7 +299,7 @@ class _Carrying:
             primary = chain[0] not in claimed
             claimed.add(chain[0])
             if number:
-                kind: Any = type(getattr(self.new, f"b{number}"))
+                kind = type(getattr(self.new, f"b{number}"))
                 setattr(self.new, f"b{number}", kind())
             self._board(number, [boards[item] for item in chain], primary)
 

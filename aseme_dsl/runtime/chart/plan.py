@@ -315,7 +315,8 @@ class Plan:
         labels = {label for label, _ in reached}
         for item in self.transitions:
             if self._around(item.source) == branch:
-                kinds = [event[1:4] for event in item.events if event[0] == "received"]
+                events = (map(str, event[1:4]) for event in item.events if event[0] == "received")
+                kinds = [(act, message, sender) for act, message, sender in events]
                 by_lines.update((performative, message) for performative, message, _ in kinds)
                 if item.source in labels:
                     yield from kinds

@@ -22,7 +22,7 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from contextvars import copy_context
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from aseme_dsl.runtime.activity.context import Cancelled
 from aseme_dsl.runtime.activity.snapshot import run_snapshot
@@ -164,8 +164,8 @@ class VirtualDriver:
         handle = execution.handle
         if isinstance(handle, _Seat):
             self._queue(handle)
-        elif isinstance(handle, asyncio.Task):
-            handle.cancel()
+        elif handle is not None:
+            cast("asyncio.Task[None]", handle).cancel()  # see `_launch_async`
 
     def wait(self, execution: Execution, duration: int) -> None:
         """Let virtual time pass in the code of an activity, which runs in the thread that leads."""

@@ -216,7 +216,7 @@ class Team:
     # ---- making ------------------------------------------------------------------------------
 
     def _agent(
-        self, name: str, chart: type[Chart], find: ActivityFinder, setup: Setup, body: Body[Any, Any] | None
+        self, name: str, chart: type[Chart], find: ActivityFinder, setup: Setup, body: AnyBody | None
     ) -> Agent:
         return Agent(
             name,
