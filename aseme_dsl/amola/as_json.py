@@ -323,6 +323,8 @@ def _activity(item: Activity, folder: PurePath | None) -> Json:
         found["ends"] = list(item.ends)
     if item.simulated:
         found["simulated"] = True
+    if item.waits:
+        found["waits"] = True
     return {**found, "span": _span(item.span, folder)}
 
 

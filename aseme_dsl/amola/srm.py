@@ -51,7 +51,7 @@ class Activity:
     `within` (ns) is how long it may last from the entry of its state, `ends` are its outcomes: the names of
     the ways in which it may end, `parameters` what it is given at each start. `reads_variables` and
     `writes_variables` are variables of the roles that perform it. One that is `simulated` has no code: it
-    lasts `takes`.
+    lasts `takes`. One that `waits` has none either, and never ends by itself.
     """
 
     name: str
@@ -68,6 +68,12 @@ class Activity:
     parameters: tuple[Parameter, ...] = ()
     reads_variables: tuple[str, ...] = ()
     simulated: bool = False
+    waits: bool = False
+
+    @property
+    def has_code(self) -> bool:
+        """Whether there is, or is to be, code for it."""
+        return not self.simulated and not self.waits
 
 
 @dataclass(frozen=True, slots=True)

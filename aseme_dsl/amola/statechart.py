@@ -63,7 +63,10 @@ class Argument:
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """A state. `label` is its place (`0.2.1`), `parent` the label around it, None for the root."""
+    """A state. `label` is its place (`0.2.1`), `parent` the label around it, None for the root.
+
+    One that `waits` is BASIC and never completes by itself.
+    """
 
     label: str
     name: str
@@ -73,6 +76,7 @@ class State:
     origin: Origin
     span: Span
     arguments: tuple[Argument, ...] = ()
+    waits: bool = False
 
 
 class TransitionKind(StrEnum):

@@ -276,6 +276,7 @@ def _statement(system: System, activity: Activity) -> list[tuple[str, object, ob
         ("every", activity.every, None),
         ("takes", activity.takes, None),
         ("simulated", activity.simulated, False),
+        ("waits", activity.waits, False),
         ("reads", _read(system, activity), ()),
         ("writes", tuple(str(channel) for channel in activity.writes), ()),
         ("variables", activity.writes_variables, ()),

@@ -94,6 +94,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E224": ("error", "agent with an abstract role"),
     "E225": ("error", "duplicate field value"),
     "E226": ("error", "bound name already in use"),
+    "E227": ("error", "`waits` beside another clause"),
     "W110": ("warning", "unsupported item in a foreign file"),
     "W111": ("warning", "foreign module without a frequency"),
     "W200": ("warning", "name similar to a declared name"),

@@ -39,7 +39,7 @@
     "async" "at" "before" "below" "by" "delay" "depends" "else" "ends" "every" "except" "external" "for"
     "from" "human" "includes" "leads" "legacy" "lost" "most" "not" "on" "one" "or" "persist" "process"
     "queued" "radio" "read_messages" "reads" "realises" "repeatedly" "reply_by" "send" "simulated" "srm"
-    "step" "system" "takes" "thread" "three" "to" "two" "under" "uses" "when" "with" "within"
+    "step" "system" "takes" "thread" "three" "to" "two" "under" "uses" "waits" "when" "with" "within"
     "write_messages" "writes")
   "Words with which a clause begins, and those of expressions.")
 

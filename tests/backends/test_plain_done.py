@@ -227,3 +227,23 @@ statechart R {
         assert chart.send("go")
     assert "division by zero" in caplog.text
     assert chart.names() == ("B",)
+
+
+@pytest.mark.parametrize("options", [BARE, WATCHED], ids=["bare", "watched"])
+def test_a_state_that_waits_has_no_activity_that_returns(options: PlainOptions) -> None:
+    chart = started(
+        """system S
+srm R {
+  liveness { R = (Idle . Work)~ }
+  activities { Idle waits  Work takes 1s }
+  control R { enter Work : go or error }
+}""",
+        options,
+    )
+    assert not chart.done("Idle")
+    assert chart.names() == ("Idle",)
+    assert not hasattr(chart, "start_Idle") and not hasattr(chart, "stop_Idle")
+    assert chart.send("go")
+    assert chart.names() == ("Work",)
+    assert chart.done("Work")
+    assert chart.names() == ("Idle",)

@@ -435,7 +435,9 @@ def test_activities_that_are_not_described() -> None:
         *("NextTask", "Announce", "CollectBids", "AwardTask", "AwaitResult", "GiveUp")
     ]
     clauses = [item.label for item in offered(instead(WAREHOUSE, "every 1s", "‸")) if item.rank < 10]
-    assert {"every", "takes", "simulated", "within", "as", "uses", "reads", "writes", "ends"} <= set(clauses)
+    assert {"every", "takes", "simulated", "waits", "within", "as", "uses", "reads", "writes", "ends"} <= set(
+        clauses
+    )
     assert labels(instead(WAREHOUSE, "every 1s", "as ‸")) == ["thread", "async", "process", "step"]
 
 

@@ -964,5 +964,14 @@ def _role(words: Words, common: Words, beginning: list[str]) -> list[str]:
         *(f"    {name} = {made.text()}" for name, made in formulas),
         "  }",
         *(control(words, made, name) for name, made in formulas),
+        *_waiting(choices, names),
         "}",
     ]
+
+
+def _waiting(choices: Choices, names: Names) -> list[str]:
+    """Some activities of the role that never end by themselves."""
+    if not names.activities or not choices.one_in(4):
+        return []
+    waiting = sorted({choices.number(1, names.activities) for _ in range(2)})
+    return [f"  activities {{ {'  '.join(f'A{number} waits' for number in waiting)} }}"]

@@ -169,6 +169,10 @@ class Reference:
         self.asking = ""
         """The source of the transition whose condition or action is looked at."""
 
+        named = {item.name for item in plan.activities if item.waits}
+        self.endless = {state.label for state in plan.states if state.activity in named}
+        """BASIC states that never complete by themselves."""
+
         self.regions: dict[str, Region] = {}
         """The active regions by label."""
         self.initial = {variable.name: variable.initial for variable in plan.variables}
@@ -353,8 +357,8 @@ class Reference:
                         region.put(item, self.queued(item.channel))
             case Completed(label, token, outcome):
                 # "a completed activity makes its state complete if that state is active with the same token
-                # (else dropped)"
-                if self.runs(label) and self.token[label] == token:
+                # (else dropped)"; one that waits never completes
+                if label not in self.endless and self.runs(label) and self.token[label] == token:
                     self.complete.add(label)
                     if outcome is not None:
                         self.note_end(label, outcome)

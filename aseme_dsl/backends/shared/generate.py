@@ -193,7 +193,7 @@ def system_file(
 def activity_files(
     templates: Environment, system: System, options: BackendOptions = DEFAULT
 ) -> Iterator[Artefact]:
-    """First versions of the activities, simulated ones left out, and of the modules found by their name."""
+    """First versions of the activities that have code, and of the modules found by their name."""
     yield from _activities(templates, system, options.known)
     yield from _modules(templates, system)
 
@@ -205,7 +205,7 @@ def _activities(templates: Environment, system: System, known: Known) -> Iterato
         for name in names:
             users.setdefault(name, []).append(chart.name)
     described = {item.name: item for item in system.activities}
-    coded = [name for name in sorted(users) if name not in described or not described[name].simulated]
+    coded = [name for name in sorted(users) if name not in described or described[name].has_code]
     roles = known.same_values("users", {name: tuple(users[name]) for name in coded})
     said = known.same_values("said", {name: described.get(name) for name in roles})
     items = zip(roles, said.values(), roles.values(), strict=True)

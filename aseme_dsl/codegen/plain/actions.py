@@ -171,7 +171,7 @@ class Actions:
         if number != names.flat.leaf[node.label]:
             return ()
         stop: Sequence[Statement] = ()
-        if names.options.watched:
+        if names.options.watched and not node.waits:
             stop = (Do(own_call(f"stop_{node.activity}", Const(node.label))),)
         if not names.may_fail:
             return tuple(stop)

@@ -202,7 +202,7 @@ class Head:
         running = {
             node.label: (flat.region_number[node.label], flat.leaf[node.label])
             for node in here
-            if node.label in names.rests.completing
+            if node.label in names.rests.completing and not node.waits
         }
         if running:
             yield Attribute("RUNNING", running, "str, tuple[int, int]")
@@ -364,7 +364,8 @@ class Head:
             return
         took = "A transition is taken, given by the numbers of its parts in `TRANSITIONS`."
         yield Method("took", "None", took, (), (("*transitions", "int"),))
-        activities = {node.activity: node for node in self._chart.states if node.activity is not None}
+        performing = (node for node in self._chart.states if not node.waits)
+        activities = {node.activity: node for node in performing if node.activity is not None}
         for node in activities.values():
             for word, document in (("start", "begins"), ("stop", "is cut short")):
                 told = f"{docstring(node.activity or '')} {document}, the activity of the state `label`."

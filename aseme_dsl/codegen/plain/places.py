@@ -99,7 +99,7 @@ class Places:
                 stands += self._stand(region, node, number)
                 if target in self._names.registers.ending:
                     found += (Set((place,), NONE) for place in self._names.outcomes_of(target))
-                if node.type is StateType.BASIC and self._names.options.watched:
+                if node.type is StateType.BASIC and not node.waits and self._names.options.watched:
                     found.append(self._actions.begin(region, node))
                 elif node.type is StateType.AND:
                     inner = [(item.number, item.label, None) for item in self._flat.regions_of(target)]

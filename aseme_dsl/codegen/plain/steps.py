@@ -275,7 +275,7 @@ class Steps:
         alone = names.following.alone()
         for region in self._flat.regions:
             for leaf in self._flat.leaves(region.number):
-                if leaf.type is StateType.BASIC and names.rests.width(leaf) > 1:
+                if leaf.type is StateType.BASIC and not leaf.waits and names.rests.width(leaf) > 1:
                     place = places + self._flat.leaf[leaf.label]
                     does = self._returned(region.number, leaf, places, alone[region.number])
                     title = f"{leaf.label} {leaf.name}"

@@ -69,6 +69,7 @@ class Head(Part):
             f"    VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {variables!r}",
             f"    MESSAGES: ClassVar[Mapping[str, Any]] = {self._message_classes()}",
             f"    TIMES: ClassVar[Mapping[str, str]] = {times!r}",
+            *self._waiting(),
             *self._deadlines(),
             *self._wakes(),
             *self._missed(),
@@ -89,6 +90,10 @@ class Head(Part):
         if any(agent.settings for agent in agents if agent.role == self.chart.name):
             lines.append("        self.settle()")
         return lines
+
+    def _waiting(self) -> list[str]:
+        found = sorted(node.label for node in self.chart.states if node.waits)
+        return [f"    WAITING: ClassVar[frozenset[str]] = frozenset({found!r})"] if found else []
 
     def _deadlines(self) -> list[str]:
         found = self.registers.deadlines

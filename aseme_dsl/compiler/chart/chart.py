@@ -128,7 +128,7 @@ def chart_of(
     found = transitions(outline, by_way, placed, reactive)
     found = _giving_results(outline, found, {item.name: item.type for item in own})
     found = (*found, *_abandoning(outline, parts))
-    nodes = _nodes(outline, world.symbols)
+    nodes = waiting_states(_nodes(outline, world.symbols), world.activities)
     modules = world.modules.get(name, ()) if kind == "IAC" else ()
     regions = regions_of(nodes, found, world.activities, modules, world.symbols)
     return Statechart(name, world.system, kind, nodes, found, tuple(own), regions, span, modules)
@@ -144,6 +144,12 @@ def _nodes(outline: Outline, symbols: Symbols) -> tuple[State, ...]:
             arguments = tuple(Argument(parameter.name, item.value) for parameter, item in pairs)
             nodes[place] = replace(node, arguments=arguments)
     return tuple(nodes)
+
+
+def waiting_states(nodes: Iterable[State], activities: Mapping[str, Activity]) -> tuple[State, ...]:
+    """The states, of which those wait whose activities do."""
+    waiting = {name for name, item in activities.items() if item.waits}
+    return tuple(replace(node, waits=True) if node.activity in waiting else node for node in nodes)
 
 
 def _giving_results(
@@ -185,4 +191,4 @@ def _placed(label: str, part: Part, origin: Origin) -> Iterable[Placed]:
         yield Placed(label + item.source, label + item.target, item.line, origin, label)
 
 
-__all__ = ["Part", "RelativeLine", "World", "chart_of"]
+__all__ = ["Part", "RelativeLine", "World", "chart_of", "waiting_states"]

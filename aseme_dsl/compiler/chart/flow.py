@@ -242,7 +242,7 @@ def _completions(
         if node.type is StateType.AND:
             completes[node.label] = all(completes[child.label] for child in chart.children(node.label))
         elif node.type is not StateType.OR:
-            completes[node.label] = True
+            completes[node.label] = not node.waits
         else:
             start = chart.start_of(node.label)
             if start is None:

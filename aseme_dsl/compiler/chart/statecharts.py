@@ -19,7 +19,7 @@ from aseme_dsl.amola.statechart import (
     Variable,
     label_key,
 )
-from aseme_dsl.compiler.chart.chart import World
+from aseme_dsl.compiler.chart.chart import World, waiting_states
 from aseme_dsl.compiler.chart.regions import regions_of
 from aseme_dsl.compiler.control.choices import (
     Alternative,
@@ -142,7 +142,8 @@ def build_statechart(given: GivenChart, world: World) -> Statechart | None:
     """The chart of a block; None where it breaks a rule."""
     if not given.is_sound or not given.nodes:
         return None
-    names = {node.label: node.name for node in given.nodes}
+    nodes = waiting_states(given.nodes, world.activities)
+    names = {node.label: node.name for node in nodes}
     origin = Origin(OriginKind.STATECHART, given.name, "")
     drafts = [
         Transition(
@@ -160,11 +161,9 @@ def build_statechart(given: GivenChart, world: World) -> Statechart | None:
     transitions = prioritised(drafts, [item.line.position for item in given.lines])
     variables = tuple(Variable(v.name, v.type, v.initial, None, v.span) for v in given.typed.variables)
     modules = world.modules.get(given.name, ())
-    regions = regions_of(given.nodes, transitions, world.activities, modules, world.symbols)
+    regions = regions_of(nodes, transitions, world.activities, modules, world.symbols)
     span = given.written.name.span
-    return Statechart(
-        given.name, world.system, "IAC", given.nodes, transitions, variables, regions, span, modules
-    )
+    return Statechart(given.name, world.system, "IAC", nodes, transitions, variables, regions, span, modules)
 
 
 def _transition_name(item: LabelledLine, names: Mapping[str, str]) -> str:

@@ -76,7 +76,7 @@ def check_unwritten(
 def _is_simulated(chart: Statechart, scope: str, activities: Mapping[str, Activity]) -> bool:
     """Whether all activities of a participant's branch are simulated: no code sets its variables then."""
     names = {node.activity for node in chart.states if node.label.startswith(f"{scope}.") and node.activity}
-    return all((said := activities.get(name)) is not None and said.simulated for name in names)
+    return all((said := activities.get(name)) is not None and not said.has_code for name in names)
 
 
 def _written(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -58,10 +58,31 @@ def type_activity(
         _parameters(written, scope.symbols),
         tuple(dict.fromkeys(variables_read)),
         written.simulated is not None,
+        written.waits is not None,
     )
+    if written.waits is not None:
+        for word in _beside_waits(written):
+            checker.report(problems.WaitsBeside(written.name.text, word), written.waits)
     if written.within is not None and written.within.nanoseconds <= 0:
         checker.report(problems.NoDeadline(), written.within.span)
     return activity, tuple(checker.diagnostics)
+
+
+def _beside_waits(written: tree.Activity) -> Iterator[str]:
+    """The other clauses of an activity."""
+    clauses = {
+        "(…)": written.parameters,
+        "every": written.every,
+        "takes": written.takes,
+        "simulated": written.simulated,
+        "within": written.within,
+        "as": written.kind,
+        "uses": written.uses,
+        "reads": written.reads,
+        "writes": written.writes,
+        "ends": written.ends,
+    }
+    return (word for word, clause in clauses.items() if clause)
 
 
 def _parameters(written: tree.Activity, symbols: Symbols) -> tuple[Parameter, ...]:
@@ -194,6 +215,7 @@ def merge_activity(statements: Sequence[Activity]) -> tuple[Activity, tuple[Diag
 
     `kind` is "thread" where no role says otherwise. Variables belong to the roles, so each role's are added.
     Where one role says `simulated`, it is so for all; then something has to say how long it takes (W201).
+    Where one role says `waits`, no role says anything else (E227).
     """
     diagnostics: list[Diagnostic] = []
     first, *others = statements
@@ -215,6 +237,14 @@ def merge_activity(statements: Sequence[Activity]) -> tuple[Activity, tuple[Diag
                 diagnostics.append(Diagnostic(problems.TwoStatements(item.name, word), item.span, related))
     if not clauses.get("kind", first.kind):
         clauses["kind"] = "thread"
+    waiting = next((item for item in statements if item.waits), None)
+    if waiting is not None:
+        clauses["waits"] = True
+        for item in statements:
+            beside = None if item.waits else _said_word(item)
+            if beside is not None:
+                related = (Related(waiting.span, "here it waits"),)
+                diagnostics.append(Diagnostic(problems.WaitsBeside(item.name, beside), item.span, related))
     simulated = next((item for item in statements if item.simulated), None)
     if simulated is not None:
         clauses["simulated"] = True
@@ -222,6 +252,13 @@ def merge_activity(statements: Sequence[Activity]) -> tuple[Activity, tuple[Diag
     if simulated is not None and merged.takes is None:
         diagnostics.append(Diagnostic(problems.SimulatedWithoutTime(merged.name), simulated.span))
     return merged, tuple(diagnostics)
+
+
+def _said_word(item: Activity) -> str | None:
+    """A clause that is said of an activity, if there is one."""
+    if item.simulated:
+        return "simulated"
+    return next((word for clause, word in _CLAUSES.items() if getattr(item, clause) not in _NOTHING), None)
 
 
 def _different(first: object, second: object) -> bool:

@@ -45,6 +45,8 @@ def read_modules(
                 diagnostics.append(Diagnostic(problems.ModuleEnds(name.text, word), place.span))
         if item.activity.simulated is not None:
             diagnostics.append(Diagnostic(problems.ModuleSimulated(name.text), item.activity.simulated))
+        if item.activity.waits is not None and not wrong:
+            diagnostics.append(Diagnostic(problems.ModuleWaits(name.text), item.activity.waits))
         target = item.target.text if item.target is not None else ""
         if item.target is not None and not _TARGET.fullmatch(target):
             diagnostics.append(Diagnostic(NoTarget("class", target), item.target.span))

@@ -94,7 +94,7 @@ def _completes(chart: Statechart, node: State) -> bool:
         case StateType.AND:
             return all(chart.end_of(region.label) is not None for region in chart.children(node.label))
         case StateType.START | StateType.END | StateType.BASIC | StateType.CONDITION:
-            return True
+            return not node.waits
         case _:
             assert_never(node.type)
 

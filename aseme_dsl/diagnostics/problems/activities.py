@@ -288,6 +288,35 @@ class ModuleSimulated(Problem):
     hint = "leave the module out as long as it has no code"
 
 
+class WaitsBeside(Problem):
+    """`word` is another clause of the activity."""
+
+    code = "E227"
+    activity: str
+    word: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.activity}` waits: it never ends by itself, so that `{self.word}` has no effect"
+
+    @property
+    def hint(self) -> str:
+        if self.word in ("takes", "within"):
+            return "remove one of both; for a time limit write `after(…)` on a transition that leaves it"
+        return f"remove `waits` or `{self.word}`"
+
+
+class ModuleWaits(Problem):
+    code = "E227"
+    module: str
+
+    @property
+    def message(self) -> str:
+        return f"the module `{self.module}` cannot wait: a module consists of its code"
+
+    hint = "remove `waits`"
+
+
 class DeadlineTooShort(Problem):
     """`takes` and `within` are durations as the language writes them."""
 

@@ -12,6 +12,8 @@ def state_tip(view: View, node: State) -> str:
     lines = [_title(node, len(node.name))]
     if node.activity and node.activity != node.name:
         lines.append(f"activity {node.activity}")
+    if node.waits:
+        lines.append("waits: never completes by itself")
     if node.type not in (StateType.START, StateType.END):
         lines.append(f"from {node.origin}")
     if node.label in view.closed:

@@ -103,6 +103,7 @@ def _takes(activity: Activity) -> list[str]:
     return [
         *([] if activity.takes is None else [duration_text(activity.takes)]),
         *(["simulated"] if activity.simulated else []),
+        *(["waits"] if activity.waits else []),
     ]
 
 

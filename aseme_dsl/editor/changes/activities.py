@@ -55,7 +55,7 @@ def lacks_class(view: View, offset: int, folders: PythonFolders) -> str | None:
     name = activity_at(view, offset)
     if name is None:
         name = _module_at(view, offset)
-    elif (said := view.program.inspection.activities.get(name)) is not None and said.simulated:
+    elif (said := view.program.inspection.activities.get(name)) is not None and not said.has_code:
         return None
     if name is None or folders.activities is None or _file(folders.activities, name).exists():
         return None

@@ -331,6 +331,10 @@ class Simulated(Node):
     word: Leaf
 
 
+class Waits(Node):
+    word: Leaf
+
+
 class Within(Node):
     duration: Leaf
 
@@ -500,7 +504,7 @@ if TYPE_CHECKING:
     )
     LivenessEntry: TypeAlias = Formula | Leaf
     ActivitiesEntry: TypeAlias = Activity | Leaf
-    ActivityClause: TypeAlias = Every | Takes | Simulated | Within | As | Uses | Reads | Writes | Ends
+    ActivityClause: TypeAlias = Every | Takes | Simulated | Waits | Within | As | Uses | Reads | Writes | Ends
     ModulesEntry: TypeAlias = Module | Leaf
     FunctionalityEntry: TypeAlias = FunctionalityText | Leaf
     ChartEntry: TypeAlias = ChartNode | LabelledWay | StandingWay | Var | Let | Activities | Modules | Leaf

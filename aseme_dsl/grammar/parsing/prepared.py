@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 2059946773
+CHECKSUM = 1280466589
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -82,7 +82,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'Path': (
         'match',
         {},
-        ('pattern', '(?x)\n  [A-Za-z_][A-Za-z0-9_]*\n  (?: \\s*\\. (?: [ \\t]*[A-Za-z_][A-Za-z0-9_]*\\b\n            | [ \\t]*[\\r\\n]\\s*[A-Za-z_][A-Za-z0-9_]*\\b (?!\\s+(?:every|takes|simulated|within|as|uses|reads|writes|ends)\\b) ) )*\n  \\b\n'),
+        ('pattern', '(?x)\n  [A-Za-z_][A-Za-z0-9_]*\n  (?: \\s*\\. (?: [ \\t]*[A-Za-z_][A-Za-z0-9_]*\\b\n            | [ \\t]*[\\r\\n]\\s*[A-Za-z_][A-Za-z0-9_]*\\b (?!\\s+(?:every|takes|simulated|waits|within|as|uses|reads|writes|ends)\\b) ) )*\n  \\b\n'),
     ),
     'Text': (
         'match',
@@ -872,12 +872,12 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'ActivityName': (
         'match',
         {},
-        ('pattern', '(?!(?:every|takes|simulated|as|uses|reads|writes)\\b|(?:within|ends)\\b(?!\\s+(?:every|takes|simulated|as|uses|reads|writes)\\b))[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*\\{|\\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{)'),
+        ('pattern', '(?!(?:every|takes|simulated|as|uses|reads|writes)\\b|(?:within|ends|waits)\\b(?!\\s+(?:every|takes|simulated|as|uses|reads|writes)\\b))[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*\\{|\\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{)'),
     ),
     'ActivityClause': (
         'abstract',
         {},
-        ('choice', 'Every', 'Takes', 'Simulated', 'Within', 'As', 'Uses', 'Reads', 'Writes', 'Ends'),
+        ('choice', 'Every', 'Takes', 'Simulated', 'Waits', 'Within', 'As', 'Uses', 'Reads', 'Writes', 'Ends'),
     ),
     'Every': (
         'common',
@@ -893,6 +893,16 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         'common',
         {'word': 'one'},
         ('series', ('=', 'word', ('word', 'simulated'))),
+    ),
+    'Waits': (
+        'common',
+        {'word': 'one'},
+        ('series', ('=', 'word', 'WaitsWord')),
+    ),
+    'WaitsWord': (
+        'match',
+        {},
+        ('pattern', '(?:waits)\\b(?!\\s+(?:every|takes|simulated|as|uses|reads|writes)\\b)'),
     ),
     'Within': (
         'common',

@@ -644,7 +644,8 @@ class ActivityParameter:
 class Activity:
     """`Vision every 33ms takes 5ms as process uses camera reads … writes …`; clauses in any order.
 
-    `within` is its deadline, `ends` are the names of its outcomes, `simulated` is the place of that word.
+    `within` is its deadline, `ends` are the names of its outcomes, `simulated` and `waits` are the places of
+    those words.
     """
 
     name: Name
@@ -659,6 +660,7 @@ class Activity:
     ends: tuple[Name, ...] = ()
     parameters: tuple[ActivityParameter, ...] = ()
     simulated: Span | None = None
+    waits: Span | None = None
 
 
 @dataclass(frozen=True, slots=True)

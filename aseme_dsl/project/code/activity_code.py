@@ -161,7 +161,7 @@ def _written(pieces: Iterable[_Piece], codes: Mapping[str, _Code], required: Req
     problems: list[Diagnostic] = []
     is_complete = True
     for piece in pieces:
-        if piece.said.simulated:  # its code, which is to come, may raise any event
+        if not piece.said.has_code:  # its code, which is to come, may raise any event
             is_complete = False
             continue
         code = codes.get(piece.path) if piece.path is not None else None
@@ -202,7 +202,7 @@ def check_silence(system: System, *, alone: bool = True, memory: Memory | None =
 
 def _of_simulated(system: System) -> dict[str, tuple[Talk, ...]]:
     """What simulated activities send and take: nothing."""
-    return {item.name: () for item in system.activities if item.simulated}
+    return {item.name: () for item in system.activities if not item.has_code}
 
 
 def _unreadable(codes: Mapping[str, _Code], needed: Mapping[str, str]) -> Iterator[Diagnostic]:

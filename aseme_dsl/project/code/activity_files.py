@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeGuard
+from typing import TYPE_CHECKING, Literal, TypeGuard
 
 from aseme_dsl import outside
 from aseme_dsl.amola.expression import duration_text
@@ -118,7 +118,7 @@ def missing_folder(
     system: System, folder: Path, required: Required, project: Path | None
 ) -> tuple[Diagnostic, ...]:
     """E544: the folder is not there."""
-    lacking = [item.said.name for item in wanted_files(system, folder) if not item.said.simulated]
+    lacking = [item.said.name for item in wanted_files(system, folder) if item.said.has_code]
     near = closest(folder.name, [path.name for path in _inside(folder.parent) if path.is_dir()])
     scaffold = _scaffold(system) if lacking else None
     problem = NoCodeFolder(_shown(str(folder), project), near, scaffold, required.place is None)
@@ -133,14 +133,14 @@ def check_files(
     activity."""
     wanted = wanted_files(system, folder)
     there = {item.path for item in wanted if look(item.path) is not None}
-    own = [item.path for item in wanted if not item.said.simulated]
+    own = [item.path for item in wanted if item.said.has_code]
     users = [*own, *required.users, *_targets(system, project)]
     imported = _imported(users, folder, project, look)
     beside = [str(path) for path in _inside(folder) if path.suffix == ".py"]
     used = set(map(os.path.realpath, [*users, *(item.path for item in wanted), *(imported or ())]))
     unused = [] if imported is None else _unused(beside, used, system)
     unused = _not_of_neighbours(unused, system, required.neighbours)
-    missing = [item for item in wanted if item.path not in there and not item.said.simulated]
+    missing = [item for item in wanted if item.path not in there and item.said.has_code]
     to_play = [item for item in missing if item.unplayed is not None]
     then_used = {module_name(name) for item in to_play if item.unplayed for name in item.unplayed.activities}
     unused = [path for path in unused if Path(path).stem not in then_used]
@@ -158,8 +158,10 @@ def check_files(
         found.append(_unneeded(path, meant, project))
     for item in wanted:
         is_helper = imported is not None and os.path.realpath(item.path) in imported
-        if item.said.simulated and item.path in there and not is_helper:
-            place, problem = _place(item), FileOfSimulated(item.said.name, _shown(item.path, project))
+        if not item.said.has_code and item.path in there and not is_helper:
+            shown = _shown(item.path, project)
+            word: Literal["simulated", "waits"] = "waits" if item.said.waits else "simulated"
+            place, problem = _place(item), FileOfSimulated(item.said.name, shown, word)
             found.append(Diagnostic(problem, place, _declared(item, place)))
     return tuple(found)
 
@@ -427,7 +429,7 @@ def without_code(system: System, folder: Path, look: Look = stamp_of) -> Without
     wanted = (item for item in wanted_files(system, folder) if item.what == "activity")
     activities = [item for item in wanted if item.said.name not in called]
     simulated = [item for item in activities if item.said.simulated]
-    others = [item for item in activities if not item.said.simulated]
+    others = [item for item in activities if item.said.has_code]
     missing = [item for item in others if look(item.path) is None]
     empty = [
         item

@@ -42,14 +42,19 @@ def _waiting_lines(agents: Iterable[AgentResult]) -> list[str]:
     lines = []
     for agent in agents:
         # Beside an activity that runs, a region that rests for a time is nothing to look at.
-        is_active = not agent.stuck and any(item.where == "in" for item in agent.waits)
+        is_active = not agent.stuck and any(map(_runs, agent.waits))
         lines += [
             f"{agent.name} ({agent.role}) waits {_waits(item)}"
             for item in agent.waits
             if item.conversation is None and not item.free
-            if not is_active or (item.where != "in" and item.awaits and not item.timed)
+            if not is_active or (not _runs(item) and item.awaits and not item.timed)
         ]
     return lines
+
+
+def _runs(item: Waiting) -> bool:
+    """Whether an activity runs there, which may end by itself."""
+    return item.where == "in" and any(found.kind == "activity" for found in item.awaits)
 
 
 def _conversation_lines(result: RunResult) -> list[str]:
@@ -71,7 +76,7 @@ def _member_lines(member: Member) -> list[str]:
 
 def _waits(item: Waiting) -> str:
     """Where an agent waits and for what: `after Ask (a.aseme:4) for agree Offer from seller (a.aseme:9)`."""
-    if item.where == "in" and any(found.kind == "activity" for found in item.awaits):
+    if _runs(item):
         # What may interrupt it, too, is in --json.
         return f"for its activity {_cut(item.name)}{_place(item.at)} to end"
     awaited = _few([_awaited(found) for found in item.awaits], _MOST_AWAITED, " or ")

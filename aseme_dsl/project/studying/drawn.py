@@ -114,6 +114,7 @@ class _Drawing:
         ]
         written = {name for item in kind.PLAN.activities for name in item.variables}
         self.variables = [item for item in chart.variables if item.name in written]
+        self.waits = {node.label for node in chart.states if node.waits}
         self.ends = {item.name: item.ends for item in kind.PLAN.activities}
         self.activity = {node.label: node.activity for node in chart.states}
         self.constants: dict[Kind, list[Constant]] = {}
@@ -124,7 +125,9 @@ class _Drawing:
     def next(self, chart: Chart, now: int, number: int) -> Input | None:
         """Input `number` for a chart as it is; None if there is nothing that it could take."""
         running = [
-            label for label, (leaf, _, state) in chart.RUNNING.items() if getattr(chart, leaf) == state
+            label
+            for label, (leaf, _, state) in chart.RUNNING.items()
+            if getattr(chart, leaf) == state and label not in self.waits
         ]
         active = chart.configuration()
         mails = [mail for mail in self.mails if any(label.startswith(f"{mail[0]}.") for label in active)]

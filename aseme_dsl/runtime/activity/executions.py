@@ -233,7 +233,7 @@ class Executions:
         kind = info.kind
         error: ActivityError | None = None
         try:
-            code = None if info.simulated else self._find(start.activity)
+            code = None if info.simulated or info.waits else self._find(start.activity)
             if code is not None:
                 code = code if has_code(code) else None
                 kind = info.kind if code is None else kind_of(code, info.kind)
@@ -291,7 +291,7 @@ class Executions:
         node.starts += 1
         board = self.agent.chart.board_of(start.label)
         code, kind = node.code, node.kind
-        if code is None and node.error is None:
+        if code is None and node.error is None and not info.waits:
             called = self.agent.callback(start.label)
             code, kind = called, kind if called is None else "step"
         execution = node.current = Execution(
@@ -302,6 +302,8 @@ class Executions:
         self._trace("start", start, **({"arguments": given} if given else {}))
         if node.error is not None:
             self.returned(execution, node.error)
+        elif info.waits:
+            pass  # until it is cancelled
         elif execution.code is None:
             self._last(execution, info, now)
         else:
@@ -343,7 +345,8 @@ class Executions:
     def has_code(self, activity: str) -> bool:
         """Whether there is code for an activity; what cannot be loaded is told when it starts."""
         try:
-            return not self._info(activity).simulated and has_code(self._find(activity))
+            info = self._info(activity)
+            return not info.simulated and not info.waits and has_code(self._find(activity))
         except ActivityError:
             return True
 

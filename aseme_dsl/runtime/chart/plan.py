@@ -103,7 +103,7 @@ class ActivityInfo:
     `variables` are those of the role that it writes, `reads_variables` those that it reads; `histories` says
     how far it looks back at data channels, in ns. `within` is its deadline in ns, from the entry of its
     state; `ends` are its outcomes, `parameters` the names and types of what it is given. Of one that is
-    `simulated` no code is loaded.
+    `simulated` or `waits` no code is loaded; one that `waits` never ends by itself.
     """
 
     name: str
@@ -119,6 +119,7 @@ class ActivityInfo:
     ends: tuple[str, ...] = ()
     parameters: tuple[tuple[str, str], ...] = ()
     simulated: bool = False
+    waits: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -63,6 +63,8 @@ class ChartState:
     """The numbers of the regions that read a channel."""
     RUNNING: ClassVar[Mapping[str, tuple[str, str, int]]] = {}
     """For each BASIC state the slots of its region's leaf and token, and its number while it runs."""
+    WAITING: ClassVar[frozenset[str]] = frozenset()
+    """The BASIC states that never complete by themselves."""
     VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {}
     """The slots that hold a variable: one, or one for each region that uses it."""
     REGIONS: ClassVar[tuple[str, ...]] = ()

@@ -41,7 +41,7 @@ def _arrived(chart: ChartState, item: Sample) -> None:
 def _completed(chart: ChartState, item: Completed) -> None:
     leaf, owner, number = chart.RUNNING[item.label]
     runs = getattr(chart, leaf) == number and item.label not in chart.failed
-    if runs and getattr(chart, owner) == item.token:
+    if runs and item.label not in chart.WAITING and getattr(chart, owner) == item.token:
         setattr(chart, leaf, number + 1)
         if item.outcome is not None:
             set_outcome(chart, item.label, item.outcome)

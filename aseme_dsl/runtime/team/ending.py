@@ -162,17 +162,19 @@ def waits_of(agent: Agent) -> tuple[Waiting, ...]:
 
 def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str], since: int) -> Waiting:
     """The entry of a leaf, or of a state around that is complete, which came to rest `since` at least."""
-    running = _runs(agent, leaf)
+    waits = _waits(plan, leaf)
+    running = _runs(agent, leaf) and not waits
+    complete = not running and not waits
     branch = agent.plan.branch_of(leaf.label)
     conversation, is_entered = (
         agent.conversations.place(agent, branch) if branch is not None else (None, False)
     )
-    own = tuple(_awaited(plan, leaf, complete=not running))
+    own = tuple(_awaited(plan, leaf, complete=complete))
     awaits = list(own)
     around = _parent(plan, leaf)
     in_branch = branch is not None
     may_begin = [item.kind == "message" for item in own]
-    timed = _is_timed(plan, leaf, complete=not running)
+    timed = _is_timed(plan, leaf, complete=complete)
     in_region = True
     since = max(since, agent.since.get(leaf.label, 0))
     while around is not None:
@@ -189,7 +191,7 @@ def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str], since: int) 
     named = leaf
     while named.name == named.label and (parent := _parent(plan, named)) is not None:
         named = parent
-    where = "in" if running else ("before" if leaf.type in ("START", "CONDITION") else "after")
+    where = "in" if running or waits else ("before" if leaf.type in ("START", "CONDITION") else "after")
     if running:
         awaits.insert(0, Awaited("activity", leaf.activity or leaf.name, leaf.at))
     begins = is_entered and conversation is None and not running and any(may_begin)
@@ -213,6 +215,11 @@ def _runs(agent: Agent, leaf: State) -> bool:
         return False
     slot, _, number = agent.chart.RUNNING[leaf.label]
     return bool(getattr(agent.chart, slot) == number)
+
+
+def _waits(plan: Plan, leaf: State) -> bool:
+    """Whether the state is one that never completes by itself."""
+    return any(item.waits for item in plan.activities if item.name == leaf.activity)
 
 
 def _parent(plan: Plan, state: State) -> State | None:

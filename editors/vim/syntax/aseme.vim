@@ -6,13 +6,13 @@ endif
 scriptencoding utf-8
 " A declaration that begins a line stands in nothing else: what is before it need not be read.
 syntax sync match asemeDeclarationHere grouphere NONE /\v^%(language|system|import|let|enum|message|topic|function|sag|suc|aip|abstract|srm|statechart|team|scenario|property)>/
-syntax match asemeReference_1119 /\v[^ \t0-9A-Za-z_{}]/
-syntax match asemeReference_1118 /\v\w+/
-syntax match asemeNumber_1117 /\v[0-9]+%(\.[0-9]+)*\w*/
-syntax match asemeText_1116 /\v\"[^"\n]*/ contains=@Spell
-syntax match asemeText_1115 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
-syntax region asemePunctuation_1120 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
-syntax cluster asemeStrayTrue contains=asemeText_1115,asemeText_1116,asemeNumber_1117,asemeReference_1118,asemeReference_1119,asemePunctuation_1120,asemeComment
+syntax match asemeReference_1121 /\v[^ \t0-9A-Za-z_{}]/
+syntax match asemeReference_1120 /\v\w+/
+syntax match asemeNumber_1119 /\v[0-9]+%(\.[0-9]+)*\w*/
+syntax match asemeText_1118 /\v\"[^"\n]*/ contains=@Spell
+syntax match asemeText_1117 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
+syntax region asemePunctuation_1122 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
+syntax cluster asemeStrayTrue contains=asemeText_1117,asemeText_1118,asemeNumber_1119,asemeReference_1120,asemeReference_1121,asemePunctuation_1122,asemeComment
 syntax match asemeReference_34 /\v[^ \t0-9A-Za-z_{}]/ contained
 syntax match asemeReference_33 /\v\w+/ contained
 syntax match asemeNumber_32 /\v[0-9]+%(\.[0-9]+)*\w*/ contained
@@ -20,368 +20,370 @@ syntax match asemeText_31 /\v\"[^"\n]*/ contained contains=@Spell
 syntax match asemeText_30 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
 syntax region asemePunctuation_35 matchgroup=asemePunctuation start=/{/ end=/}/ contained contains=@asemeStrayFalse transparent
 syntax cluster asemeStrayFalse contains=asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_8,asemeDeclaration_70,asemeDeclaration_82,asemeDeclaration_108,asemeDeclaration_138,asemeDeclaration_168,asemeDeclaration_191,asemeDeclaration_223,asemeDeclaration_559,asemeDeclaration_873,asemeDeclaration_876,asemeDeclaration_1011,asemeDeclaration_1073,asemeDeclaration_1102,asemeDeclaration_1113,asemeText_1115,asemeText_1116,asemeNumber_1117,asemeReference_1118,asemeReference_1119,asemePunctuation_1120,asemeComment
-syntax match asemeDeclaration_1113 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_1112,asemeComment_1114 skipwhite skipempty
-syntax region asemeComment_1114 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1112,asemeComment_1114 skipwhite skipempty
-syntax match asemeComment_1114 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1112,asemeComment_1114 skipwhite skipempty
-syntax match asemeText_1112 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1111 skipwhite skipempty
-syntax cluster asemePropertyInFile contains=asemePunctuation_1109,asemeText_1110
-syntax match asemeText_1110 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1111 skipwhite skipempty
-syntax region asemeComment_1111 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1111 skipwhite skipempty
-syntax match asemeComment_1111 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1111 skipwhite skipempty
-syntax region asemePunctuation_1109 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
-syntax cluster asemeBodyOfProperty contains=asemePunctuation_1092,asemeText_1104,asemeNumber_1105,asemeReference_1106,asemeOperator_1107,asemePunctuation_1108,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemePunctuation_1108 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_1107 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_1106 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_1105 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_1104 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_1102 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_1101,asemeComment_1103 skipwhite skipempty
-syntax region asemeComment_1103 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1101,asemeComment_1103 skipwhite skipempty
-syntax match asemeComment_1103 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1101,asemeComment_1103 skipwhite skipempty
-syntax match asemeText_1101 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1100 skipwhite skipempty
-syntax cluster asemeScenarioInFile contains=asemePunctuation_1098,asemeText_1099
-syntax match asemeText_1099 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1100 skipwhite skipempty
-syntax region asemeComment_1100 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1100 skipwhite skipempty
-syntax match asemeComment_1100 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1100 skipwhite skipempty
-syntax region asemePunctuation_1098 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
-syntax cluster asemeBodyOfScenario contains=asemePunctuation_1092,asemeText_1093,asemeNumber_1094,asemeReference_1095,asemeOperator_1096,asemePunctuation_1097,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemePunctuation_1097 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_1096 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_1095 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_1094 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_1093 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_1092 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
-syntax cluster asemeBodyOfBraced contains=asemePunctuation_1086,asemeText_1087,asemeNumber_1088,asemeReference_1089,asemeOperator_1090,asemePunctuation_1091,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemePunctuation_1091 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_1090 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_1089 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_1088 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_1087 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_1086 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
-syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_1080,asemeText_1081,asemeNumber_1082,asemeReference_1083,asemeOperator_1084,asemePunctuation_1085,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemePunctuation_1085 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_1084 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_1083 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_1082 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_1081 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_1080 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
-syntax cluster asemeBodyOfBraced3 contains=asemeText_1075,asemeNumber_1076,asemeReference_1077,asemeOperator_1078,asemePunctuation_1079,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemePunctuation_1079 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_1078 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_1077 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_1076 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_1075 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_1073 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_1072,asemeComment_1074 skipwhite skipempty
-syntax region asemeComment_1074 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1072,asemeComment_1074 skipwhite skipempty
-syntax match asemeComment_1074 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1072,asemeComment_1074 skipwhite skipempty
-syntax match asemeBlock_1072 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_1071 skipwhite skipempty
-syntax cluster asemeTeamInFile contains=asemePunctuation_1069,asemeBlock_1070
-syntax match asemeBlock_1070 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_1071 skipwhite skipempty
-syntax region asemeComment_1071 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_1071 skipwhite skipempty
-syntax match asemeComment_1071 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_1071 skipwhite skipempty
-syntax region asemePunctuation_1069 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
-syntax cluster asemeBodyOfTeam contains=asemeName_1068,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemeName_1068 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1050 skipwhite skipempty
-syntax cluster asemeAgentsInBodyOfTeam contains=asemeClause_1047,asemePunctuation_1057,asemePunctuation_1063,asemePunctuation_1066
-syntax match asemePunctuation_1066 /\v\:/ contained nextgroup=asemeReference_1065,asemeComment_1067 skipwhite skipempty
-syntax region asemeComment_1067 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1065,asemeComment_1067 skipwhite skipempty
-syntax match asemeComment_1067 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1065,asemeComment_1067 skipwhite skipempty
-syntax match asemeReference_1065 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1050 skipwhite skipempty
-syntax match asemePunctuation_1063 /\v\,/ contained nextgroup=asemeName_1060,asemeName_1062,asemeComment_1064 skipwhite skipempty
-syntax region asemeComment_1064 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1060,asemeName_1062,asemeComment_1064 skipwhite skipempty
-syntax match asemeComment_1064 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1060,asemeName_1062,asemeComment_1064 skipwhite skipempty
-syntax match asemeName_1062 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1050 skipwhite skipempty
-syntax match asemeName_1060 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1059,asemeComment_1061 skipwhite skipempty
-syntax region asemeComment_1061 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1059,asemeComment_1061 skipwhite skipempty
-syntax match asemeComment_1061 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1059,asemeComment_1061 skipwhite skipempty
-syntax match asemeOperator_1059 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemePunctuation_1057 /\v\[/ contained nextgroup=asemeNumber_1055,asemeComment_1058 skipwhite skipempty
-syntax region asemeComment_1058 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1055,asemeComment_1058 skipwhite skipempty
-syntax match asemeComment_1058 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1055,asemeComment_1058 skipwhite skipempty
-syntax match asemeNumber_1055 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1053,asemeComment_1056 skipwhite skipempty
-syntax region asemeComment_1056 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1053,asemeComment_1056 skipwhite skipempty
-syntax match asemeComment_1056 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1053,asemeComment_1056 skipwhite skipempty
-syntax match asemePunctuation_1053 /\v\.\./ contained nextgroup=asemeNumber_1051,asemeComment_1054 skipwhite skipempty
-syntax region asemeComment_1054 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1051,asemeComment_1054 skipwhite skipempty
-syntax match asemeComment_1054 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1051,asemeComment_1054 skipwhite skipempty
-syntax match asemeNumber_1051 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1049,asemeComment_1052 skipwhite skipempty
-syntax region asemeComment_1052 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1049,asemeComment_1052 skipwhite skipempty
-syntax match asemeComment_1052 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1049,asemeComment_1052 skipwhite skipempty
-syntax match asemePunctuation_1049 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1050 skipwhite skipempty
-syntax region asemeComment_1050 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1050 skipwhite skipempty
-syntax match asemeComment_1050 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1050 skipwhite skipempty
-syntax match asemeClause_1047 /\vwith%(<|>)/ contained nextgroup=asemeName_1045,asemeComment_1048 skipwhite skipempty
-syntax region asemeComment_1048 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1045,asemeComment_1048 skipwhite skipempty
-syntax match asemeComment_1048 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1045,asemeComment_1048 skipwhite skipempty
-syntax match asemeName_1045 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1044,asemeComment_1046 skipwhite skipempty
-syntax region asemeComment_1046 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1044,asemeComment_1046 skipwhite skipempty
-syntax match asemeComment_1046 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1044,asemeComment_1046 skipwhite skipempty
-syntax match asemeOperator_1044 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeDeclaration_1011 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_1010,asemeComment_1012 skipwhite skipempty
-syntax region asemeComment_1012 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1010,asemeComment_1012 skipwhite skipempty
-syntax match asemeComment_1012 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1010,asemeComment_1012 skipwhite skipempty
-syntax match asemeBlock_1010 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_1009 skipwhite skipempty
-syntax cluster asemeStatechartInFile contains=asemePunctuation_1007,asemeBlock_1008
-syntax match asemeBlock_1008 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_1009 skipwhite skipempty
-syntax region asemeComment_1009 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_1009 skipwhite skipempty
-syntax match asemeComment_1009 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_1009 skipwhite skipempty
-syntax region asemePunctuation_1007 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfStatechart
-syntax cluster asemeBodyOfStatechart contains=asemeDeclaration_900,asemeNumber_907,asemeDeclaration_943,asemeDeclaration_996,asemeDeclaration_1001,asemeDeclaration_1003,asemeDeclaration_1005,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemeDeclaration_1005 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1006 skipwhite skipempty
-syntax region asemeComment_1006 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1006 skipwhite skipempty
-syntax match asemeComment_1006 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1006 skipwhite skipempty
-syntax cluster asemeModulesInBodyOfStatechart contains=asemePunctuation_837
-syntax match asemeDeclaration_1003 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1004 skipwhite skipempty
-syntax region asemeComment_1004 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1004 skipwhite skipempty
-syntax match asemeComment_1004 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1004 skipwhite skipempty
-syntax cluster asemeActivitiesInBodyOfStatechart contains=asemePunctuation_790
-syntax match asemeDeclaration_1001 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_999,asemeComment_1002 skipwhite skipempty
-syntax region asemeComment_1002 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_999,asemeComment_1002 skipwhite skipempty
-syntax match asemeComment_1002 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_999,asemeComment_1002 skipwhite skipempty
-syntax match asemeName_999 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_998,asemeComment_1000 skipwhite skipempty
-syntax region asemeComment_1000 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_998,asemeComment_1000 skipwhite skipempty
-syntax match asemeComment_1000 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_998,asemeComment_1000 skipwhite skipempty
-syntax match asemeOperator_998 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_36 skipwhite skipempty
-syntax match asemeDeclaration_996 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_994,asemeComment_997 skipwhite skipempty
-syntax region asemeComment_997 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_994,asemeComment_997 skipwhite skipempty
-syntax match asemeComment_997 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_994,asemeComment_997 skipwhite skipempty
-syntax match asemeName_994 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_992,asemeComment_995 skipwhite skipempty
-syntax region asemeComment_995 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_992,asemeComment_995 skipwhite skipempty
-syntax match asemeComment_995 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_992,asemeComment_995 skipwhite skipempty
-syntax match asemePunctuation_992 /\v\:/ contained nextgroup=asemeBuiltIn_990,asemeType_991,asemeComment_993 skipwhite skipempty
-syntax region asemeComment_993 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_990,asemeType_991,asemeComment_993 skipwhite skipempty
-syntax match asemeComment_993 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_990,asemeType_991,asemeComment_993 skipwhite skipempty
-syntax match asemeType_991 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_946 skipwhite skipempty
-syntax match asemeBuiltIn_990 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_946 skipwhite skipempty
-syntax cluster asemeVarInBodyOfStatechart contains=asemePunctuation_948,asemeOperator_981,asemeName_986,asemeBuiltIn_988,asemeType_989
-syntax match asemeType_989 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_946 skipwhite skipempty
-syntax match asemeBuiltIn_988 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_946 skipwhite skipempty
-syntax match asemeName_986 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_984,asemeComment_987 skipwhite skipempty
-syntax region asemeComment_987 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_984,asemeComment_987 skipwhite skipempty
-syntax match asemeComment_987 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_984,asemeComment_987 skipwhite skipempty
-syntax match asemePunctuation_984 /\v\:/ contained nextgroup=asemeBuiltIn_982,asemeType_983,asemeComment_985 skipwhite skipempty
-syntax region asemeComment_985 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_982,asemeType_983,asemeComment_985 skipwhite skipempty
-syntax match asemeComment_985 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_982,asemeType_983,asemeComment_985 skipwhite skipempty
-syntax match asemeType_983 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_946 skipwhite skipempty
-syntax match asemeBuiltIn_982 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_946 skipwhite skipempty
-syntax match asemeOperator_981 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemePunctuation_948 /\v\:/ contained nextgroup=asemeBuiltIn_945,asemeType_947,asemeComment_949 skipwhite skipempty
-syntax region asemeComment_949 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_945,asemeType_947,asemeComment_949 skipwhite skipempty
-syntax match asemeComment_949 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_945,asemeType_947,asemeComment_949 skipwhite skipempty
-syntax match asemeType_947 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_946 skipwhite skipempty
-syntax match asemeBuiltIn_945 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_946 skipwhite skipempty
-syntax region asemeComment_946 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_946 skipwhite skipempty
-syntax match asemeComment_946 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_946 skipwhite skipempty
-syntax match asemeDeclaration_943 /\v%(%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=%(on|exit)%(<|>)/ contained nextgroup=asemeNumber_941,asemeComment_944 skipwhite skipempty
-syntax region asemeComment_944 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_941,asemeComment_944 skipwhite skipempty
-syntax match asemeComment_944 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_941,asemeComment_944 skipwhite skipempty
-syntax match asemeNumber_941 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_940,asemeComment_942 skipwhite skipempty
-syntax region asemeComment_942 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_940,asemeComment_942 skipwhite skipempty
-syntax match asemeComment_942 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_940,asemeComment_942 skipwhite skipempty
-syntax match asemePunctuation_940 /\v\:/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeNumber_907 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_905,asemeComment_908 skipwhite skipempty
-syntax region asemeComment_908 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_905,asemeComment_908 skipwhite skipempty
-syntax match asemeComment_908 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_905,asemeComment_908 skipwhite skipempty
-syntax match asemeOperator_905 /\v\-\>/ contained nextgroup=asemeNumber_903,asemeComment_906 skipwhite skipempty
-syntax region asemeComment_906 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_903,asemeComment_906 skipwhite skipempty
-syntax match asemeComment_906 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_903,asemeComment_906 skipwhite skipempty
-syntax match asemeNumber_903 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_902,asemeComment_904 skipwhite skipempty
-syntax region asemeComment_904 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_902,asemeComment_904 skipwhite skipempty
-syntax match asemeComment_904 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_902,asemeComment_904 skipwhite skipempty
-syntax match asemePunctuation_902 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_501 skipwhite skipempty
-syntax match asemeDeclaration_900 /\v%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=state%(<|>)/ contained nextgroup=asemeNumber_898,asemeComment_901 skipwhite skipempty
-syntax region asemeComment_901 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_898,asemeComment_901 skipwhite skipempty
-syntax match asemeComment_901 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_898,asemeComment_901 skipwhite skipempty
-syntax match asemeNumber_898 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_896,asemeComment_899 skipwhite skipempty
-syntax region asemeComment_899 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_896,asemeComment_899 skipwhite skipempty
-syntax match asemeComment_899 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_896,asemeComment_899 skipwhite skipempty
-syntax match asemeChoice_896 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_894,asemeText_895,@asemeChartNodeInBodyOfStatechart,asemeComment_897 skipwhite skipempty
-syntax region asemeComment_897 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_894,asemeText_895,@asemeChartNodeInBodyOfStatechart,asemeComment_897 skipwhite skipempty
-syntax match asemeComment_897 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_894,asemeText_895,@asemeChartNodeInBodyOfStatechart,asemeComment_897 skipwhite skipempty
-syntax match asemeText_895 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax match asemeName_894 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax cluster asemeChartNodeInBodyOfStatechart contains=asemeClause_880,asemeChoice_884,asemeNumber_890,asemeName_892,asemeText_893
-syntax match asemeText_893 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax match asemeName_892 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax match asemeNumber_890 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_888,asemeComment_891 skipwhite skipempty
-syntax region asemeComment_891 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_888,asemeComment_891 skipwhite skipempty
-syntax match asemeComment_891 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_888,asemeComment_891 skipwhite skipempty
-syntax match asemeChoice_888 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_886,asemeText_887,@asemeChartNodeInBodyOfStatechart,asemeComment_889 skipwhite skipempty
-syntax region asemeComment_889 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_886,asemeText_887,@asemeChartNodeInBodyOfStatechart,asemeComment_889 skipwhite skipempty
-syntax match asemeComment_889 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_886,asemeText_887,@asemeChartNodeInBodyOfStatechart,asemeComment_889 skipwhite skipempty
-syntax match asemeText_887 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax match asemeName_886 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax match asemeChoice_884 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_882,asemeText_883,@asemeChartNodeInBodyOfStatechart,asemeComment_885 skipwhite skipempty
-syntax region asemeComment_885 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_882,asemeText_883,@asemeChartNodeInBodyOfStatechart,asemeComment_885 skipwhite skipempty
-syntax match asemeComment_885 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_882,asemeText_883,@asemeChartNodeInBodyOfStatechart,asemeComment_885 skipwhite skipempty
-syntax match asemeText_883 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax match asemeName_882 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax match asemeClause_880 /\vactivity%(<|>)/ contained nextgroup=asemeReference_878,asemeComment_881 skipwhite skipempty
-syntax region asemeComment_881 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_878,asemeComment_881 skipwhite skipempty
-syntax match asemeComment_881 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_878,asemeComment_881 skipwhite skipempty
-syntax match asemeReference_878 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax region asemeComment_879 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax match asemeComment_879 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_879 skipwhite skipempty
-syntax match asemeDeclaration_876 /\v%(srm%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=srm%(<|>)/ nextgroup=asemeBlock_875,asemeComment_877 skipwhite skipempty
-syntax region asemeComment_877 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_875,asemeComment_877 skipwhite skipempty
-syntax match asemeComment_877 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_875,asemeComment_877 skipwhite skipempty
-syntax match asemeBlock_875 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_562 skipwhite skipempty
-syntax match asemeDeclaration_873 /\v%(abstract%(<|>)%(\_s*%(srm%(<|>)|%($|\/\/|\/\*)))@=)@=abstract%(<|>)/ nextgroup=asemeClause_871,asemeComment_874 skipwhite skipempty
-syntax region asemeComment_874 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_871,asemeComment_874 skipwhite skipempty
-syntax match asemeComment_874 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_871,asemeComment_874 skipwhite skipempty
-syntax match asemeClause_871 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_870,asemeComment_872 skipwhite skipempty
-syntax region asemeComment_872 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_870,asemeComment_872 skipwhite skipempty
-syntax match asemeComment_872 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_870,asemeComment_872 skipwhite skipempty
-syntax match asemeBlock_870 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_562 skipwhite skipempty
-syntax cluster asemeSrmInFile contains=asemeClause_563,asemePunctuation_868,asemeBlock_869
-syntax match asemeBlock_869 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_562 skipwhite skipempty
-syntax region asemePunctuation_868 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfSrm
-syntax cluster asemeBodyOfSrm contains=asemeDeclaration_571,asemeDeclaration_634,asemeDeclaration_650,asemeDeclaration_703,asemeDeclaration_708,asemeDeclaration_732,asemeDeclaration_791,asemeDeclaration_838,asemeDeclaration_847,asemeDeclaration_866,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemeDeclaration_866 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_864,asemeComment_867 skipwhite skipempty
-syntax region asemeComment_867 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_864,asemeComment_867 skipwhite skipempty
-syntax match asemeComment_867 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_864,asemeComment_867 skipwhite skipempty
-syntax match asemeBlock_864 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_861,asemeOperator_863,@asemeControlInBodyOfSrm,asemeComment_865 skipwhite skipempty
-syntax region asemeComment_865 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_861,asemeOperator_863,@asemeControlInBodyOfSrm,asemeComment_865 skipwhite skipempty
-syntax match asemeComment_865 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_861,asemeOperator_863,@asemeControlInBodyOfSrm,asemeComment_865 skipwhite skipempty
-syntax match asemeOperator_863 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_850 skipwhite skipempty
-syntax match asemeOperator_861 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_860,@asemeControlInBodyOfSrm,asemeComment_862 skipwhite skipempty
-syntax region asemeComment_862 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_860,@asemeControlInBodyOfSrm,asemeComment_862 skipwhite skipempty
-syntax match asemeComment_862 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_860,@asemeControlInBodyOfSrm,asemeComment_862 skipwhite skipempty
-syntax match asemeOperator_860 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_850 skipwhite skipempty
-syntax cluster asemeControlInBodyOfSrm contains=asemeOperator_851,asemePunctuation_539,asemeOperator_853,asemeBlock_858
-syntax match asemeBlock_858 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_855,asemeOperator_857,@asemeControlInBodyOfSrm,asemeComment_859 skipwhite skipempty
-syntax region asemeComment_859 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_855,asemeOperator_857,@asemeControlInBodyOfSrm,asemeComment_859 skipwhite skipempty
-syntax match asemeComment_859 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_855,asemeOperator_857,@asemeControlInBodyOfSrm,asemeComment_859 skipwhite skipempty
-syntax match asemeOperator_857 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_850 skipwhite skipempty
-syntax match asemeOperator_855 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_854,@asemeControlInBodyOfSrm,asemeComment_856 skipwhite skipempty
-syntax region asemeComment_856 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_854,@asemeControlInBodyOfSrm,asemeComment_856 skipwhite skipempty
-syntax match asemeComment_856 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_854,@asemeControlInBodyOfSrm,asemeComment_856 skipwhite skipempty
-syntax match asemeOperator_854 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_850 skipwhite skipempty
-syntax match asemeOperator_853 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_850 skipwhite skipempty
-syntax match asemeOperator_851 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_849,@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
-syntax region asemeComment_852 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_849,@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
-syntax match asemeComment_852 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_849,@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
-syntax match asemeOperator_849 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_850 skipwhite skipempty
-syntax region asemeComment_850 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_850 skipwhite skipempty
-syntax match asemeComment_850 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_850 skipwhite skipempty
-syntax match asemeDeclaration_847 /\v%(functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=functionality%(<|>)/ contained nextgroup=asemeBlock_846,asemeComment_848 skipwhite skipempty
-syntax region asemeComment_848 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_846,asemeComment_848 skipwhite skipempty
-syntax match asemeComment_848 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_846,asemeComment_848 skipwhite skipempty
-syntax match asemeBlock_846 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_845 skipwhite skipempty
-syntax cluster asemeFunctionalityInBodyOfSrm contains=asemePunctuation_843,asemeBlock_844
-syntax match asemeBlock_844 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_845 skipwhite skipempty
-syntax region asemeComment_845 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_845 skipwhite skipempty
-syntax match asemeComment_845 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_845 skipwhite skipempty
-syntax region asemePunctuation_843 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfFunctionality
-syntax cluster asemeBodyOfFunctionality contains=asemeDeclaration_841,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemeDeclaration_841 /\v%(%(technology|permissions|environment|algorithm)%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=%(technology|permissions|environment|algorithm)%(<|>)/ contained nextgroup=asemeText_840,asemeComment_842 skipwhite skipempty
-syntax region asemeComment_842 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_840,asemeComment_842 skipwhite skipempty
-syntax match asemeComment_842 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_840,asemeComment_842 skipwhite skipempty
-syntax match asemeText_840 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_838 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfSrm,asemeComment_839 skipwhite skipempty
-syntax region asemeComment_839 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_839 skipwhite skipempty
-syntax match asemeComment_839 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_839 skipwhite skipempty
-syntax cluster asemeModulesInBodyOfSrm contains=asemePunctuation_837
-syntax region asemePunctuation_837 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfModules
-syntax cluster asemeBodyOfModules contains=asemeName_836,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemeName_836 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax cluster asemeModuleInBodyOfModules contains=asemeClause_798,asemeClause_801,asemeClause_804,asemeClause_807,asemeClause_810,asemeClause_813,asemeClause_816,asemeClause_819,asemeClause_822,asemeClause_824,asemePunctuation_831,asemeOperator_834
-syntax match asemeOperator_834 /\v\=%(\=)@!/ contained nextgroup=asemeText_833,asemeComment_835 skipwhite skipempty
-syntax region asemeComment_835 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_833,asemeComment_835 skipwhite skipempty
-syntax match asemeComment_835 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_833,asemeComment_835 skipwhite skipempty
-syntax match asemeText_833 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemePunctuation_831 /\v\,/ contained nextgroup=asemeChoice_826,asemeReference_828,asemeReference_829,asemeReference_830,asemeComment_832 skipwhite skipempty
-syntax region asemeComment_832 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_826,asemeReference_828,asemeReference_829,asemeReference_830,asemeComment_832 skipwhite skipempty
-syntax match asemeComment_832 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_826,asemeReference_828,asemeReference_829,asemeReference_830,asemeComment_832 skipwhite skipempty
-syntax match asemeReference_830 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeReference_829 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeReference_828 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeChoice_826 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_825,asemeComment_827 skipwhite skipempty
-syntax region asemeComment_827 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_825,asemeComment_827 skipwhite skipempty
-syntax match asemeComment_827 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_825,asemeComment_827 skipwhite skipempty
-syntax match asemeReference_825 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeClause_824 /\vsimulated%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeClause_822 /\vends%(<|>)/ contained nextgroup=asemeReference_821,asemeComment_823 skipwhite skipempty
-syntax region asemeComment_823 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_821,asemeComment_823 skipwhite skipempty
-syntax match asemeComment_823 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_821,asemeComment_823 skipwhite skipempty
-syntax match asemeReference_821 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeClause_819 /\vwrites%(<|>)/ contained nextgroup=asemeReference_818,asemeComment_820 skipwhite skipempty
-syntax region asemeComment_820 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_818,asemeComment_820 skipwhite skipempty
-syntax match asemeComment_820 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_818,asemeComment_820 skipwhite skipempty
-syntax match asemeReference_818 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeClause_816 /\vfor%(<|>)/ contained nextgroup=asemeNumber_815,asemeComment_817 skipwhite skipempty
-syntax region asemeComment_817 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_815,asemeComment_817 skipwhite skipempty
-syntax match asemeComment_817 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_815,asemeComment_817 skipwhite skipempty
-syntax match asemeNumber_815 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeClause_813 /\vuses%(<|>)/ contained nextgroup=asemeReference_812,asemeComment_814 skipwhite skipempty
-syntax region asemeComment_814 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_812,asemeComment_814 skipwhite skipempty
-syntax match asemeComment_814 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_812,asemeComment_814 skipwhite skipempty
-syntax match asemeReference_812 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeClause_810 /\vas%(<|>)/ contained nextgroup=asemeChoice_809,asemeComment_811 skipwhite skipempty
-syntax region asemeComment_811 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_809,asemeComment_811 skipwhite skipempty
-syntax match asemeComment_811 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_809,asemeComment_811 skipwhite skipempty
-syntax match asemeChoice_809 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeClause_807 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_806,asemeComment_808 skipwhite skipempty
-syntax region asemeComment_808 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_806,asemeComment_808 skipwhite skipempty
-syntax match asemeComment_808 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_806,asemeComment_808 skipwhite skipempty
-syntax match asemeNumber_806 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeClause_804 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_803,asemeComment_805 skipwhite skipempty
-syntax region asemeComment_805 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_803,asemeComment_805 skipwhite skipempty
-syntax match asemeComment_805 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_803,asemeComment_805 skipwhite skipempty
-syntax match asemeNumber_803 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeClause_801 /\vevery%(<|>)/ contained nextgroup=asemeNumber_800,asemeComment_802 skipwhite skipempty
-syntax region asemeComment_802 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_800,asemeComment_802 skipwhite skipempty
-syntax match asemeComment_802 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_800,asemeComment_802 skipwhite skipempty
-syntax match asemeNumber_800 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeClause_798 /\vreads%(<|>)/ contained nextgroup=asemeChoice_795,asemeReference_797,asemeComment_799 skipwhite skipempty
-syntax region asemeComment_799 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_795,asemeReference_797,asemeComment_799 skipwhite skipempty
-syntax match asemeComment_799 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_795,asemeReference_797,asemeComment_799 skipwhite skipempty
-syntax match asemeReference_797 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeChoice_795 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_793,asemeComment_796 skipwhite skipempty
-syntax region asemeComment_796 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_793,asemeComment_796 skipwhite skipempty
-syntax match asemeComment_796 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_793,asemeComment_796 skipwhite skipempty
-syntax match asemeReference_793 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax region asemeComment_794 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeComment_794 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_794 skipwhite skipempty
-syntax match asemeDeclaration_791 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_792 skipwhite skipempty
-syntax region asemeComment_792 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_792 skipwhite skipempty
-syntax match asemeComment_792 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_792 skipwhite skipempty
-syntax cluster asemeActivitiesInBodyOfSrm contains=asemePunctuation_790
-syntax region asemePunctuation_790 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfActivities
-syntax cluster asemeBodyOfActivities contains=asemeName_789,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
-syntax match asemeName_789 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
-syntax cluster asemeActivityInBodyOfActivities contains=asemeClause_739,asemeClause_742,asemeClause_745,asemeClause_748,asemeClause_751,asemeClause_754,asemeClause_757,asemeClause_760,asemeClause_763,asemeClause_765,asemePunctuation_772,asemePunctuation_786,asemePunctuation_788
-syntax match asemePunctuation_788 /\v\)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
-syntax match asemePunctuation_786 /\v\,/ contained nextgroup=asemeName_778,asemeChoice_781,asemeReference_783,asemeReference_784,asemeReference_785,asemeComment_787 skipwhite skipempty
-syntax region asemeComment_787 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_778,asemeChoice_781,asemeReference_783,asemeReference_784,asemeReference_785,asemeComment_787 skipwhite skipempty
-syntax match asemeComment_787 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_778,asemeChoice_781,asemeReference_783,asemeReference_784,asemeReference_785,asemeComment_787 skipwhite skipempty
-syntax match asemeReference_785 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
-syntax match asemeReference_784 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
-syntax match asemeReference_783 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
-syntax match asemeChoice_781 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_780,asemeComment_782 skipwhite skipempty
-syntax region asemeComment_782 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_780,asemeComment_782 skipwhite skipempty
-syntax match asemeComment_782 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_780,asemeComment_782 skipwhite skipempty
-syntax match asemeReference_780 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
-syntax match asemeName_778 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_776,asemeComment_779 skipwhite skipempty
-syntax region asemeComment_779 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_776,asemeComment_779 skipwhite skipempty
-syntax match asemeComment_779 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_776,asemeComment_779 skipwhite skipempty
-syntax match asemePunctuation_776 /\v\:/ contained nextgroup=asemeBuiltIn_774,asemeType_775,asemeComment_777 skipwhite skipempty
-syntax region asemeComment_777 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_774,asemeType_775,asemeComment_777 skipwhite skipempty
-syntax match asemeComment_777 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_774,asemeType_775,asemeComment_777 skipwhite skipempty
-syntax match asemeType_775 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
-syntax match asemeBuiltIn_774 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
-syntax match asemePunctuation_772 /\v\(/ contained nextgroup=asemeName_770,asemeComment_773 skipwhite skipempty
-syntax region asemeComment_773 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_770,asemeComment_773 skipwhite skipempty
-syntax match asemeComment_773 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_770,asemeComment_773 skipwhite skipempty
-syntax match asemeName_770 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_768,asemeComment_771 skipwhite skipempty
-syntax region asemeComment_771 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_768,asemeComment_771 skipwhite skipempty
-syntax match asemeComment_771 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_768,asemeComment_771 skipwhite skipempty
-syntax match asemePunctuation_768 /\v\:/ contained nextgroup=asemeBuiltIn_766,asemeType_767,asemeComment_769 skipwhite skipempty
-syntax region asemeComment_769 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_766,asemeType_767,asemeComment_769 skipwhite skipempty
-syntax match asemeComment_769 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_766,asemeType_767,asemeComment_769 skipwhite skipempty
-syntax match asemeType_767 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
-syntax match asemeBuiltIn_766 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_8,asemeDeclaration_70,asemeDeclaration_82,asemeDeclaration_108,asemeDeclaration_138,asemeDeclaration_168,asemeDeclaration_191,asemeDeclaration_223,asemeDeclaration_559,asemeDeclaration_875,asemeDeclaration_878,asemeDeclaration_1013,asemeDeclaration_1075,asemeDeclaration_1104,asemeDeclaration_1115,asemeText_1117,asemeText_1118,asemeNumber_1119,asemeReference_1120,asemeReference_1121,asemePunctuation_1122,asemeComment
+syntax match asemeDeclaration_1115 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_1114,asemeComment_1116 skipwhite skipempty
+syntax region asemeComment_1116 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1114,asemeComment_1116 skipwhite skipempty
+syntax match asemeComment_1116 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1114,asemeComment_1116 skipwhite skipempty
+syntax match asemeText_1114 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1113 skipwhite skipempty
+syntax cluster asemePropertyInFile contains=asemePunctuation_1111,asemeText_1112
+syntax match asemeText_1112 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1113 skipwhite skipempty
+syntax region asemeComment_1113 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1113 skipwhite skipempty
+syntax match asemeComment_1113 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1113 skipwhite skipempty
+syntax region asemePunctuation_1111 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
+syntax cluster asemeBodyOfProperty contains=asemePunctuation_1094,asemeText_1106,asemeNumber_1107,asemeReference_1108,asemeOperator_1109,asemePunctuation_1110,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemePunctuation_1110 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_1109 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_1108 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_1107 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_1106 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_1104 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_1103,asemeComment_1105 skipwhite skipempty
+syntax region asemeComment_1105 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1103,asemeComment_1105 skipwhite skipempty
+syntax match asemeComment_1105 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1103,asemeComment_1105 skipwhite skipempty
+syntax match asemeText_1103 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1102 skipwhite skipempty
+syntax cluster asemeScenarioInFile contains=asemePunctuation_1100,asemeText_1101
+syntax match asemeText_1101 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1102 skipwhite skipempty
+syntax region asemeComment_1102 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1102 skipwhite skipempty
+syntax match asemeComment_1102 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1102 skipwhite skipempty
+syntax region asemePunctuation_1100 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
+syntax cluster asemeBodyOfScenario contains=asemePunctuation_1094,asemeText_1095,asemeNumber_1096,asemeReference_1097,asemeOperator_1098,asemePunctuation_1099,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemePunctuation_1099 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_1098 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_1097 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_1096 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_1095 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_1094 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
+syntax cluster asemeBodyOfBraced contains=asemePunctuation_1088,asemeText_1089,asemeNumber_1090,asemeReference_1091,asemeOperator_1092,asemePunctuation_1093,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemePunctuation_1093 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_1092 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_1091 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_1090 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_1089 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_1088 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
+syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_1082,asemeText_1083,asemeNumber_1084,asemeReference_1085,asemeOperator_1086,asemePunctuation_1087,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemePunctuation_1087 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_1086 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_1085 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_1084 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_1083 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_1082 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
+syntax cluster asemeBodyOfBraced3 contains=asemeText_1077,asemeNumber_1078,asemeReference_1079,asemeOperator_1080,asemePunctuation_1081,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemePunctuation_1081 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_1080 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_1079 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_1078 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_1077 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_1075 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_1074,asemeComment_1076 skipwhite skipempty
+syntax region asemeComment_1076 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1074,asemeComment_1076 skipwhite skipempty
+syntax match asemeComment_1076 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1074,asemeComment_1076 skipwhite skipempty
+syntax match asemeBlock_1074 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_1073 skipwhite skipempty
+syntax cluster asemeTeamInFile contains=asemePunctuation_1071,asemeBlock_1072
+syntax match asemeBlock_1072 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_1073 skipwhite skipempty
+syntax region asemeComment_1073 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_1073 skipwhite skipempty
+syntax match asemeComment_1073 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_1073 skipwhite skipempty
+syntax region asemePunctuation_1071 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
+syntax cluster asemeBodyOfTeam contains=asemeName_1070,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemeName_1070 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1052 skipwhite skipempty
+syntax cluster asemeAgentsInBodyOfTeam contains=asemeClause_1049,asemePunctuation_1059,asemePunctuation_1065,asemePunctuation_1068
+syntax match asemePunctuation_1068 /\v\:/ contained nextgroup=asemeReference_1067,asemeComment_1069 skipwhite skipempty
+syntax region asemeComment_1069 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1067,asemeComment_1069 skipwhite skipempty
+syntax match asemeComment_1069 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1067,asemeComment_1069 skipwhite skipempty
+syntax match asemeReference_1067 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1052 skipwhite skipempty
+syntax match asemePunctuation_1065 /\v\,/ contained nextgroup=asemeName_1062,asemeName_1064,asemeComment_1066 skipwhite skipempty
+syntax region asemeComment_1066 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1062,asemeName_1064,asemeComment_1066 skipwhite skipempty
+syntax match asemeComment_1066 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1062,asemeName_1064,asemeComment_1066 skipwhite skipempty
+syntax match asemeName_1064 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1052 skipwhite skipempty
+syntax match asemeName_1062 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1061,asemeComment_1063 skipwhite skipempty
+syntax region asemeComment_1063 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1061,asemeComment_1063 skipwhite skipempty
+syntax match asemeComment_1063 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1061,asemeComment_1063 skipwhite skipempty
+syntax match asemeOperator_1061 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemePunctuation_1059 /\v\[/ contained nextgroup=asemeNumber_1057,asemeComment_1060 skipwhite skipempty
+syntax region asemeComment_1060 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1057,asemeComment_1060 skipwhite skipempty
+syntax match asemeComment_1060 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1057,asemeComment_1060 skipwhite skipempty
+syntax match asemeNumber_1057 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1055,asemeComment_1058 skipwhite skipempty
+syntax region asemeComment_1058 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1055,asemeComment_1058 skipwhite skipempty
+syntax match asemeComment_1058 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1055,asemeComment_1058 skipwhite skipempty
+syntax match asemePunctuation_1055 /\v\.\./ contained nextgroup=asemeNumber_1053,asemeComment_1056 skipwhite skipempty
+syntax region asemeComment_1056 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1053,asemeComment_1056 skipwhite skipempty
+syntax match asemeComment_1056 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1053,asemeComment_1056 skipwhite skipempty
+syntax match asemeNumber_1053 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1051,asemeComment_1054 skipwhite skipempty
+syntax region asemeComment_1054 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1051,asemeComment_1054 skipwhite skipempty
+syntax match asemeComment_1054 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1051,asemeComment_1054 skipwhite skipempty
+syntax match asemePunctuation_1051 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1052 skipwhite skipempty
+syntax region asemeComment_1052 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1052 skipwhite skipempty
+syntax match asemeComment_1052 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1052 skipwhite skipempty
+syntax match asemeClause_1049 /\vwith%(<|>)/ contained nextgroup=asemeName_1047,asemeComment_1050 skipwhite skipempty
+syntax region asemeComment_1050 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1047,asemeComment_1050 skipwhite skipempty
+syntax match asemeComment_1050 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1047,asemeComment_1050 skipwhite skipempty
+syntax match asemeName_1047 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1046,asemeComment_1048 skipwhite skipempty
+syntax region asemeComment_1048 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1046,asemeComment_1048 skipwhite skipempty
+syntax match asemeComment_1048 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1046,asemeComment_1048 skipwhite skipempty
+syntax match asemeOperator_1046 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeDeclaration_1013 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_1012,asemeComment_1014 skipwhite skipempty
+syntax region asemeComment_1014 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1012,asemeComment_1014 skipwhite skipempty
+syntax match asemeComment_1014 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1012,asemeComment_1014 skipwhite skipempty
+syntax match asemeBlock_1012 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_1011 skipwhite skipempty
+syntax cluster asemeStatechartInFile contains=asemePunctuation_1009,asemeBlock_1010
+syntax match asemeBlock_1010 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_1011 skipwhite skipempty
+syntax region asemeComment_1011 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_1011 skipwhite skipempty
+syntax match asemeComment_1011 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_1011 skipwhite skipempty
+syntax region asemePunctuation_1009 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfStatechart
+syntax cluster asemeBodyOfStatechart contains=asemeDeclaration_902,asemeNumber_909,asemeDeclaration_945,asemeDeclaration_998,asemeDeclaration_1003,asemeDeclaration_1005,asemeDeclaration_1007,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemeDeclaration_1007 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1008 skipwhite skipempty
+syntax region asemeComment_1008 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1008 skipwhite skipempty
+syntax match asemeComment_1008 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1008 skipwhite skipempty
+syntax cluster asemeModulesInBodyOfStatechart contains=asemePunctuation_839
+syntax match asemeDeclaration_1005 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1006 skipwhite skipempty
+syntax region asemeComment_1006 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1006 skipwhite skipempty
+syntax match asemeComment_1006 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1006 skipwhite skipempty
+syntax cluster asemeActivitiesInBodyOfStatechart contains=asemePunctuation_791
+syntax match asemeDeclaration_1003 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_1001,asemeComment_1004 skipwhite skipempty
+syntax region asemeComment_1004 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1001,asemeComment_1004 skipwhite skipempty
+syntax match asemeComment_1004 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1001,asemeComment_1004 skipwhite skipempty
+syntax match asemeName_1001 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1000,asemeComment_1002 skipwhite skipempty
+syntax region asemeComment_1002 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1000,asemeComment_1002 skipwhite skipempty
+syntax match asemeComment_1002 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1000,asemeComment_1002 skipwhite skipempty
+syntax match asemeOperator_1000 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_36 skipwhite skipempty
+syntax match asemeDeclaration_998 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_996,asemeComment_999 skipwhite skipempty
+syntax region asemeComment_999 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_996,asemeComment_999 skipwhite skipempty
+syntax match asemeComment_999 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_996,asemeComment_999 skipwhite skipempty
+syntax match asemeName_996 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_994,asemeComment_997 skipwhite skipempty
+syntax region asemeComment_997 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_994,asemeComment_997 skipwhite skipempty
+syntax match asemeComment_997 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_994,asemeComment_997 skipwhite skipempty
+syntax match asemePunctuation_994 /\v\:/ contained nextgroup=asemeBuiltIn_992,asemeType_993,asemeComment_995 skipwhite skipempty
+syntax region asemeComment_995 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_992,asemeType_993,asemeComment_995 skipwhite skipempty
+syntax match asemeComment_995 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_992,asemeType_993,asemeComment_995 skipwhite skipempty
+syntax match asemeType_993 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_948 skipwhite skipempty
+syntax match asemeBuiltIn_992 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_948 skipwhite skipempty
+syntax cluster asemeVarInBodyOfStatechart contains=asemePunctuation_950,asemeOperator_983,asemeName_988,asemeBuiltIn_990,asemeType_991
+syntax match asemeType_991 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_948 skipwhite skipempty
+syntax match asemeBuiltIn_990 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_948 skipwhite skipempty
+syntax match asemeName_988 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_986,asemeComment_989 skipwhite skipempty
+syntax region asemeComment_989 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_986,asemeComment_989 skipwhite skipempty
+syntax match asemeComment_989 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_986,asemeComment_989 skipwhite skipempty
+syntax match asemePunctuation_986 /\v\:/ contained nextgroup=asemeBuiltIn_984,asemeType_985,asemeComment_987 skipwhite skipempty
+syntax region asemeComment_987 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_984,asemeType_985,asemeComment_987 skipwhite skipempty
+syntax match asemeComment_987 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_984,asemeType_985,asemeComment_987 skipwhite skipempty
+syntax match asemeType_985 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_948 skipwhite skipempty
+syntax match asemeBuiltIn_984 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_948 skipwhite skipempty
+syntax match asemeOperator_983 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemePunctuation_950 /\v\:/ contained nextgroup=asemeBuiltIn_947,asemeType_949,asemeComment_951 skipwhite skipempty
+syntax region asemeComment_951 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_947,asemeType_949,asemeComment_951 skipwhite skipempty
+syntax match asemeComment_951 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_947,asemeType_949,asemeComment_951 skipwhite skipempty
+syntax match asemeType_949 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_948 skipwhite skipempty
+syntax match asemeBuiltIn_947 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_948 skipwhite skipempty
+syntax region asemeComment_948 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_948 skipwhite skipempty
+syntax match asemeComment_948 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_948 skipwhite skipempty
+syntax match asemeDeclaration_945 /\v%(%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=%(on|exit)%(<|>)/ contained nextgroup=asemeNumber_943,asemeComment_946 skipwhite skipempty
+syntax region asemeComment_946 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_943,asemeComment_946 skipwhite skipempty
+syntax match asemeComment_946 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_943,asemeComment_946 skipwhite skipempty
+syntax match asemeNumber_943 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_942,asemeComment_944 skipwhite skipempty
+syntax region asemeComment_944 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_942,asemeComment_944 skipwhite skipempty
+syntax match asemeComment_944 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_942,asemeComment_944 skipwhite skipempty
+syntax match asemePunctuation_942 /\v\:/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeNumber_909 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_907,asemeComment_910 skipwhite skipempty
+syntax region asemeComment_910 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_907,asemeComment_910 skipwhite skipempty
+syntax match asemeComment_910 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_907,asemeComment_910 skipwhite skipempty
+syntax match asemeOperator_907 /\v\-\>/ contained nextgroup=asemeNumber_905,asemeComment_908 skipwhite skipempty
+syntax region asemeComment_908 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_905,asemeComment_908 skipwhite skipempty
+syntax match asemeComment_908 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_905,asemeComment_908 skipwhite skipempty
+syntax match asemeNumber_905 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_904,asemeComment_906 skipwhite skipempty
+syntax region asemeComment_906 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_904,asemeComment_906 skipwhite skipempty
+syntax match asemeComment_906 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_904,asemeComment_906 skipwhite skipempty
+syntax match asemePunctuation_904 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_501 skipwhite skipempty
+syntax match asemeDeclaration_902 /\v%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=state%(<|>)/ contained nextgroup=asemeNumber_900,asemeComment_903 skipwhite skipempty
+syntax region asemeComment_903 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_900,asemeComment_903 skipwhite skipempty
+syntax match asemeComment_903 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_900,asemeComment_903 skipwhite skipempty
+syntax match asemeNumber_900 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_898,asemeComment_901 skipwhite skipempty
+syntax region asemeComment_901 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_898,asemeComment_901 skipwhite skipempty
+syntax match asemeComment_901 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_898,asemeComment_901 skipwhite skipempty
+syntax match asemeChoice_898 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_896,asemeText_897,@asemeChartNodeInBodyOfStatechart,asemeComment_899 skipwhite skipempty
+syntax region asemeComment_899 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_896,asemeText_897,@asemeChartNodeInBodyOfStatechart,asemeComment_899 skipwhite skipempty
+syntax match asemeComment_899 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_896,asemeText_897,@asemeChartNodeInBodyOfStatechart,asemeComment_899 skipwhite skipempty
+syntax match asemeText_897 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax match asemeName_896 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax cluster asemeChartNodeInBodyOfStatechart contains=asemeClause_882,asemeChoice_886,asemeNumber_892,asemeName_894,asemeText_895
+syntax match asemeText_895 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax match asemeName_894 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax match asemeNumber_892 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_890,asemeComment_893 skipwhite skipempty
+syntax region asemeComment_893 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_890,asemeComment_893 skipwhite skipempty
+syntax match asemeComment_893 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_890,asemeComment_893 skipwhite skipempty
+syntax match asemeChoice_890 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_888,asemeText_889,@asemeChartNodeInBodyOfStatechart,asemeComment_891 skipwhite skipempty
+syntax region asemeComment_891 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_888,asemeText_889,@asemeChartNodeInBodyOfStatechart,asemeComment_891 skipwhite skipempty
+syntax match asemeComment_891 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_888,asemeText_889,@asemeChartNodeInBodyOfStatechart,asemeComment_891 skipwhite skipempty
+syntax match asemeText_889 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax match asemeName_888 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax match asemeChoice_886 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_884,asemeText_885,@asemeChartNodeInBodyOfStatechart,asemeComment_887 skipwhite skipempty
+syntax region asemeComment_887 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_884,asemeText_885,@asemeChartNodeInBodyOfStatechart,asemeComment_887 skipwhite skipempty
+syntax match asemeComment_887 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_884,asemeText_885,@asemeChartNodeInBodyOfStatechart,asemeComment_887 skipwhite skipempty
+syntax match asemeText_885 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax match asemeName_884 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax match asemeClause_882 /\vactivity%(<|>)/ contained nextgroup=asemeReference_880,asemeComment_883 skipwhite skipempty
+syntax region asemeComment_883 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_880,asemeComment_883 skipwhite skipempty
+syntax match asemeComment_883 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_880,asemeComment_883 skipwhite skipempty
+syntax match asemeReference_880 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax region asemeComment_881 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax match asemeComment_881 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_881 skipwhite skipempty
+syntax match asemeDeclaration_878 /\v%(srm%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=srm%(<|>)/ nextgroup=asemeBlock_877,asemeComment_879 skipwhite skipempty
+syntax region asemeComment_879 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_877,asemeComment_879 skipwhite skipempty
+syntax match asemeComment_879 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_877,asemeComment_879 skipwhite skipempty
+syntax match asemeBlock_877 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_562 skipwhite skipempty
+syntax match asemeDeclaration_875 /\v%(abstract%(<|>)%(\_s*%(srm%(<|>)|%($|\/\/|\/\*)))@=)@=abstract%(<|>)/ nextgroup=asemeClause_873,asemeComment_876 skipwhite skipempty
+syntax region asemeComment_876 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_873,asemeComment_876 skipwhite skipempty
+syntax match asemeComment_876 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_873,asemeComment_876 skipwhite skipempty
+syntax match asemeClause_873 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_872,asemeComment_874 skipwhite skipempty
+syntax region asemeComment_874 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_872,asemeComment_874 skipwhite skipempty
+syntax match asemeComment_874 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_872,asemeComment_874 skipwhite skipempty
+syntax match asemeBlock_872 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_562 skipwhite skipempty
+syntax cluster asemeSrmInFile contains=asemeClause_563,asemePunctuation_870,asemeBlock_871
+syntax match asemeBlock_871 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_562 skipwhite skipempty
+syntax region asemePunctuation_870 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfSrm
+syntax cluster asemeBodyOfSrm contains=asemeDeclaration_571,asemeDeclaration_634,asemeDeclaration_650,asemeDeclaration_703,asemeDeclaration_708,asemeDeclaration_732,asemeDeclaration_792,asemeDeclaration_840,asemeDeclaration_849,asemeDeclaration_868,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemeDeclaration_868 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_866,asemeComment_869 skipwhite skipempty
+syntax region asemeComment_869 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_866,asemeComment_869 skipwhite skipempty
+syntax match asemeComment_869 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_866,asemeComment_869 skipwhite skipempty
+syntax match asemeBlock_866 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_863,asemeOperator_865,@asemeControlInBodyOfSrm,asemeComment_867 skipwhite skipempty
+syntax region asemeComment_867 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_863,asemeOperator_865,@asemeControlInBodyOfSrm,asemeComment_867 skipwhite skipempty
+syntax match asemeComment_867 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_863,asemeOperator_865,@asemeControlInBodyOfSrm,asemeComment_867 skipwhite skipempty
+syntax match asemeOperator_865 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
+syntax match asemeOperator_863 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_862,@asemeControlInBodyOfSrm,asemeComment_864 skipwhite skipempty
+syntax region asemeComment_864 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_862,@asemeControlInBodyOfSrm,asemeComment_864 skipwhite skipempty
+syntax match asemeComment_864 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_862,@asemeControlInBodyOfSrm,asemeComment_864 skipwhite skipempty
+syntax match asemeOperator_862 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
+syntax cluster asemeControlInBodyOfSrm contains=asemeOperator_853,asemePunctuation_539,asemeOperator_855,asemeBlock_860
+syntax match asemeBlock_860 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_857,asemeOperator_859,@asemeControlInBodyOfSrm,asemeComment_861 skipwhite skipempty
+syntax region asemeComment_861 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_857,asemeOperator_859,@asemeControlInBodyOfSrm,asemeComment_861 skipwhite skipempty
+syntax match asemeComment_861 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_857,asemeOperator_859,@asemeControlInBodyOfSrm,asemeComment_861 skipwhite skipempty
+syntax match asemeOperator_859 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
+syntax match asemeOperator_857 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_856,@asemeControlInBodyOfSrm,asemeComment_858 skipwhite skipempty
+syntax region asemeComment_858 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_856,@asemeControlInBodyOfSrm,asemeComment_858 skipwhite skipempty
+syntax match asemeComment_858 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_856,@asemeControlInBodyOfSrm,asemeComment_858 skipwhite skipempty
+syntax match asemeOperator_856 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
+syntax match asemeOperator_855 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
+syntax match asemeOperator_853 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_851,@asemeControlInBodyOfSrm,asemeComment_854 skipwhite skipempty
+syntax region asemeComment_854 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_851,@asemeControlInBodyOfSrm,asemeComment_854 skipwhite skipempty
+syntax match asemeComment_854 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_851,@asemeControlInBodyOfSrm,asemeComment_854 skipwhite skipempty
+syntax match asemeOperator_851 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
+syntax region asemeComment_852 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
+syntax match asemeComment_852 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_852 skipwhite skipempty
+syntax match asemeDeclaration_849 /\v%(functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=functionality%(<|>)/ contained nextgroup=asemeBlock_848,asemeComment_850 skipwhite skipempty
+syntax region asemeComment_850 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_848,asemeComment_850 skipwhite skipempty
+syntax match asemeComment_850 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_848,asemeComment_850 skipwhite skipempty
+syntax match asemeBlock_848 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_847 skipwhite skipempty
+syntax cluster asemeFunctionalityInBodyOfSrm contains=asemePunctuation_845,asemeBlock_846
+syntax match asemeBlock_846 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_847 skipwhite skipempty
+syntax region asemeComment_847 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_847 skipwhite skipempty
+syntax match asemeComment_847 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_847 skipwhite skipempty
+syntax region asemePunctuation_845 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfFunctionality
+syntax cluster asemeBodyOfFunctionality contains=asemeDeclaration_843,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemeDeclaration_843 /\v%(%(technology|permissions|environment|algorithm)%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=%(technology|permissions|environment|algorithm)%(<|>)/ contained nextgroup=asemeText_842,asemeComment_844 skipwhite skipempty
+syntax region asemeComment_844 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_842,asemeComment_844 skipwhite skipempty
+syntax match asemeComment_844 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_842,asemeComment_844 skipwhite skipempty
+syntax match asemeText_842 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_840 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfSrm,asemeComment_841 skipwhite skipempty
+syntax region asemeComment_841 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_841 skipwhite skipempty
+syntax match asemeComment_841 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_841 skipwhite skipempty
+syntax cluster asemeModulesInBodyOfSrm contains=asemePunctuation_839
+syntax region asemePunctuation_839 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfModules
+syntax cluster asemeBodyOfModules contains=asemeName_838,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemeName_838 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax cluster asemeModuleInBodyOfModules contains=asemeClause_799,asemeClause_802,asemeClause_805,asemeClause_808,asemeClause_811,asemeClause_814,asemeClause_817,asemeClause_820,asemeClause_823,asemeClause_825,asemeChoice_826,asemePunctuation_833,asemeOperator_836
+syntax match asemeOperator_836 /\v\=%(\=)@!/ contained nextgroup=asemeText_835,asemeComment_837 skipwhite skipempty
+syntax region asemeComment_837 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_835,asemeComment_837 skipwhite skipempty
+syntax match asemeComment_837 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_835,asemeComment_837 skipwhite skipempty
+syntax match asemeText_835 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemePunctuation_833 /\v\,/ contained nextgroup=asemeChoice_828,asemeReference_830,asemeReference_831,asemeReference_832,asemeComment_834 skipwhite skipempty
+syntax region asemeComment_834 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_828,asemeReference_830,asemeReference_831,asemeReference_832,asemeComment_834 skipwhite skipempty
+syntax match asemeComment_834 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_828,asemeReference_830,asemeReference_831,asemeReference_832,asemeComment_834 skipwhite skipempty
+syntax match asemeReference_832 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeReference_831 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeReference_830 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeChoice_828 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_827,asemeComment_829 skipwhite skipempty
+syntax region asemeComment_829 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_827,asemeComment_829 skipwhite skipempty
+syntax match asemeComment_829 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_827,asemeComment_829 skipwhite skipempty
+syntax match asemeReference_827 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeChoice_826 /\vwaits%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeClause_825 /\vsimulated%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeClause_823 /\vends%(<|>)/ contained nextgroup=asemeReference_822,asemeComment_824 skipwhite skipempty
+syntax region asemeComment_824 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_822,asemeComment_824 skipwhite skipempty
+syntax match asemeComment_824 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_822,asemeComment_824 skipwhite skipempty
+syntax match asemeReference_822 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeClause_820 /\vwrites%(<|>)/ contained nextgroup=asemeReference_819,asemeComment_821 skipwhite skipempty
+syntax region asemeComment_821 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_819,asemeComment_821 skipwhite skipempty
+syntax match asemeComment_821 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_819,asemeComment_821 skipwhite skipempty
+syntax match asemeReference_819 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeClause_817 /\vfor%(<|>)/ contained nextgroup=asemeNumber_816,asemeComment_818 skipwhite skipempty
+syntax region asemeComment_818 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_816,asemeComment_818 skipwhite skipempty
+syntax match asemeComment_818 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_816,asemeComment_818 skipwhite skipempty
+syntax match asemeNumber_816 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeClause_814 /\vuses%(<|>)/ contained nextgroup=asemeReference_813,asemeComment_815 skipwhite skipempty
+syntax region asemeComment_815 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_813,asemeComment_815 skipwhite skipempty
+syntax match asemeComment_815 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_813,asemeComment_815 skipwhite skipempty
+syntax match asemeReference_813 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeClause_811 /\vas%(<|>)/ contained nextgroup=asemeChoice_810,asemeComment_812 skipwhite skipempty
+syntax region asemeComment_812 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_810,asemeComment_812 skipwhite skipempty
+syntax match asemeComment_812 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_810,asemeComment_812 skipwhite skipempty
+syntax match asemeChoice_810 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeClause_808 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_807,asemeComment_809 skipwhite skipempty
+syntax region asemeComment_809 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_807,asemeComment_809 skipwhite skipempty
+syntax match asemeComment_809 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_807,asemeComment_809 skipwhite skipempty
+syntax match asemeNumber_807 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeClause_805 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_804,asemeComment_806 skipwhite skipempty
+syntax region asemeComment_806 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_804,asemeComment_806 skipwhite skipempty
+syntax match asemeComment_806 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_804,asemeComment_806 skipwhite skipempty
+syntax match asemeNumber_804 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeClause_802 /\vevery%(<|>)/ contained nextgroup=asemeNumber_801,asemeComment_803 skipwhite skipempty
+syntax region asemeComment_803 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_801,asemeComment_803 skipwhite skipempty
+syntax match asemeComment_803 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_801,asemeComment_803 skipwhite skipempty
+syntax match asemeNumber_801 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeClause_799 /\vreads%(<|>)/ contained nextgroup=asemeChoice_796,asemeReference_798,asemeComment_800 skipwhite skipempty
+syntax region asemeComment_800 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_796,asemeReference_798,asemeComment_800 skipwhite skipempty
+syntax match asemeComment_800 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_796,asemeReference_798,asemeComment_800 skipwhite skipempty
+syntax match asemeReference_798 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeChoice_796 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_794,asemeComment_797 skipwhite skipempty
+syntax region asemeComment_797 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_794,asemeComment_797 skipwhite skipempty
+syntax match asemeComment_797 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_794,asemeComment_797 skipwhite skipempty
+syntax match asemeReference_794 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax region asemeComment_795 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeComment_795 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_795 skipwhite skipempty
+syntax match asemeDeclaration_792 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_793 skipwhite skipempty
+syntax region asemeComment_793 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_793 skipwhite skipempty
+syntax match asemeComment_793 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_793 skipwhite skipempty
+syntax cluster asemeActivitiesInBodyOfSrm contains=asemePunctuation_791
+syntax region asemePunctuation_791 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfActivities
+syntax cluster asemeBodyOfActivities contains=asemeName_790,asemeText_30,asemeText_31,asemeNumber_32,asemeReference_33,asemeReference_34,asemePunctuation_35,asemeComment
+syntax match asemeName_790 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax cluster asemeActivityInBodyOfActivities contains=asemeClause_739,asemeClause_742,asemeClause_745,asemeClause_748,asemeClause_751,asemeClause_754,asemeClause_757,asemeClause_760,asemeClause_763,asemeClause_765,asemeChoice_766,asemePunctuation_773,asemePunctuation_787,asemePunctuation_789
+syntax match asemePunctuation_789 /\v\)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemePunctuation_787 /\v\,/ contained nextgroup=asemeName_779,asemeChoice_782,asemeReference_784,asemeReference_785,asemeReference_786,asemeComment_788 skipwhite skipempty
+syntax region asemeComment_788 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_779,asemeChoice_782,asemeReference_784,asemeReference_785,asemeReference_786,asemeComment_788 skipwhite skipempty
+syntax match asemeComment_788 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_779,asemeChoice_782,asemeReference_784,asemeReference_785,asemeReference_786,asemeComment_788 skipwhite skipempty
+syntax match asemeReference_786 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemeReference_785 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemeReference_784 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemeChoice_782 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_781,asemeComment_783 skipwhite skipempty
+syntax region asemeComment_783 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_781,asemeComment_783 skipwhite skipempty
+syntax match asemeComment_783 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_781,asemeComment_783 skipwhite skipempty
+syntax match asemeReference_781 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemeName_779 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_777,asemeComment_780 skipwhite skipempty
+syntax region asemeComment_780 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_777,asemeComment_780 skipwhite skipempty
+syntax match asemeComment_780 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_777,asemeComment_780 skipwhite skipempty
+syntax match asemePunctuation_777 /\v\:/ contained nextgroup=asemeBuiltIn_775,asemeType_776,asemeComment_778 skipwhite skipempty
+syntax region asemeComment_778 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_775,asemeType_776,asemeComment_778 skipwhite skipempty
+syntax match asemeComment_778 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_775,asemeType_776,asemeComment_778 skipwhite skipempty
+syntax match asemeType_776 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemeBuiltIn_775 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemePunctuation_773 /\v\(/ contained nextgroup=asemeName_771,asemeComment_774 skipwhite skipempty
+syntax region asemeComment_774 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_771,asemeComment_774 skipwhite skipempty
+syntax match asemeComment_774 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_771,asemeComment_774 skipwhite skipempty
+syntax match asemeName_771 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_769,asemeComment_772 skipwhite skipempty
+syntax region asemeComment_772 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_769,asemeComment_772 skipwhite skipempty
+syntax match asemeComment_772 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_769,asemeComment_772 skipwhite skipempty
+syntax match asemePunctuation_769 /\v\:/ contained nextgroup=asemeBuiltIn_767,asemeType_768,asemeComment_770 skipwhite skipempty
+syntax region asemeComment_770 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_767,asemeType_768,asemeComment_770 skipwhite skipempty
+syntax match asemeComment_770 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_767,asemeType_768,asemeComment_770 skipwhite skipempty
+syntax match asemeType_768 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemeBuiltIn_767 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemeChoice_766 /\vwaits%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
 syntax match asemeClause_765 /\vsimulated%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
 syntax match asemeClause_763 /\vends%(<|>)/ contained nextgroup=asemeReference_762,asemeComment_764 skipwhite skipempty
 syntax region asemeComment_764 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_762,asemeComment_764 skipwhite skipempty
@@ -390,7 +392,7 @@ syntax match asemeReference_762 /\v%(%(every|takes|simulated|as|uses|reads|write
 syntax match asemeClause_760 /\vwrites%(<|>)/ contained nextgroup=asemeReference_759,asemeComment_761 skipwhite skipempty
 syntax region asemeComment_761 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_759,asemeComment_761 skipwhite skipempty
 syntax match asemeComment_761 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_759,asemeComment_761 skipwhite skipempty
-syntax match asemeReference_759 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemeReference_759 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
 syntax match asemeClause_757 /\vfor%(<|>)/ contained nextgroup=asemeNumber_756,asemeComment_758 skipwhite skipempty
 syntax region asemeComment_758 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_756,asemeComment_758 skipwhite skipempty
 syntax match asemeComment_758 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_756,asemeComment_758 skipwhite skipempty
@@ -418,11 +420,11 @@ syntax match asemeNumber_741 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained n
 syntax match asemeClause_739 /\vreads%(<|>)/ contained nextgroup=asemeChoice_736,asemeReference_738,asemeComment_740 skipwhite skipempty
 syntax region asemeComment_740 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_736,asemeReference_738,asemeComment_740 skipwhite skipempty
 syntax match asemeComment_740 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_736,asemeReference_738,asemeComment_740 skipwhite skipempty
-syntax match asemeReference_738 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemeReference_738 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
 syntax match asemeChoice_736 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_734,asemeComment_737 skipwhite skipempty
 syntax region asemeComment_737 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_734,asemeComment_737 skipwhite skipempty
 syntax match asemeComment_737 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_734,asemeComment_737 skipwhite skipempty
-syntax match asemeReference_734 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
+syntax match asemeReference_734 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
 syntax region asemeComment_735 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
 syntax match asemeComment_735 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_735 skipwhite skipempty
 syntax match asemeDeclaration_732 /\v%(liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=liveness%(<|>)/ contained nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_733 skipwhite skipempty
@@ -1104,117 +1106,117 @@ syntax match asemeDeclaration_1 /\v%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9])
 syntax region asemeComment_2 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_0,asemeComment_2 skipwhite skipempty
 syntax match asemeComment_2 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_0,asemeComment_2 skipwhite skipempty
 syntax match asemeNumber_0 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained
-syntax cluster asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam contains=asemeClause_1019,asemeClause_1022,asemeText_1024,asemeNumber_1025,asemeTruth_1026,asemeLogic_1027,asemeClause_1028,asemeClause_1029,asemeClause_1030,asemeClause_1031,asemeClause_1032,asemeClause_1033,asemeClause_1034,asemeClause_1035,asemeClause_1036,asemeClause_1037,asemeClause_1038,asemeClause_1039,asemeCall_1040,asemeReference_1041,asemeOperator_1042,asemePunctuation_1043
-syntax match asemePunctuation_1043 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeOperator_1042 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeReference_1041 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeCall_1040 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1039 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1038 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1037 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1036 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1035 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1034 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1033 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1032 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1031 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1030 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1029 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=when%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1028 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=else%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeLogic_1027 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeTruth_1026 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeNumber_1025 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeText_1024 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeClause_1022 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_1021,asemeComment_1023 skipwhite skipempty
-syntax region asemeComment_1023 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1021,asemeComment_1023 skipwhite skipempty
-syntax match asemeComment_1023 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1021,asemeComment_1023 skipwhite skipempty
-syntax match asemeReference_1021 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1014,asemeComment_1016 skipwhite skipempty
-syntax match asemeClause_1019 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_1017,asemeComment_1020 skipwhite skipempty
+syntax cluster asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam contains=asemeClause_1021,asemeClause_1024,asemeText_1026,asemeNumber_1027,asemeTruth_1028,asemeLogic_1029,asemeClause_1030,asemeClause_1031,asemeClause_1032,asemeClause_1033,asemeClause_1034,asemeClause_1035,asemeClause_1036,asemeClause_1037,asemeClause_1038,asemeClause_1039,asemeClause_1040,asemeClause_1041,asemeCall_1042,asemeReference_1043,asemeOperator_1044,asemePunctuation_1045
+syntax match asemePunctuation_1045 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeOperator_1044 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeReference_1043 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeCall_1042 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1041 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1040 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1039 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1038 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1037 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1036 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1035 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1034 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1033 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1032 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1031 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=when%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1030 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=else%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeLogic_1029 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeTruth_1028 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeNumber_1027 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeText_1026 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeClause_1024 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_1023,asemeComment_1025 skipwhite skipempty
+syntax region asemeComment_1025 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1023,asemeComment_1025 skipwhite skipempty
+syntax match asemeComment_1025 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1023,asemeComment_1025 skipwhite skipempty
+syntax match asemeReference_1023 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1016,asemeComment_1018 skipwhite skipempty
+syntax match asemeClause_1021 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_1019,asemeComment_1022 skipwhite skipempty
+syntax region asemeComment_1022 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1019,asemeComment_1022 skipwhite skipempty
+syntax match asemeComment_1022 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1019,asemeComment_1022 skipwhite skipempty
+syntax match asemeReference_1019 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_1017,asemeComment_1020 skipwhite skipempty
 syntax region asemeComment_1020 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1017,asemeComment_1020 skipwhite skipempty
 syntax match asemeComment_1020 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1017,asemeComment_1020 skipwhite skipempty
-syntax match asemeReference_1017 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_1015,asemeComment_1018 skipwhite skipempty
-syntax region asemeComment_1018 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1015,asemeComment_1018 skipwhite skipempty
-syntax match asemeComment_1018 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1015,asemeComment_1018 skipwhite skipempty
-syntax match asemeReference_1015 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1014,asemeComment_1016 skipwhite skipempty
-syntax region asemeComment_1016 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1014,asemeComment_1016 skipwhite skipempty
-syntax match asemeComment_1016 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1014,asemeComment_1016 skipwhite skipempty
-syntax region asemePunctuation_1014 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax region asemeComment_1013 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax match asemeComment_1013 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1013 skipwhite skipempty
-syntax cluster asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart contains=asemeClause_956,asemeClause_959,asemeText_961,asemeNumber_962,asemeTruth_963,asemeLogic_964,asemeClause_965,asemeClause_966,asemeClause_967,asemeClause_968,asemeClause_969,asemeClause_970,asemeClause_971,asemeClause_972,asemeClause_973,asemeClause_974,asemeClause_975,asemeClause_976,asemeCall_977,asemeReference_978,asemeOperator_979,asemePunctuation_980
-syntax match asemePunctuation_980 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeOperator_979 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeReference_978 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeCall_977 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_976 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_975 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_974 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_973 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_972 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_971 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_970 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_969 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_968 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_967 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_966 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=when%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_965 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=else%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeLogic_964 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeTruth_963 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeNumber_962 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeText_961 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeClause_959 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_958,asemeComment_960 skipwhite skipempty
-syntax region asemeComment_960 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_958,asemeComment_960 skipwhite skipempty
-syntax match asemeComment_960 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_958,asemeComment_960 skipwhite skipempty
-syntax match asemeReference_958 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_951,asemeComment_953 skipwhite skipempty
-syntax match asemeClause_956 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_954,asemeComment_957 skipwhite skipempty
+syntax match asemeReference_1017 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1016,asemeComment_1018 skipwhite skipempty
+syntax region asemeComment_1018 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1016,asemeComment_1018 skipwhite skipempty
+syntax match asemeComment_1018 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1016,asemeComment_1018 skipwhite skipempty
+syntax region asemePunctuation_1016 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax region asemeComment_1015 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax match asemeComment_1015 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1015 skipwhite skipempty
+syntax cluster asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart contains=asemeClause_958,asemeClause_961,asemeText_963,asemeNumber_964,asemeTruth_965,asemeLogic_966,asemeClause_967,asemeClause_968,asemeClause_969,asemeClause_970,asemeClause_971,asemeClause_972,asemeClause_973,asemeClause_974,asemeClause_975,asemeClause_976,asemeClause_977,asemeClause_978,asemeCall_979,asemeReference_980,asemeOperator_981,asemePunctuation_982
+syntax match asemePunctuation_982 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeOperator_981 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeReference_980 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeCall_979 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_978 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_977 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_976 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_975 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_974 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_973 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_972 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_971 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_970 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_969 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_968 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=when%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_967 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=else%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeLogic_966 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeTruth_965 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeNumber_964 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeText_963 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeClause_961 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_960,asemeComment_962 skipwhite skipempty
+syntax region asemeComment_962 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_960,asemeComment_962 skipwhite skipempty
+syntax match asemeComment_962 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_960,asemeComment_962 skipwhite skipempty
+syntax match asemeReference_960 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_953,asemeComment_955 skipwhite skipempty
+syntax match asemeClause_958 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_956,asemeComment_959 skipwhite skipempty
+syntax region asemeComment_959 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_956,asemeComment_959 skipwhite skipempty
+syntax match asemeComment_959 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_956,asemeComment_959 skipwhite skipempty
+syntax match asemeReference_956 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_954,asemeComment_957 skipwhite skipempty
 syntax region asemeComment_957 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_954,asemeComment_957 skipwhite skipempty
 syntax match asemeComment_957 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_954,asemeComment_957 skipwhite skipempty
-syntax match asemeReference_954 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_952,asemeComment_955 skipwhite skipempty
-syntax region asemeComment_955 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_952,asemeComment_955 skipwhite skipempty
-syntax match asemeComment_955 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_952,asemeComment_955 skipwhite skipempty
-syntax match asemeReference_952 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_951,asemeComment_953 skipwhite skipempty
-syntax region asemeComment_953 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_951,asemeComment_953 skipwhite skipempty
-syntax match asemeComment_953 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_951,asemeComment_953 skipwhite skipempty
-syntax region asemePunctuation_951 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax region asemeComment_950 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax match asemeComment_950 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_950 skipwhite skipempty
-syntax cluster asemeStandingWay contains=asemeClause_915,asemeClause_918,asemeText_920,asemeNumber_921,asemeTruth_922,asemeLogic_923,asemeClause_924,asemeClause_925,asemeClause_926,asemeClause_927,asemeClause_928,asemeClause_929,asemeClause_930,asemeClause_931,asemeClause_932,asemeClause_933,asemeClause_934,asemeClause_935,asemeCall_936,asemeReference_937,asemeOperator_938,asemePunctuation_939
-syntax match asemePunctuation_939 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeOperator_938 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeReference_937 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeCall_936 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_935 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_934 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_933 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_932 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_931 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_930 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_929 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_928 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_927 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_926 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_925 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_924 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeLogic_923 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeTruth_922 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeNumber_921 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeText_920 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeClause_918 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_917,asemeComment_919 skipwhite skipempty
-syntax region asemeComment_919 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_917,asemeComment_919 skipwhite skipempty
-syntax match asemeComment_919 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_917,asemeComment_919 skipwhite skipempty
-syntax match asemeReference_917 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_910,asemeComment_912 skipwhite skipempty
-syntax match asemeClause_915 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_913,asemeComment_916 skipwhite skipempty
+syntax match asemeReference_954 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_953,asemeComment_955 skipwhite skipempty
+syntax region asemeComment_955 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_953,asemeComment_955 skipwhite skipempty
+syntax match asemeComment_955 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_953,asemeComment_955 skipwhite skipempty
+syntax region asemePunctuation_953 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax region asemeComment_952 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax match asemeComment_952 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_952 skipwhite skipempty
+syntax cluster asemeStandingWay contains=asemeClause_917,asemeClause_920,asemeText_922,asemeNumber_923,asemeTruth_924,asemeLogic_925,asemeClause_926,asemeClause_927,asemeClause_928,asemeClause_929,asemeClause_930,asemeClause_931,asemeClause_932,asemeClause_933,asemeClause_934,asemeClause_935,asemeClause_936,asemeClause_937,asemeCall_938,asemeReference_939,asemeOperator_940,asemePunctuation_941
+syntax match asemePunctuation_941 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeOperator_940 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeReference_939 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeCall_938 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_937 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_936 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_935 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_934 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_933 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_932 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_931 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_930 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_929 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_928 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_927 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_926 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeLogic_925 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeTruth_924 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeNumber_923 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeText_922 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|write_messages%(\_s*\.\_s*[A-Za-z_]\w*)+)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":A-Za-z_])*\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeClause_920 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_919,asemeComment_921 skipwhite skipempty
+syntax region asemeComment_921 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_919,asemeComment_921 skipwhite skipempty
+syntax match asemeComment_921 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_919,asemeComment_921 skipwhite skipempty
+syntax match asemeReference_919 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_912,asemeComment_914 skipwhite skipempty
+syntax match asemeClause_917 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_915,asemeComment_918 skipwhite skipempty
+syntax region asemeComment_918 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_915,asemeComment_918 skipwhite skipempty
+syntax match asemeComment_918 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_915,asemeComment_918 skipwhite skipempty
+syntax match asemeReference_915 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_913,asemeComment_916 skipwhite skipempty
 syntax region asemeComment_916 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_913,asemeComment_916 skipwhite skipempty
 syntax match asemeComment_916 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_913,asemeComment_916 skipwhite skipempty
-syntax match asemeReference_913 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_911,asemeComment_914 skipwhite skipempty
-syntax region asemeComment_914 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_911,asemeComment_914 skipwhite skipempty
-syntax match asemeComment_914 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_911,asemeComment_914 skipwhite skipempty
-syntax match asemeReference_911 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_910,asemeComment_912 skipwhite skipempty
-syntax region asemeComment_912 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_910,asemeComment_912 skipwhite skipempty
-syntax match asemeComment_912 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_910,asemeComment_912 skipwhite skipempty
-syntax region asemePunctuation_910 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax region asemeComment_909 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
-syntax match asemeComment_909 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_909 skipwhite skipempty
+syntax match asemeReference_913 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_912,asemeComment_914 skipwhite skipempty
+syntax region asemeComment_914 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_912,asemeComment_914 skipwhite skipempty
+syntax match asemeComment_914 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_912,asemeComment_914 skipwhite skipempty
+syntax region asemePunctuation_912 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax region asemeComment_911 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
+syntax match asemeComment_911 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_911 skipwhite skipempty
 syntax cluster asemeFormulaTokenBeforeAsemeFormulaInBodyOfLiveness contains=asemeText_722,asemeNumber_724,asemeReference_725,asemeNumber_726,asemeOperator_727,asemePunctuation_728
 syntax match asemePunctuation_728 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\([0-9A-Za-z_ \t,:]*\)\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeFormulaTokenBeforeAsemeFormulaInBodyOfLiveness,@asemeFormulaInBodyOfLiveness,asemeComment_723 skipwhite skipempty
 syntax match asemeOperator_727 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\([0-9A-Za-z_ \t,:]*\)\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=%(\|\||\&\&|\-\>|\[\>|[.|*+~\^&ω])/ contained nextgroup=@asemeFormulaTokenBeforeAsemeFormulaInBodyOfLiveness,@asemeFormulaInBodyOfLiveness,asemeComment_723 skipwhite skipempty
@@ -1515,12 +1517,12 @@ syntax match asemeNumber_11 /\v%([^ \t{}])@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ c
 syntax match asemeText_10 /\v%([^ \t{}])@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
 syntax region asemeComment start=/\v\/\*/ end=/\v\*\// contains=@Spell
 syntax match asemeComment /\v\/\/.*$/ contains=@Spell
-highlight default link asemeBlock_1008 asemeBlock
 highlight default link asemeBlock_1010 asemeBlock
+highlight default link asemeBlock_1012 asemeBlock
 highlight default link asemeBlock_105 asemeBlock
 highlight default link asemeBlock_107 asemeBlock
-highlight default link asemeBlock_1070 asemeBlock
 highlight default link asemeBlock_1072 asemeBlock
+highlight default link asemeBlock_1074 asemeBlock
 highlight default link asemeBlock_136 asemeBlock
 highlight default link asemeBlock_137 asemeBlock
 highlight default link asemeBlock_185 asemeBlock
@@ -1534,13 +1536,13 @@ highlight default link asemeBlock_558 asemeBlock
 highlight default link asemeBlock_561 asemeBlock
 highlight default link asemeBlock_79 asemeBlock
 highlight default link asemeBlock_81 asemeBlock
-highlight default link asemeBlock_844 asemeBlock
 highlight default link asemeBlock_846 asemeBlock
-highlight default link asemeBlock_858 asemeBlock
-highlight default link asemeBlock_864 asemeBlock
-highlight default link asemeBlock_869 asemeBlock
-highlight default link asemeBlock_870 asemeBlock
-highlight default link asemeBlock_875 asemeBlock
+highlight default link asemeBlock_848 asemeBlock
+highlight default link asemeBlock_860 asemeBlock
+highlight default link asemeBlock_866 asemeBlock
+highlight default link asemeBlock_871 asemeBlock
+highlight default link asemeBlock_872 asemeBlock
+highlight default link asemeBlock_877 asemeBlock
 highlight default link asemeBuiltIn_101 asemeBuiltIn
 highlight default link asemeBuiltIn_144 asemeBuiltIn
 highlight default link asemeBuiltIn_152 asemeBuiltIn
@@ -1560,15 +1562,15 @@ highlight default link asemeBuiltIn_689 asemeBuiltIn
 highlight default link asemeBuiltIn_695 asemeBuiltIn
 highlight default link asemeBuiltIn_697 asemeBuiltIn
 highlight default link asemeBuiltIn_714 asemeBuiltIn
-highlight default link asemeBuiltIn_766 asemeBuiltIn
-highlight default link asemeBuiltIn_774 asemeBuiltIn
+highlight default link asemeBuiltIn_767 asemeBuiltIn
+highlight default link asemeBuiltIn_775 asemeBuiltIn
 highlight default link asemeBuiltIn_90 asemeBuiltIn
-highlight default link asemeBuiltIn_945 asemeBuiltIn
+highlight default link asemeBuiltIn_947 asemeBuiltIn
 highlight default link asemeBuiltIn_95 asemeBuiltIn
-highlight default link asemeBuiltIn_982 asemeBuiltIn
-highlight default link asemeBuiltIn_988 asemeBuiltIn
+highlight default link asemeBuiltIn_984 asemeBuiltIn
 highlight default link asemeBuiltIn_990 asemeBuiltIn
-highlight default link asemeCall_1040 asemeCall
+highlight default link asemeBuiltIn_992 asemeBuiltIn
+highlight default link asemeCall_1042 asemeCall
 highlight default link asemeCall_26 asemeCall
 highlight default link asemeCall_268 asemeCall
 highlight default link asemeCall_329 asemeCall
@@ -1577,24 +1579,24 @@ highlight default link asemeCall_528 asemeCall
 highlight default link asemeCall_600 asemeCall
 highlight default link asemeCall_63 asemeCall
 highlight default link asemeCall_684 asemeCall
-highlight default link asemeCall_936 asemeCall
-highlight default link asemeCall_977 asemeCall
+highlight default link asemeCall_938 asemeCall
+highlight default link asemeCall_979 asemeCall
 highlight default link asemeChoice_127 asemeChoice
 highlight default link asemeChoice_197 asemeChoice
 highlight default link asemeChoice_419 asemeChoice
 highlight default link asemeChoice_736 asemeChoice
 highlight default link asemeChoice_750 asemeChoice
-highlight default link asemeChoice_781 asemeChoice
-highlight default link asemeChoice_795 asemeChoice
-highlight default link asemeChoice_809 asemeChoice
+highlight default link asemeChoice_766 asemeChoice
+highlight default link asemeChoice_782 asemeChoice
+highlight default link asemeChoice_796 asemeChoice
+highlight default link asemeChoice_810 asemeChoice
 highlight default link asemeChoice_826 asemeChoice
-highlight default link asemeChoice_884 asemeChoice
-highlight default link asemeChoice_888 asemeChoice
-highlight default link asemeChoice_896 asemeChoice
-highlight default link asemeClause_1019 asemeClause
-highlight default link asemeClause_1022 asemeClause
-highlight default link asemeClause_1028 asemeClause
-highlight default link asemeClause_1029 asemeClause
+highlight default link asemeChoice_828 asemeChoice
+highlight default link asemeChoice_886 asemeChoice
+highlight default link asemeChoice_890 asemeChoice
+highlight default link asemeChoice_898 asemeChoice
+highlight default link asemeClause_1021 asemeClause
+highlight default link asemeClause_1024 asemeClause
 highlight default link asemeClause_1030 asemeClause
 highlight default link asemeClause_1031 asemeClause
 highlight default link asemeClause_1032 asemeClause
@@ -1605,7 +1607,9 @@ highlight default link asemeClause_1036 asemeClause
 highlight default link asemeClause_1037 asemeClause
 highlight default link asemeClause_1038 asemeClause
 highlight default link asemeClause_1039 asemeClause
-highlight default link asemeClause_1047 asemeClause
+highlight default link asemeClause_1040 asemeClause
+highlight default link asemeClause_1041 asemeClause
+highlight default link asemeClause_1049 asemeClause
 highlight default link asemeClause_112 asemeClause
 highlight default link asemeClause_115 asemeClause
 highlight default link asemeClause_118 asemeClause
@@ -1751,22 +1755,20 @@ highlight default link asemeClause_757 asemeClause
 highlight default link asemeClause_760 asemeClause
 highlight default link asemeClause_763 asemeClause
 highlight default link asemeClause_765 asemeClause
-highlight default link asemeClause_798 asemeClause
-highlight default link asemeClause_801 asemeClause
-highlight default link asemeClause_804 asemeClause
-highlight default link asemeClause_807 asemeClause
-highlight default link asemeClause_810 asemeClause
-highlight default link asemeClause_813 asemeClause
-highlight default link asemeClause_816 asemeClause
-highlight default link asemeClause_819 asemeClause
-highlight default link asemeClause_822 asemeClause
-highlight default link asemeClause_824 asemeClause
-highlight default link asemeClause_871 asemeClause
-highlight default link asemeClause_880 asemeClause
-highlight default link asemeClause_915 asemeClause
-highlight default link asemeClause_918 asemeClause
-highlight default link asemeClause_924 asemeClause
-highlight default link asemeClause_925 asemeClause
+highlight default link asemeClause_799 asemeClause
+highlight default link asemeClause_802 asemeClause
+highlight default link asemeClause_805 asemeClause
+highlight default link asemeClause_808 asemeClause
+highlight default link asemeClause_811 asemeClause
+highlight default link asemeClause_814 asemeClause
+highlight default link asemeClause_817 asemeClause
+highlight default link asemeClause_820 asemeClause
+highlight default link asemeClause_823 asemeClause
+highlight default link asemeClause_825 asemeClause
+highlight default link asemeClause_873 asemeClause
+highlight default link asemeClause_882 asemeClause
+highlight default link asemeClause_917 asemeClause
+highlight default link asemeClause_920 asemeClause
 highlight default link asemeClause_926 asemeClause
 highlight default link asemeClause_927 asemeClause
 highlight default link asemeClause_928 asemeClause
@@ -1777,10 +1779,10 @@ highlight default link asemeClause_932 asemeClause
 highlight default link asemeClause_933 asemeClause
 highlight default link asemeClause_934 asemeClause
 highlight default link asemeClause_935 asemeClause
-highlight default link asemeClause_956 asemeClause
-highlight default link asemeClause_959 asemeClause
-highlight default link asemeClause_965 asemeClause
-highlight default link asemeClause_966 asemeClause
+highlight default link asemeClause_936 asemeClause
+highlight default link asemeClause_937 asemeClause
+highlight default link asemeClause_958 asemeClause
+highlight default link asemeClause_961 asemeClause
 highlight default link asemeClause_967 asemeClause
 highlight default link asemeClause_968 asemeClause
 highlight default link asemeClause_969 asemeClause
@@ -1791,19 +1793,20 @@ highlight default link asemeClause_973 asemeClause
 highlight default link asemeClause_974 asemeClause
 highlight default link asemeClause_975 asemeClause
 highlight default link asemeClause_976 asemeClause
-highlight default link asemeComment_1000 asemeComment
+highlight default link asemeClause_977 asemeClause
+highlight default link asemeClause_978 asemeClause
 highlight default link asemeComment_1002 asemeComment
 highlight default link asemeComment_1004 asemeComment
 highlight default link asemeComment_1006 asemeComment
-highlight default link asemeComment_1009 asemeComment
-highlight default link asemeComment_1012 asemeComment
-highlight default link asemeComment_1013 asemeComment
-highlight default link asemeComment_1016 asemeComment
+highlight default link asemeComment_1008 asemeComment
+highlight default link asemeComment_1011 asemeComment
+highlight default link asemeComment_1014 asemeComment
+highlight default link asemeComment_1015 asemeComment
 highlight default link asemeComment_1018 asemeComment
 highlight default link asemeComment_102 asemeComment
 highlight default link asemeComment_1020 asemeComment
-highlight default link asemeComment_1023 asemeComment
-highlight default link asemeComment_1046 asemeComment
+highlight default link asemeComment_1022 asemeComment
+highlight default link asemeComment_1025 asemeComment
 highlight default link asemeComment_1048 asemeComment
 highlight default link asemeComment_1050 asemeComment
 highlight default link asemeComment_1052 asemeComment
@@ -1811,17 +1814,18 @@ highlight default link asemeComment_1054 asemeComment
 highlight default link asemeComment_1056 asemeComment
 highlight default link asemeComment_1058 asemeComment
 highlight default link asemeComment_106 asemeComment
-highlight default link asemeComment_1061 asemeComment
-highlight default link asemeComment_1064 asemeComment
-highlight default link asemeComment_1067 asemeComment
-highlight default link asemeComment_1071 asemeComment
-highlight default link asemeComment_1074 asemeComment
+highlight default link asemeComment_1060 asemeComment
+highlight default link asemeComment_1063 asemeComment
+highlight default link asemeComment_1066 asemeComment
+highlight default link asemeComment_1069 asemeComment
+highlight default link asemeComment_1073 asemeComment
+highlight default link asemeComment_1076 asemeComment
 highlight default link asemeComment_109 asemeComment
-highlight default link asemeComment_1100 asemeComment
-highlight default link asemeComment_1103 asemeComment
+highlight default link asemeComment_1102 asemeComment
+highlight default link asemeComment_1105 asemeComment
 highlight default link asemeComment_111 asemeComment
-highlight default link asemeComment_1111 asemeComment
-highlight default link asemeComment_1114 asemeComment
+highlight default link asemeComment_1113 asemeComment
+highlight default link asemeComment_1116 asemeComment
 highlight default link asemeComment_113 asemeComment
 highlight default link asemeComment_116 asemeComment
 highlight default link asemeComment_119 asemeComment
@@ -2021,89 +2025,89 @@ highlight default link asemeComment_755 asemeComment
 highlight default link asemeComment_758 asemeComment
 highlight default link asemeComment_761 asemeComment
 highlight default link asemeComment_764 asemeComment
-highlight default link asemeComment_769 asemeComment
-highlight default link asemeComment_771 asemeComment
-highlight default link asemeComment_773 asemeComment
-highlight default link asemeComment_777 asemeComment
-highlight default link asemeComment_779 asemeComment
-highlight default link asemeComment_782 asemeComment
-highlight default link asemeComment_787 asemeComment
-highlight default link asemeComment_792 asemeComment
-highlight default link asemeComment_794 asemeComment
-highlight default link asemeComment_796 asemeComment
-highlight default link asemeComment_799 asemeComment
+highlight default link asemeComment_770 asemeComment
+highlight default link asemeComment_772 asemeComment
+highlight default link asemeComment_774 asemeComment
+highlight default link asemeComment_778 asemeComment
+highlight default link asemeComment_780 asemeComment
+highlight default link asemeComment_783 asemeComment
+highlight default link asemeComment_788 asemeComment
+highlight default link asemeComment_793 asemeComment
+highlight default link asemeComment_795 asemeComment
+highlight default link asemeComment_797 asemeComment
 highlight default link asemeComment_80 asemeComment
-highlight default link asemeComment_802 asemeComment
-highlight default link asemeComment_805 asemeComment
-highlight default link asemeComment_808 asemeComment
-highlight default link asemeComment_811 asemeComment
-highlight default link asemeComment_814 asemeComment
-highlight default link asemeComment_817 asemeComment
-highlight default link asemeComment_820 asemeComment
-highlight default link asemeComment_823 asemeComment
-highlight default link asemeComment_827 asemeComment
+highlight default link asemeComment_800 asemeComment
+highlight default link asemeComment_803 asemeComment
+highlight default link asemeComment_806 asemeComment
+highlight default link asemeComment_809 asemeComment
+highlight default link asemeComment_812 asemeComment
+highlight default link asemeComment_815 asemeComment
+highlight default link asemeComment_818 asemeComment
+highlight default link asemeComment_821 asemeComment
+highlight default link asemeComment_824 asemeComment
+highlight default link asemeComment_829 asemeComment
 highlight default link asemeComment_83 asemeComment
-highlight default link asemeComment_832 asemeComment
-highlight default link asemeComment_835 asemeComment
-highlight default link asemeComment_839 asemeComment
-highlight default link asemeComment_842 asemeComment
-highlight default link asemeComment_845 asemeComment
-highlight default link asemeComment_848 asemeComment
+highlight default link asemeComment_834 asemeComment
+highlight default link asemeComment_837 asemeComment
+highlight default link asemeComment_841 asemeComment
+highlight default link asemeComment_844 asemeComment
+highlight default link asemeComment_847 asemeComment
 highlight default link asemeComment_85 asemeComment
 highlight default link asemeComment_850 asemeComment
 highlight default link asemeComment_852 asemeComment
-highlight default link asemeComment_856 asemeComment
-highlight default link asemeComment_859 asemeComment
-highlight default link asemeComment_862 asemeComment
-highlight default link asemeComment_865 asemeComment
+highlight default link asemeComment_854 asemeComment
+highlight default link asemeComment_858 asemeComment
+highlight default link asemeComment_861 asemeComment
+highlight default link asemeComment_864 asemeComment
 highlight default link asemeComment_867 asemeComment
+highlight default link asemeComment_869 asemeComment
 highlight default link asemeComment_87 asemeComment
-highlight default link asemeComment_872 asemeComment
 highlight default link asemeComment_874 asemeComment
-highlight default link asemeComment_877 asemeComment
+highlight default link asemeComment_876 asemeComment
 highlight default link asemeComment_879 asemeComment
 highlight default link asemeComment_881 asemeComment
-highlight default link asemeComment_885 asemeComment
-highlight default link asemeComment_889 asemeComment
+highlight default link asemeComment_883 asemeComment
+highlight default link asemeComment_887 asemeComment
 highlight default link asemeComment_891 asemeComment
-highlight default link asemeComment_897 asemeComment
+highlight default link asemeComment_893 asemeComment
 highlight default link asemeComment_899 asemeComment
 highlight default link asemeComment_9 asemeComment
 highlight default link asemeComment_901 asemeComment
-highlight default link asemeComment_904 asemeComment
+highlight default link asemeComment_903 asemeComment
 highlight default link asemeComment_906 asemeComment
 highlight default link asemeComment_908 asemeComment
-highlight default link asemeComment_909 asemeComment
 highlight default link asemeComment_91 asemeComment
-highlight default link asemeComment_912 asemeComment
+highlight default link asemeComment_910 asemeComment
+highlight default link asemeComment_911 asemeComment
 highlight default link asemeComment_914 asemeComment
 highlight default link asemeComment_916 asemeComment
-highlight default link asemeComment_919 asemeComment
-highlight default link asemeComment_942 asemeComment
+highlight default link asemeComment_918 asemeComment
+highlight default link asemeComment_921 asemeComment
 highlight default link asemeComment_944 asemeComment
 highlight default link asemeComment_946 asemeComment
-highlight default link asemeComment_949 asemeComment
-highlight default link asemeComment_950 asemeComment
-highlight default link asemeComment_953 asemeComment
+highlight default link asemeComment_948 asemeComment
+highlight default link asemeComment_951 asemeComment
+highlight default link asemeComment_952 asemeComment
 highlight default link asemeComment_955 asemeComment
 highlight default link asemeComment_957 asemeComment
+highlight default link asemeComment_959 asemeComment
 highlight default link asemeComment_96 asemeComment
-highlight default link asemeComment_960 asemeComment
-highlight default link asemeComment_985 asemeComment
+highlight default link asemeComment_962 asemeComment
 highlight default link asemeComment_987 asemeComment
+highlight default link asemeComment_989 asemeComment
 highlight default link asemeComment_99 asemeComment
-highlight default link asemeComment_993 asemeComment
 highlight default link asemeComment_995 asemeComment
 highlight default link asemeComment_997 asemeComment
+highlight default link asemeComment_999 asemeComment
 highlight default link asemeDeclaration_1 asemeDeclaration
-highlight default link asemeDeclaration_1001 asemeDeclaration
 highlight default link asemeDeclaration_1003 asemeDeclaration
 highlight default link asemeDeclaration_1005 asemeDeclaration
-highlight default link asemeDeclaration_1011 asemeDeclaration
-highlight default link asemeDeclaration_1073 asemeDeclaration
+highlight default link asemeDeclaration_1007 asemeDeclaration
+highlight default link asemeDeclaration_1013 asemeDeclaration
+highlight default link asemeDeclaration_1075 asemeDeclaration
 highlight default link asemeDeclaration_108 asemeDeclaration
-highlight default link asemeDeclaration_1102 asemeDeclaration
-highlight default link asemeDeclaration_1113 asemeDeclaration
+highlight default link asemeDeclaration_1104 asemeDeclaration
+highlight default link asemeDeclaration_1115 asemeDeclaration
 highlight default link asemeDeclaration_133 asemeDeclaration
 highlight default link asemeDeclaration_138 asemeDeclaration
 highlight default link asemeDeclaration_168 asemeDeclaration
@@ -2135,20 +2139,20 @@ highlight default link asemeDeclaration_70 asemeDeclaration
 highlight default link asemeDeclaration_703 asemeDeclaration
 highlight default link asemeDeclaration_708 asemeDeclaration
 highlight default link asemeDeclaration_732 asemeDeclaration
-highlight default link asemeDeclaration_791 asemeDeclaration
+highlight default link asemeDeclaration_792 asemeDeclaration
 highlight default link asemeDeclaration_8 asemeDeclaration
 highlight default link asemeDeclaration_82 asemeDeclaration
-highlight default link asemeDeclaration_838 asemeDeclaration
-highlight default link asemeDeclaration_841 asemeDeclaration
-highlight default link asemeDeclaration_847 asemeDeclaration
-highlight default link asemeDeclaration_866 asemeDeclaration
-highlight default link asemeDeclaration_873 asemeDeclaration
-highlight default link asemeDeclaration_876 asemeDeclaration
-highlight default link asemeDeclaration_900 asemeDeclaration
-highlight default link asemeDeclaration_943 asemeDeclaration
+highlight default link asemeDeclaration_840 asemeDeclaration
+highlight default link asemeDeclaration_843 asemeDeclaration
+highlight default link asemeDeclaration_849 asemeDeclaration
+highlight default link asemeDeclaration_868 asemeDeclaration
+highlight default link asemeDeclaration_875 asemeDeclaration
+highlight default link asemeDeclaration_878 asemeDeclaration
+highlight default link asemeDeclaration_902 asemeDeclaration
+highlight default link asemeDeclaration_945 asemeDeclaration
 highlight default link asemeDeclaration_98 asemeDeclaration
-highlight default link asemeDeclaration_996 asemeDeclaration
-highlight default link asemeLogic_1027 asemeLogic
+highlight default link asemeDeclaration_998 asemeDeclaration
+highlight default link asemeLogic_1029 asemeLogic
 highlight default link asemeLogic_13 asemeLogic
 highlight default link asemeLogic_255 asemeLogic
 highlight default link asemeLogic_316 asemeLogic
@@ -2157,13 +2161,14 @@ highlight default link asemeLogic_50 asemeLogic
 highlight default link asemeLogic_515 asemeLogic
 highlight default link asemeLogic_587 asemeLogic
 highlight default link asemeLogic_671 asemeLogic
-highlight default link asemeLogic_923 asemeLogic
-highlight default link asemeLogic_964 asemeLogic
+highlight default link asemeLogic_925 asemeLogic
+highlight default link asemeLogic_966 asemeLogic
 highlight default link asemeName_100 asemeName
-highlight default link asemeName_1045 asemeName
-highlight default link asemeName_1060 asemeName
+highlight default link asemeName_1001 asemeName
+highlight default link asemeName_1047 asemeName
 highlight default link asemeName_1062 asemeName
-highlight default link asemeName_1068 asemeName
+highlight default link asemeName_1064 asemeName
+highlight default link asemeName_1070 asemeName
 highlight default link asemeName_151 asemeName
 highlight default link asemeName_158 asemeName
 highlight default link asemeName_163 asemeName
@@ -2196,31 +2201,30 @@ highlight default link asemeName_710 asemeName
 highlight default link asemeName_718 asemeName
 highlight default link asemeName_730 asemeName
 highlight default link asemeName_77 asemeName
-highlight default link asemeName_770 asemeName
-highlight default link asemeName_778 asemeName
-highlight default link asemeName_789 asemeName
-highlight default link asemeName_836 asemeName
-highlight default link asemeName_882 asemeName
-highlight default link asemeName_886 asemeName
+highlight default link asemeName_771 asemeName
+highlight default link asemeName_779 asemeName
+highlight default link asemeName_790 asemeName
+highlight default link asemeName_838 asemeName
+highlight default link asemeName_884 asemeName
+highlight default link asemeName_888 asemeName
 highlight default link asemeName_89 asemeName
-highlight default link asemeName_892 asemeName
 highlight default link asemeName_894 asemeName
+highlight default link asemeName_896 asemeName
 highlight default link asemeName_93 asemeName
 highlight default link asemeName_94 asemeName
-highlight default link asemeName_986 asemeName
-highlight default link asemeName_994 asemeName
-highlight default link asemeName_999 asemeName
+highlight default link asemeName_988 asemeName
+highlight default link asemeName_996 asemeName
 highlight default link asemeNumber_0 asemeNumber
-highlight default link asemeNumber_1025 asemeNumber
-highlight default link asemeNumber_1051 asemeNumber
-highlight default link asemeNumber_1055 asemeNumber
-highlight default link asemeNumber_1076 asemeNumber
-highlight default link asemeNumber_1082 asemeNumber
-highlight default link asemeNumber_1088 asemeNumber
-highlight default link asemeNumber_1094 asemeNumber
+highlight default link asemeNumber_1027 asemeNumber
+highlight default link asemeNumber_1053 asemeNumber
+highlight default link asemeNumber_1057 asemeNumber
+highlight default link asemeNumber_1078 asemeNumber
+highlight default link asemeNumber_1084 asemeNumber
+highlight default link asemeNumber_1090 asemeNumber
+highlight default link asemeNumber_1096 asemeNumber
 highlight default link asemeNumber_11 asemeNumber
-highlight default link asemeNumber_1105 asemeNumber
-highlight default link asemeNumber_1117 asemeNumber
+highlight default link asemeNumber_1107 asemeNumber
+highlight default link asemeNumber_1119 asemeNumber
 highlight default link asemeNumber_114 asemeNumber
 highlight default link asemeNumber_117 asemeNumber
 highlight default link asemeNumber_124 asemeNumber
@@ -2251,26 +2255,27 @@ highlight default link asemeNumber_741 asemeNumber
 highlight default link asemeNumber_744 asemeNumber
 highlight default link asemeNumber_747 asemeNumber
 highlight default link asemeNumber_756 asemeNumber
-highlight default link asemeNumber_800 asemeNumber
-highlight default link asemeNumber_803 asemeNumber
-highlight default link asemeNumber_806 asemeNumber
-highlight default link asemeNumber_815 asemeNumber
+highlight default link asemeNumber_801 asemeNumber
+highlight default link asemeNumber_804 asemeNumber
+highlight default link asemeNumber_807 asemeNumber
+highlight default link asemeNumber_816 asemeNumber
 highlight default link asemeNumber_84 asemeNumber
-highlight default link asemeNumber_890 asemeNumber
-highlight default link asemeNumber_898 asemeNumber
-highlight default link asemeNumber_903 asemeNumber
-highlight default link asemeNumber_907 asemeNumber
-highlight default link asemeNumber_921 asemeNumber
-highlight default link asemeNumber_941 asemeNumber
-highlight default link asemeNumber_962 asemeNumber
-highlight default link asemeOperator_1042 asemeOperator
+highlight default link asemeNumber_892 asemeNumber
+highlight default link asemeNumber_900 asemeNumber
+highlight default link asemeNumber_905 asemeNumber
+highlight default link asemeNumber_909 asemeNumber
+highlight default link asemeNumber_923 asemeNumber
+highlight default link asemeNumber_943 asemeNumber
+highlight default link asemeNumber_964 asemeNumber
+highlight default link asemeOperator_1000 asemeOperator
 highlight default link asemeOperator_1044 asemeOperator
-highlight default link asemeOperator_1059 asemeOperator
-highlight default link asemeOperator_1078 asemeOperator
-highlight default link asemeOperator_1084 asemeOperator
-highlight default link asemeOperator_1090 asemeOperator
-highlight default link asemeOperator_1096 asemeOperator
-highlight default link asemeOperator_1107 asemeOperator
+highlight default link asemeOperator_1046 asemeOperator
+highlight default link asemeOperator_1061 asemeOperator
+highlight default link asemeOperator_1080 asemeOperator
+highlight default link asemeOperator_1086 asemeOperator
+highlight default link asemeOperator_1092 asemeOperator
+highlight default link asemeOperator_1098 asemeOperator
+highlight default link asemeOperator_1109 asemeOperator
 highlight default link asemeOperator_142 asemeOperator
 highlight default link asemeOperator_270 asemeOperator
 highlight default link asemeOperator_272 asemeOperator
@@ -2308,43 +2313,42 @@ highlight default link asemeOperator_705 asemeOperator
 highlight default link asemeOperator_727 asemeOperator
 highlight default link asemeOperator_729 asemeOperator
 highlight default link asemeOperator_74 asemeOperator
-highlight default link asemeOperator_834 asemeOperator
-highlight default link asemeOperator_849 asemeOperator
+highlight default link asemeOperator_836 asemeOperator
 highlight default link asemeOperator_851 asemeOperator
 highlight default link asemeOperator_853 asemeOperator
-highlight default link asemeOperator_854 asemeOperator
 highlight default link asemeOperator_855 asemeOperator
+highlight default link asemeOperator_856 asemeOperator
 highlight default link asemeOperator_857 asemeOperator
+highlight default link asemeOperator_859 asemeOperator
 highlight default link asemeOperator_86 asemeOperator
-highlight default link asemeOperator_860 asemeOperator
-highlight default link asemeOperator_861 asemeOperator
+highlight default link asemeOperator_862 asemeOperator
 highlight default link asemeOperator_863 asemeOperator
-highlight default link asemeOperator_905 asemeOperator
-highlight default link asemeOperator_938 asemeOperator
-highlight default link asemeOperator_979 asemeOperator
+highlight default link asemeOperator_865 asemeOperator
+highlight default link asemeOperator_907 asemeOperator
+highlight default link asemeOperator_940 asemeOperator
 highlight default link asemeOperator_981 asemeOperator
-highlight default link asemeOperator_998 asemeOperator
-highlight default link asemePunctuation_1007 asemePunctuation
-highlight default link asemePunctuation_1014 asemePunctuation
+highlight default link asemeOperator_983 asemeOperator
+highlight default link asemePunctuation_1009 asemePunctuation
+highlight default link asemePunctuation_1016 asemePunctuation
 highlight default link asemePunctuation_104 asemePunctuation
-highlight default link asemePunctuation_1043 asemePunctuation
-highlight default link asemePunctuation_1049 asemePunctuation
-highlight default link asemePunctuation_1053 asemePunctuation
-highlight default link asemePunctuation_1057 asemePunctuation
-highlight default link asemePunctuation_1063 asemePunctuation
-highlight default link asemePunctuation_1066 asemePunctuation
-highlight default link asemePunctuation_1069 asemePunctuation
-highlight default link asemePunctuation_1079 asemePunctuation
-highlight default link asemePunctuation_1080 asemePunctuation
-highlight default link asemePunctuation_1085 asemePunctuation
-highlight default link asemePunctuation_1086 asemePunctuation
-highlight default link asemePunctuation_1091 asemePunctuation
-highlight default link asemePunctuation_1092 asemePunctuation
-highlight default link asemePunctuation_1097 asemePunctuation
-highlight default link asemePunctuation_1098 asemePunctuation
-highlight default link asemePunctuation_1108 asemePunctuation
-highlight default link asemePunctuation_1109 asemePunctuation
-highlight default link asemePunctuation_1120 asemePunctuation
+highlight default link asemePunctuation_1045 asemePunctuation
+highlight default link asemePunctuation_1051 asemePunctuation
+highlight default link asemePunctuation_1055 asemePunctuation
+highlight default link asemePunctuation_1059 asemePunctuation
+highlight default link asemePunctuation_1065 asemePunctuation
+highlight default link asemePunctuation_1068 asemePunctuation
+highlight default link asemePunctuation_1071 asemePunctuation
+highlight default link asemePunctuation_1081 asemePunctuation
+highlight default link asemePunctuation_1082 asemePunctuation
+highlight default link asemePunctuation_1087 asemePunctuation
+highlight default link asemePunctuation_1088 asemePunctuation
+highlight default link asemePunctuation_1093 asemePunctuation
+highlight default link asemePunctuation_1094 asemePunctuation
+highlight default link asemePunctuation_1099 asemePunctuation
+highlight default link asemePunctuation_1100 asemePunctuation
+highlight default link asemePunctuation_1110 asemePunctuation
+highlight default link asemePunctuation_1111 asemePunctuation
+highlight default link asemePunctuation_1122 asemePunctuation
 highlight default link asemePunctuation_129 asemePunctuation
 highlight default link asemePunctuation_135 asemePunctuation
 highlight default link asemePunctuation_147 asemePunctuation
@@ -2418,40 +2422,40 @@ highlight default link asemePunctuation_721 asemePunctuation
 highlight default link asemePunctuation_728 asemePunctuation
 highlight default link asemePunctuation_731 asemePunctuation
 highlight default link asemePunctuation_76 asemePunctuation
-highlight default link asemePunctuation_768 asemePunctuation
-highlight default link asemePunctuation_772 asemePunctuation
-highlight default link asemePunctuation_776 asemePunctuation
+highlight default link asemePunctuation_769 asemePunctuation
+highlight default link asemePunctuation_773 asemePunctuation
+highlight default link asemePunctuation_777 asemePunctuation
 highlight default link asemePunctuation_78 asemePunctuation
-highlight default link asemePunctuation_786 asemePunctuation
-highlight default link asemePunctuation_788 asemePunctuation
-highlight default link asemePunctuation_790 asemePunctuation
-highlight default link asemePunctuation_831 asemePunctuation
-highlight default link asemePunctuation_837 asemePunctuation
-highlight default link asemePunctuation_843 asemePunctuation
-highlight default link asemePunctuation_868 asemePunctuation
+highlight default link asemePunctuation_787 asemePunctuation
+highlight default link asemePunctuation_789 asemePunctuation
+highlight default link asemePunctuation_791 asemePunctuation
+highlight default link asemePunctuation_833 asemePunctuation
+highlight default link asemePunctuation_839 asemePunctuation
+highlight default link asemePunctuation_845 asemePunctuation
+highlight default link asemePunctuation_870 asemePunctuation
 highlight default link asemePunctuation_88 asemePunctuation
-highlight default link asemePunctuation_902 asemePunctuation
-highlight default link asemePunctuation_910 asemePunctuation
-highlight default link asemePunctuation_939 asemePunctuation
-highlight default link asemePunctuation_940 asemePunctuation
-highlight default link asemePunctuation_948 asemePunctuation
-highlight default link asemePunctuation_951 asemePunctuation
-highlight default link asemePunctuation_980 asemePunctuation
-highlight default link asemePunctuation_984 asemePunctuation
-highlight default link asemePunctuation_992 asemePunctuation
-highlight default link asemeReference_1015 asemeReference
+highlight default link asemePunctuation_904 asemePunctuation
+highlight default link asemePunctuation_912 asemePunctuation
+highlight default link asemePunctuation_941 asemePunctuation
+highlight default link asemePunctuation_942 asemePunctuation
+highlight default link asemePunctuation_950 asemePunctuation
+highlight default link asemePunctuation_953 asemePunctuation
+highlight default link asemePunctuation_982 asemePunctuation
+highlight default link asemePunctuation_986 asemePunctuation
+highlight default link asemePunctuation_994 asemePunctuation
 highlight default link asemeReference_1017 asemeReference
-highlight default link asemeReference_1021 asemeReference
-highlight default link asemeReference_1041 asemeReference
-highlight default link asemeReference_1065 asemeReference
-highlight default link asemeReference_1077 asemeReference
-highlight default link asemeReference_1083 asemeReference
-highlight default link asemeReference_1089 asemeReference
-highlight default link asemeReference_1095 asemeReference
+highlight default link asemeReference_1019 asemeReference
+highlight default link asemeReference_1023 asemeReference
+highlight default link asemeReference_1043 asemeReference
+highlight default link asemeReference_1067 asemeReference
+highlight default link asemeReference_1079 asemeReference
+highlight default link asemeReference_1085 asemeReference
+highlight default link asemeReference_1091 asemeReference
+highlight default link asemeReference_1097 asemeReference
 highlight default link asemeReference_110 asemeReference
-highlight default link asemeReference_1106 asemeReference
-highlight default link asemeReference_1118 asemeReference
-highlight default link asemeReference_1119 asemeReference
+highlight default link asemeReference_1108 asemeReference
+highlight default link asemeReference_1120 asemeReference
+highlight default link asemeReference_1121 asemeReference
 highlight default link asemeReference_120 asemeReference
 highlight default link asemeReference_128 asemeReference
 highlight default link asemeReference_131 asemeReference
@@ -2534,41 +2538,41 @@ highlight default link asemeReference_738 asemeReference
 highlight default link asemeReference_753 asemeReference
 highlight default link asemeReference_759 asemeReference
 highlight default link asemeReference_762 asemeReference
-highlight default link asemeReference_780 asemeReference
-highlight default link asemeReference_783 asemeReference
+highlight default link asemeReference_781 asemeReference
 highlight default link asemeReference_784 asemeReference
 highlight default link asemeReference_785 asemeReference
-highlight default link asemeReference_793 asemeReference
-highlight default link asemeReference_797 asemeReference
-highlight default link asemeReference_812 asemeReference
-highlight default link asemeReference_818 asemeReference
-highlight default link asemeReference_821 asemeReference
-highlight default link asemeReference_825 asemeReference
-highlight default link asemeReference_828 asemeReference
-highlight default link asemeReference_829 asemeReference
+highlight default link asemeReference_786 asemeReference
+highlight default link asemeReference_794 asemeReference
+highlight default link asemeReference_798 asemeReference
+highlight default link asemeReference_813 asemeReference
+highlight default link asemeReference_819 asemeReference
+highlight default link asemeReference_822 asemeReference
+highlight default link asemeReference_827 asemeReference
 highlight default link asemeReference_830 asemeReference
-highlight default link asemeReference_878 asemeReference
-highlight default link asemeReference_911 asemeReference
+highlight default link asemeReference_831 asemeReference
+highlight default link asemeReference_832 asemeReference
+highlight default link asemeReference_880 asemeReference
 highlight default link asemeReference_913 asemeReference
-highlight default link asemeReference_917 asemeReference
-highlight default link asemeReference_937 asemeReference
-highlight default link asemeReference_952 asemeReference
+highlight default link asemeReference_915 asemeReference
+highlight default link asemeReference_919 asemeReference
+highlight default link asemeReference_939 asemeReference
 highlight default link asemeReference_954 asemeReference
-highlight default link asemeReference_958 asemeReference
-highlight default link asemeReference_978 asemeReference
+highlight default link asemeReference_956 asemeReference
+highlight default link asemeReference_960 asemeReference
+highlight default link asemeReference_980 asemeReference
 highlight default link asemeText_10 asemeText
-highlight default link asemeText_1024 asemeText
-highlight default link asemeText_1075 asemeText
-highlight default link asemeText_1081 asemeText
-highlight default link asemeText_1087 asemeText
-highlight default link asemeText_1093 asemeText
-highlight default link asemeText_1099 asemeText
+highlight default link asemeText_1026 asemeText
+highlight default link asemeText_1077 asemeText
+highlight default link asemeText_1083 asemeText
+highlight default link asemeText_1089 asemeText
+highlight default link asemeText_1095 asemeText
 highlight default link asemeText_1101 asemeText
-highlight default link asemeText_1104 asemeText
-highlight default link asemeText_1110 asemeText
+highlight default link asemeText_1103 asemeText
+highlight default link asemeText_1106 asemeText
 highlight default link asemeText_1112 asemeText
-highlight default link asemeText_1115 asemeText
-highlight default link asemeText_1116 asemeText
+highlight default link asemeText_1114 asemeText
+highlight default link asemeText_1117 asemeText
+highlight default link asemeText_1118 asemeText
 highlight default link asemeText_140 asemeText
 highlight default link asemeText_179 asemeText
 highlight default link asemeText_217 asemeText
@@ -2590,15 +2594,15 @@ highlight default link asemeText_647 asemeText
 highlight default link asemeText_668 asemeText
 highlight default link asemeText_7 asemeText
 highlight default link asemeText_722 asemeText
-highlight default link asemeText_833 asemeText
-highlight default link asemeText_840 asemeText
-highlight default link asemeText_883 asemeText
-highlight default link asemeText_887 asemeText
-highlight default link asemeText_893 asemeText
+highlight default link asemeText_835 asemeText
+highlight default link asemeText_842 asemeText
+highlight default link asemeText_885 asemeText
+highlight default link asemeText_889 asemeText
 highlight default link asemeText_895 asemeText
-highlight default link asemeText_920 asemeText
-highlight default link asemeText_961 asemeText
-highlight default link asemeTruth_1026 asemeTruth
+highlight default link asemeText_897 asemeText
+highlight default link asemeText_922 asemeText
+highlight default link asemeText_963 asemeText
+highlight default link asemeTruth_1028 asemeTruth
 highlight default link asemeTruth_12 asemeTruth
 highlight default link asemeTruth_254 asemeTruth
 highlight default link asemeTruth_315 asemeTruth
@@ -2607,8 +2611,8 @@ highlight default link asemeTruth_49 asemeTruth
 highlight default link asemeTruth_514 asemeTruth
 highlight default link asemeTruth_586 asemeTruth
 highlight default link asemeTruth_670 asemeTruth
-highlight default link asemeTruth_922 asemeTruth
-highlight default link asemeTruth_963 asemeTruth
+highlight default link asemeTruth_924 asemeTruth
+highlight default link asemeTruth_965 asemeTruth
 highlight default link asemeType_103 asemeType
 highlight default link asemeType_146 asemeType
 highlight default link asemeType_154 asemeType
@@ -2628,14 +2632,14 @@ highlight default link asemeType_690 asemeType
 highlight default link asemeType_696 asemeType
 highlight default link asemeType_698 asemeType
 highlight default link asemeType_715 asemeType
-highlight default link asemeType_767 asemeType
-highlight default link asemeType_775 asemeType
+highlight default link asemeType_768 asemeType
+highlight default link asemeType_776 asemeType
 highlight default link asemeType_92 asemeType
-highlight default link asemeType_947 asemeType
+highlight default link asemeType_949 asemeType
 highlight default link asemeType_97 asemeType
-highlight default link asemeType_983 asemeType
-highlight default link asemeType_989 asemeType
+highlight default link asemeType_985 asemeType
 highlight default link asemeType_991 asemeType
+highlight default link asemeType_993 asemeType
 highlight default link asemeDeclaration Statement
 highlight default link asemeClause Keyword
 highlight default link asemeChoice StorageClass

@@ -76,7 +76,8 @@ def _silent(
         name
         for name in names
         if all(
-            (said := activities.get(bound.get(name, name))) is not None and said.simulated for bound in plays
+            (said := activities.get(bound.get(name, name))) is not None and not said.has_code
+            for bound in plays
         )
     )
 

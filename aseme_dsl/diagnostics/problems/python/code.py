@@ -431,15 +431,21 @@ class FileNotUsed(Problem):
 
 
 class FileOfSimulated(Problem):
+    """`word` is the clause with which the activity has no code."""
+
     code = "W542"
     activity: str
     file: str
+    word: Literal["simulated", "waits"]
 
     @property
     def message(self) -> str:
-        return f"`{self.activity}` is simulated, so `{self.file}` is not loaded"
+        what = "is simulated" if self.word == "simulated" else "waits"
+        return f"`{self.activity}` {what}, so `{self.file}` is not loaded"
 
-    hint = "leave out `simulated`, or delete the file"
+    @property
+    def hint(self) -> str:
+        return f"leave out `{self.word}`, or delete the file"
 
 
 class NotWrittenYet(Problem):

@@ -18,6 +18,7 @@ def activity(pieces: Pieces, node: nodes.Activity | nodes.Module) -> tree.Activi
     reads: list[tree.ActivityRead] = []
     writes: list[tree.Path] = []
     simulated: Span | None = None
+    waits: Span | None = None
     said = Once(pieces)
     for clause in node.clauses:
         if is_a(clause, nodes.Every):
@@ -29,6 +30,9 @@ def activity(pieces: Pieces, node: nodes.Activity | nodes.Module) -> tree.Activi
         elif is_a(clause, nodes.Simulated):
             said.check("simulated", pieces.span(clause))
             simulated = pieces.span(clause)
+        elif is_a(clause, nodes.Waits):
+            said.check("waits", pieces.span(clause))
+            waits = pieces.span(clause)
         elif is_a(clause, nodes.Within):
             said.check("within", pieces.span(clause))
             durations["within"] = pieces.duration(clause.duration)
@@ -56,6 +60,7 @@ def activity(pieces: Pieces, node: nodes.Activity | nodes.Module) -> tree.Activi
         ends,
         pieces.all(_activity_parameter, node.parameters if is_a(node, nodes.Activity) else ()),
         simulated,
+        waits,
     )
 
 
