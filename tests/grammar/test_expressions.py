@@ -127,6 +127,28 @@ def test_an_event_is_written_without_a_word_before_it(written: str, place: str, 
     assert not mistakes(apply(text, mistake.changes))
 
 
+@pytest.mark.parametrize(
+    ("written", "place", "hint", "mended"),
+    [
+        ("send request Job { id = 3 .. } to b", "..", "write ',' before it: 3, ..", "{ id = 3, .. }"),
+        ("send request Job { id = n ..m } to b", "..", "write ',' before it: n, ..m", "{ id = n, ..m }"),
+        ("send request Job { ..m, id = 3 } to b", "id", "'..m' stands at the end", None),
+        ("send request Job { .. id = 3 } to b", "=", None, None),
+        ("write_messages.t.state.M { id = 3, .. }", "..", "members that are not named keep", None),
+        ("write_messages.t.state.M { .. }", "..", "members that are not named keep", None),
+    ],
+)
+def test_the_rest_of_a_message_stands_at_its_end(
+    written: str, place: str, hint: str | None, mended: str | None
+) -> None:
+    text = f"srm a {{ control f {{ enter A : / {written} }} }}"
+    [mistake] = mistakes(text)
+    assert (mistake.code, mistake.span and mistake.span.text) == ("E102", place)
+    assert hint is None or hint in (mistake.hint or "")
+    if mended is not None:
+        assert mended in apply(text, mistake.changes) and not mistakes(apply(text, mistake.changes))
+
+
 @pytest.mark.parametrize("declared", ["var tired : bool = false", "let tired = 1 < 2"])
 def test_a_value_behind_a_word_is_no_event(declared: str) -> None:
     [mistake] = mistakes(f"srm a {{ {declared} control f {{ enter A : when tired }} }}")

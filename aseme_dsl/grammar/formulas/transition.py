@@ -18,7 +18,7 @@ from aseme_dsl.grammar.formulas.transition_mistakes import (
     no_colon,
     no_from,
 )
-from aseme_dsl.grammar.formulas.words import RESERVED
+from aseme_dsl.grammar.formulas.words import RESERVED, Malformed
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.lexer import HOLE
 from aseme_dsl.grammar.text.token import Token
@@ -257,7 +257,11 @@ def _content(reader: Reader, *, is_sent: bool = True) -> tuple[tuple[tree.Fill, 
                 reader.take()
             continue
         if rest is not None:
-            raise reader.unexpected("}", related=(reader.still_open(opener),))
+            raise _behind_rest(reader, rest, opener)
+        if reader.next == ".." and not is_sent:
+            dots = reader.tokens[reader.index]
+            wanted = (Wanted.MEMBER, "}")
+            raise reader.error(problems.RestOfPublished(wanted, reader.tokens[reader.index - 1], dots), dots)
         if reader.index == len(reader.tokens) or not is_word(reader.next) or reader.next in RESERVED:
             raise reader.unexpected(Wanted.MEMBER, "}", related=(reader.still_open(opener),))
         name = reader.take()
@@ -269,7 +273,29 @@ def _content(reader: Reader, *, is_sent: bool = True) -> tuple[tuple[tree.Fill, 
         found.append(tree.Fill(read_path(reader.source, name), value, reader.since(name.start)))
         if reader.next in (",", ";"):
             reader.take()
+        elif reader.next == ".." and is_sent:
+            raise _without_comma(reader)
         elif reader.next != "}":
             raise reader.unexpected(Wanted.OPERATOR, ",", "}", related=(reader.still_open(opener),))
     reader.take()
     return tuple(found), rest
+
+
+def _without_comma(reader: Reader) -> Malformed:
+    """The error of `..` directly behind a value."""
+    before, dots = reader.tokens[reader.index - 1], reader.take()
+    of = reader.next if is_word(reader.next) else ""
+    problem = problems.RestWithoutComma((Wanted.OPERATOR, ",", "}"), before, dots, rest=f"{dots}{of}")
+    place = Span(reader.source, before.end, before.end)
+    return reader.error(problem, dots, edits=(Edit(place, ","),))
+
+
+def _behind_rest(reader: Reader, rest: tree.Rest, opener: Token) -> Malformed:
+    """The error of what stands behind `..`, as far as it is a member."""
+    related = (reader.still_open(opener),)
+    if not is_word(reader.next):
+        return reader.unexpected("}", related=related)
+    found = reader.tokens[reader.index]
+    text = "".join(rest.span.text.split())
+    before = reader.tokens[reader.index - 1]
+    return reader.error(problems.RestNotLast(("}",), before, found, rest=text), found, related=related)

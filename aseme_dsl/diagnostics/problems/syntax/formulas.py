@@ -283,6 +283,32 @@ class MemberWithoutValue(UnexpectedInExpression):
         return f"write {self.after} = …"
 
 
+class RestWithoutComma(UnexpectedInExpression):
+    """`{ id = 3 .. }`: `rest` is what begins with the dots."""
+
+    rest: str = ".."
+
+    @property
+    def hint(self) -> str:
+        return f"write ',' before it: {self.after}, {self.rest}"
+
+
+class RestNotLast(UnexpectedInExpression):
+    """`{ ..m, id = 3 }`: `rest` is what begins with the dots."""
+
+    rest: str = ".."
+
+    @property
+    def hint(self) -> str:
+        return f"'{self.rest}' stands at the end, after all members"
+
+
+class RestOfPublished(UnexpectedInExpression):
+    """`write_messages.t.state.M { .. }`"""
+
+    hint = "'..' is for agent messages: here, members that are not named keep their values"
+
+
 class SendWithoutMessage(UnexpectedInExpression):
     """`send inform { … }`"""
 
