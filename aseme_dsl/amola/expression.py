@@ -422,11 +422,15 @@ Event = After | Received | Lost | Raised | Failed
 
 @dataclass(frozen=True, slots=True)
 class Assign:
-    """`target = value`. A Member target fills the draft that the next Publish of its channel sends."""
+    """`target = value`. A Member target fills the draft that the next Publish of its channel sends.
+
+    `operator` is that of `target += value`, whose value is the sum.
+    """
 
     target: VariableValue | Member
     value: Value
     span: Span
+    operator: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -874,6 +878,8 @@ def action_text(action: Action, *, expand: bool = False) -> str:
     """An action in canonical spelling; with `expand`, what a `let` stands for instead of its name."""
     match action:
         case Assign(target=target, value=value):
+            if action.operator and isinstance(value, Arithmetic):
+                return f"{value_text(target)} {action.operator}= {value_text(value.right, expand=expand)}"
             return f"{value_text(target)} = {value_text(value, expand=expand)}"
         case Publish(channel=channel):
             return f"write_messages.{channel}"

@@ -466,11 +466,20 @@ def _publish(checker: Checker, path: tree.Path, span: Span) -> amola.Action | No
 def _assign(checker: Checker, written: tree.Assign) -> amola.Action | None:
     target = _target(checker, written.target)
     value = _whole(checker, written.value)
-    if target is None or value is None or not assignable(checker, value, target.type):
+    if target is None or value is None:
+        return None
+    operator = "" if written.operator is None else written.operator.text
+    if written.operator is not None:
+        if isinstance(target, amola.Member):
+            checker.report(problems.MemberChanged(f"{operator}="), written.operator.span)
+            return None
+        sides = tree.Binary(operator, written.target, written.value, written.operator.span, written.span)
+        value = arithmetic(checker, sides, target, value)
+    if value is None or not assignable(checker, value, target.type):
         return None
     if isinstance(value, amola.VariableValue) and target == replace(value, span=target.span):
         checker.report(problems.AssignedItself(target.name), written.span)
-    return amola.Assign(target, value, written.span)
+    return amola.Assign(target, value, written.span, operator)
 
 
 def _target(checker: Checker, path: tree.Path) -> amola.VariableValue | amola.Member | None:

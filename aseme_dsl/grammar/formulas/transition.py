@@ -11,6 +11,7 @@ from aseme_dsl.grammar.formulas.expression import BINDING, operation, read_path,
 from aseme_dsl.grammar.formulas.filling import apart
 from aseme_dsl.grammar.formulas.reader import Reader, is_word
 from aseme_dsl.grammar.formulas.transition_mistakes import (
+    ASSIGNMENTS,
     after_transition,
     bare_condition,
     check_content,
@@ -175,13 +176,14 @@ def _action(reader: Reader) -> tree.Action:
         fills = _fills(reader) if reader.next == "{" else None
         return tree.Publish(topic, reader.since(first.start), fills)
     expression = operation(reader)
-    if reader.next != "=":
+    if reader.next not in ASSIGNMENTS:
         return tree.Evaluate(expression, reader.since(first.start))
     equals = reader.take()
     if not isinstance(expression, tree.Path):
-        raise reader.error(problems.NotAssignable(), equals)
+        raise reader.error(problems.NotAssignable(str(equals)), equals)
     value = operation(reader)
-    return tree.Assign(expression, value, reader.since(first.start))
+    operator = None if equals == "=" else tree.Name(equals[0], reader.span(equals))
+    return tree.Assign(expression, value, reader.since(first.start), operator)
 
 
 def _send(reader: Reader) -> tree.Send:

@@ -25,6 +25,8 @@ _COLON = re.compile(
 _UNCLOSED = re.compile(r"[^{}\n]*?([^\s{},;]+)[ \t,;]*(?=\bto\b(?!\s*=)|\n|\Z)", re.ASCII)
 """A message with its braces, and what may be wrong inside them."""
 
+ASSIGNMENTS = ("=", "+=", "-=", "*=")
+
 _IN_TERMS = frozenset("( ) . | || ~ * + ;".split())
 """What terms are made of, besides names."""
 
@@ -133,7 +135,7 @@ def after_transition(reader: Reader, has_actions: bool, has_condition: bool) -> 
         previous, word = reader.tokens[reader.index - 1], reader.tokens[reader.index]
         problem = problems.UnexpectedInExpression((wanted,), previous, word, verb)
         return reader.error(problem, word, verb)
-    if wanted is Wanted.END_OF_EVENTS and reader.next == "=":
+    if wanted is Wanted.END_OF_EVENTS and reader.next in ASSIGNMENTS:
         return _assignment_without_slash(reader)
     return reader.unexpected(wanted)
 

@@ -21,7 +21,7 @@ _INFIX = (
     | dict.fromkeys(("+", "-"), 6)
     | dict.fromkeys(("*", "/", "%"), 7)
 )
-_OPERAND_FOLLOWS = frozenset((*_INFIX, "!", "not", "(", "[", ",", ";", "=", "when", "else"))
+_OPERAND_FOLLOWS = frozenset((*_INFIX, "!", "not", "(", "[", ",", ";", "=", "+=", "-=", "*=", "when", "else"))
 
 
 def level_of(depth: int, precedence: int) -> int:

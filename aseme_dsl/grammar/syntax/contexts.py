@@ -218,7 +218,7 @@ TOKENS: dict[Tokens, tuple[tuple[str, Kind], ...]] = {
         *((rf"{word}\b{after}", Kind.CLAUSE) for word, after in EXPRESSION_WORDS.items()),
         (rf"{_NAME}(?=\s*\()", Kind.CALL),
         (rf"{_NAME}(?:[ \t]*\.[ \t]*{_NAME})*", Kind.REFERENCE),
-        (r"&&|\|\||[<>=!]=|->|\.\.|[-+*/%<>=!?#@~|&^]", Kind.OPERATOR),
+        (r"&&|\|\||[-+*<>=!]=|->|\.\.|[-+*/%<>=!?#@~|&^]", Kind.OPERATOR),
         (r"[^\s\w{}]", Kind.PUNCTUATION),
     ),
     Tokens.FORMULA: (
@@ -231,7 +231,7 @@ TOKENS: dict[Tokens, tuple[tuple[str, Kind], ...]] = {
     Tokens.WORDS: (
         *_COMMON,
         (rf"{_NAME}(?:[ \t]*\.[ \t]*{_NAME})*", Kind.REFERENCE),
-        (r"&&|\|\||[<>=!]=|->|\.\.|[-+*/%<>=!?#@~|&^]", Kind.OPERATOR),
+        (r"&&|\|\||[-+*<>=!]=|->|\.\.|[-+*/%<>=!?#@~|&^]", Kind.OPERATOR),
         (r"[^\s\w{}]", Kind.PUNCTUATION),
     ),
 }

@@ -95,7 +95,7 @@ class Tokens:
     """Where the tokens of a text are."""
 
     _TOKEN = re.compile(
-        r'"(?:[^"\\\n]|\\.)*"|[0-9]+(?:\.[0-9]+)*[A-Za-z_0-9]*|\w+|&&|[<>=!]=|->|\.\.|'
+        r'"(?:[^"\\\n]|\\.)*"|[0-9]+(?:\.[0-9]+)*[A-Za-z_0-9]*|\w+|&&|[-+*<>=!]=|->|\.\.|'
         + "".join(f"{re.escape(sign)}|" for sign in INFIX_SIGNS if len(sign) > 1)
         + r"\S",
         re.ASCII,

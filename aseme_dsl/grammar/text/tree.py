@@ -201,9 +201,12 @@ Event = After | Received | Lost | Raised
 
 @dataclass(frozen=True, slots=True)
 class Assign:
+    """`target = value`, or `target += value` with the operator before its `=`."""
+
     target: Path
     value: Expression
     span: Span
+    operator: Name | None = None
 
 
 @dataclass(frozen=True, slots=True)

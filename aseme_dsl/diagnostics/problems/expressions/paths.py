@@ -343,6 +343,21 @@ class ConstantAssigned(Problem):
         return f"`{self.path}` is a constant"
 
 
+class MemberChanged(Problem):
+    """`sign` is `+=` or another of its kind."""
+
+    code = "E507"
+    sign: str
+
+    @property
+    def message(self) -> str:
+        return (
+            f"'{self.sign}' changes a variable, and this is a member of a message that is yet to be published"
+        )
+
+    hint = "write '=' and the whole value"
+
+
 class MessageAssigned(Problem):
     """`is_inner`: it is a member of another."""
 

@@ -384,8 +384,15 @@ class AssignmentWithoutSlash(Problem):
 
 
 class NotAssignable(Problem):
+    """`sign` is `=`, or one that changes a variable."""
+
     code = "E102"
-    message = "only a variable or a member of a message can stand left of '='"
+    sign: str
+
+    @property
+    def message(self) -> str:
+        what = "a variable or a member of a message" if self.sign == "=" else "a variable"
+        return f"only {what} can stand left of '{self.sign}'"
 
 
 class NameBehindFrom(Problem):
