@@ -6,16 +6,16 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 from aseme_dsl.runtime.chart.inputs import LOST, REASONS, AgentMessage, Reason
-from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
 from aseme_dsl.runtime.conversation.participation import REMEMBERED, Conversation, Desk, Participation
-from aseme_dsl.runtime.message.acl import AclMessage, name_of
+from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, AclMessage, name_of
 from aseme_dsl.runtime.ports import Links, Receiver
 from aseme_dsl.runtime.transport.port import Transport
 
 FAREWELLS = ("cancel", "failure", "refuse", "reject_proposal")
-"""What an external agent is sent when a part ends early: the first of these that the protocol has for it."""
+"""What an agent is sent when a part ends early: the first of these that the protocol has for it."""
 ASKING = frozenset("cfp propose proxy query_if query_ref request request_when subscribe".split())
 """What is to be answered."""
 
@@ -53,16 +53,13 @@ class Losses:
         part = place.info.participant
         self.over(conversation, name, agent.name, part, reason)
         for to, theirs in _others(conversation, agent.name):
-            if to in self._agents:
-                continue
-            if to in self._plans:
-                if reason != "completed" or self._awaits(to, place.info.protocol, theirs, part):
-                    loss = _message(agent, place, name, to, theirs, LOST, reason, None)
-                    self._transport.carry(loss, to, conversation.members)
-            elif to not in place.farewell and (
-                reason != "completed" or _owes_an_answer(place, conversation, to)
-            ):
+            if self._needs_word(to, theirs, place, conversation, reason):
                 self._bid_farewell(agent, place, name, to, theirs)
+            if to not in self._plans or to in self._agents:
+                continue
+            if reason != "completed" or self._awaits(to, place.info.protocol, theirs, part):
+                loss = _message(agent, place, name, to, theirs, LOST, reason, None)
+                self._transport.carry(loss, to, conversation.members)
         for to, theirs in sorted(conversation.absent):
             if reason != "completed" or self._awaits(to, place.info.protocol, theirs, part):
                 owed = self._owed.setdefault(to, [])
@@ -152,15 +149,39 @@ class Losses:
 
     def _awaits(self, agent: str, protocol: str, own: str, part: str) -> bool:
         """Whether an agent elsewhere has a transition for that a part has ended."""
-        return any(
-            part in info.loses or part in info.counts
-            for info in self._plans[agent].branches
-            if (info.protocol, info.participant) == (protocol, own)
-        )
+        infos = self._infos(agent, protocol, own)
+        return any(part in info.loses or part in info.counts for info in infos)
+
+    def _needs_word(
+        self, to: str, theirs: str, place: Participation, conversation: Conversation, reason: Reason
+    ) -> bool:
+        """Whether an agent learns that a part is over only by a message of the protocol."""
+        hears = any(act != NOT_UNDERSTOOD for act, _ in place.info.receives)
+        is_asked = hears and place.told.get(to) in ASKING and to not in place.answered
+        if to in place.farewell or (reason == "completed" and not is_asked):
+            return False
+        if to not in self._plans:
+            return True
+        if to not in place.told and to not in place.answered:
+            return False
+        if reason == "crashed" or conversation.is_exhausted:
+            return False
+        if to in self._agents and reason != "completed" and (to, theirs) not in conversation.places:
+            return False  # what has asked it is withdrawn
+        infos = self._infos(to, place.info.protocol, theirs)
+        return not any(place.info.participant in info.loses for info in infos)
+
+    def _infos(self, agent: str, protocol: str, participant: str) -> list[BranchInfo]:
+        """The branches of a participant in an agent of the team."""
+        part = protocol, participant
+        return [info for info in self._plans[agent].branches if (info.protocol, info.participant) == part]
 
     def _bid_farewell(self, agent: Receiver, place: Participation, name: str, to: str, theirs: str) -> None:
-        """An external agent is sent what its protocol has for a part that ends early."""
+        """An agent is sent what its protocol has for a part that ends early, if it receives that."""
         moves = [move for act in FAREWELLS for move in place.info.sends if move[0] == act]
+        if to in self._plans:
+            infos = self._infos(to, place.info.protocol, theirs)
+            moves = [move for move in moves if any(move in info.receives for info in infos)]
         if not moves:
             return
         performative, message = moves[0]
@@ -177,19 +198,6 @@ class Losses:
 
 def _waits_from(place: Participation, who: str) -> bool:
     return any(mail.sender == who and mail.performative != LOST for mail in place.waiting.values())
-
-
-def _owes_an_answer(place: Participation, conversation: Conversation, to: str) -> bool:
-    """Whether this part has sent an external agent a question last, and has never taken anything of it."""
-    if to in place.answered:
-        return False
-    said = (item for item in reversed(conversation.said_outside.values()) if to in item.receivers)
-    last = next(said, None)
-    return (
-        last is not None
-        and last.performative in ASKING
-        and (last.performative, last.message) in {move[:2] for move in place.info.sends}
-    )
 
 
 def _others(conversation: Conversation, name: str) -> list[tuple[str, str]]:

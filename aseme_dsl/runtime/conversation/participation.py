@@ -45,6 +45,8 @@ class Participation:
     """What it has sent last of each type of message."""
     completed: list[tuple[str, str]] = field(default_factory=list)
     """Agents that have completed, each with its participant: lost once no message of them waits."""
+    told: dict[str, str] = field(default_factory=dict)
+    """The performative of what it has sent each agent last."""
     was_full: bool = False
     farewell: set[str] = field(default_factory=set)
     """The agents that it has sent a message because it ends early."""

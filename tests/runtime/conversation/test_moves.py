@@ -125,7 +125,11 @@ def test_an_activity_that_is_not_named_is_refused_and_fails() -> None:
     )
     (crash,) = played.of("activity", what="crash")
     assert refused[1] in crash["reason"]
-    assert said(played, "desk") == ["cfp Task -> r1 r2"]
+    assert said(played, "desk") == [
+        "cfp Task -> r1 r2",
+        "reject_proposal Award -> r1",  # since the part has failed
+        "reject_proposal Award -> r2",
+    ]
 
 
 def test_without_a_name_any_activity_of_the_participant_sends_it() -> None:

@@ -57,6 +57,7 @@ def _code(generated: Generated, ids: list[str | None]) -> type[Any]:
 
 
 def said(played: Played, agent: str = "ann") -> list[str]:
+    """What was sent; the last `cancel` tells an agent that was asked and has not answered."""
     records = played.of("agent_message", agent=agent)
     return [
         f"{r['performative']} {r['content'].get('id')}"
@@ -93,7 +94,7 @@ def test_content_is_used_up_and_then_repeated() -> None:
 def test_before_the_part_only_for_the_message_that_opens() -> None:
     control = "enter A : / send request Task to teller"
     played = run("A . B", control, {"Plan": ["7"], "A": [None], "B": [None]}, "Plan . asker . Done")
-    assert said(played) == ["request 7"]
+    assert said(played) == ["request 7", "cancel 7"]
 
 
 def test_each_concurrent_state_has_its_own() -> None:
@@ -109,18 +110,18 @@ def test_what_a_cancelled_activity_prepared_ends_with_it() -> None:
     played = run("A . B . C", control, {"A": ["1"], "B": [None], "C": [None]})
     assert said(played) == []
     control = "enter B : after(100ms) / send request Task to teller"
-    assert said(run("A . B", control, {"A": ["1"], "B": [None]})) == ["request 1"]
+    assert said(run("A . B", control, {"A": ["1"], "B": [None]})) == ["request 1", "cancel 1"]
 
 
 def test_a_new_part_does_not_know_the_content_of_the_last() -> None:
     control = "enter B : / send request Task to teller"
     played = run("A . B", control, {"A": ["1"], "B": ["2"], "Pause": []}, "(asker . Pause)~")
-    assert said(played) == ["request 1"], "what B has prepared belongs to the first part"
+    assert said(played) == ["request 1", "cancel 1"], "what B has prepared belongs to the first part"
 
 
 def test_activities_without_code_prepare_defaults() -> None:
     played = run("A . B", "enter B : / send request Task to teller", {})
-    assert said(played) == ["request "]
+    assert said(played) == ["request ", "cancel "]
     assert [r["message"] for r in played.of("default_content")] == ["Task"]
 
 

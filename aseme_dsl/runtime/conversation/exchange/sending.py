@@ -190,6 +190,8 @@ class Sending:
             sent=self._members.directory.clock.now(),
         )
         place.said[message] = content
+        for name in receivers:
+            place.told[name] = performative
         self._told.sent(acl, [answered[name].identity for name in receivers if name in answered])
         self._choosing.sent(agent, receivers)
         if is_round:
