@@ -193,6 +193,17 @@ def test_terms_of_a_participant_and_of_its_helpers() -> None:
     assert labels(text.replace("control help", "control b")) == ["W"]
 
 
+def test_on_abandon_is_offered_for_a_participant_only() -> None:
+    text = (
+        "system T\naip p {\n participant a { process = X . help  help = Y | Z }\n"
+        " control a { on ‸ }\n}\nsrm r { liveness { r = Q } }\n"
+    )
+    assert "abandon" in labels(text)
+    assert "abandon" not in labels(text.replace("control a", "control help"))
+    role = text.replace("control a { on ‸ }", "").replace("= Q }", "= Q } control r { on ‸ }")
+    assert "abandon" not in labels(role)
+
+
 def test_a_formula_offers_what_is_not_used_yet_first() -> None:
     found = labels(instead(WAREHOUSE, "(NextTask . manager)~", "(NextTask . ‸)~"))
     assert found[0] == "manager"

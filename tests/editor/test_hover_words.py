@@ -114,6 +114,11 @@ def test_where_nothing_is_shown(marked: str) -> None:
     assert shown(marked, TEXT + "// it tak^es 1s}".replace("^", "")) == ""
 
 
+def test_on_abandon_means_something() -> None:
+    text = "system S\naip p {\n participant a { process = A }\n control a { on abandon : }\n}\n"
+    assert "left before its END" in shown("on ^abandon", text)
+
+
 def test_a_name_is_a_name() -> None:
     text = TEXT.replace("tries", "state")
     assert "var state" in shown("var ^state", text) or "variable" in shown("var ^state", text).lower()

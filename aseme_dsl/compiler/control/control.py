@@ -23,6 +23,7 @@ from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.types.given import inside_formula
 from aseme_dsl.compiler.types.typecheck import type_expression
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.absences import NoTerm
 from aseme_dsl.diagnostics.problems.control import (
     ControlTwice,
     LineInBranch,
@@ -154,6 +155,8 @@ def read_lines(
                 if key is not None:
                     found += check_resuming(entry, formulas, frozenset(played_names), key[0])
             if problem is not None:
+                if isinstance(problem.problem, NoTerm) and is_abandon(entry):
+                    problem = replace(problem, problem=problem.problem.but(is_abandon=True))
                 found.append(problem)
                 unsure.add(name)
             elif key is not None:

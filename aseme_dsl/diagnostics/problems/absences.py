@@ -250,13 +250,17 @@ class NoPlaceOfClause(Absent):
 
 
 class NoTerm(Absent):
-    """`formula` is another one that has it, `protocol` and `participant` one that the role plays."""
+    """`formula` is another one that has it, `protocol` and `participant` one that the role plays.
+
+    With `is_abandon` it is said of a formula that is not a participant's process.
+    """
 
     code = "E400"
     title: str
     formula: str | None = None
     protocol: str | None = None
     participant: str | None = None
+    is_abandon: bool = False
 
     @property
     def message(self) -> str:
@@ -264,6 +268,8 @@ class NoTerm(Absent):
 
     @property
     def certain(self) -> str | None:
+        if self.is_abandon:
+            return "`on abandon` stands in the control of a participant: write it in the `aip`"
         if self.formula is not None:
             name = self.formula
             return f"it stands in `{name}`: write this line in `control {name} {{ … }}`"

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.amola.operators import OTHER_SPELLINGS
+from aseme_dsl.compiler.formula.staying import ABANDON
 from aseme_dsl.compiler.read.builtins import ACTIONS, FORMS
 from aseme_dsl.grammar.formulas.words import RESERVED
 from aseme_dsl.grammar.parsing.expected import words_of
@@ -97,7 +98,7 @@ def meanings(token: str, sections: Sequence[str]) -> tuple[Construct, ...]:
     token = OTHER_SPELLINGS.get(token, token)
     if token[:1] in _PUNCTUATION and token not in ("==",):
         return ()
-    if (token[:1].isalnum() or token[:1] in '_"') and token not in words():
+    if (token[:1].isalnum() or token[:1] in '_"') and token not in words() | {ABANDON}:
         return ()
     found = _by_token().get(token, [])
     for section in sections:

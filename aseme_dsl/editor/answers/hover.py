@@ -10,6 +10,7 @@ from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.messages import ChannelKind
 from aseme_dsl.amola.statechart import State, StateType
+from aseme_dsl.compiler.formula.staying import ABANDON
 from aseme_dsl.compiler.read.builtins import FORMS
 from aseme_dsl.diagnostics import CODES
 from aseme_dsl.editor.answers.constructs import meanings
@@ -58,12 +59,21 @@ def hover(view: View, offset: int) -> Hover | None:
     if code is not None:
         return code
     found = view.occurrence_at(offset)
-    if found is None or view.whole(found.span).end == offset:  # a sign behind a name is pointed at itself
+    if (
+        found is None or _is_abandon(view, found) or view.whole(found.span).end == offset
+    ):  # a sign behind a name is pointed at itself
         construct = _construct_at(view, offset)
         if construct is not None or found is None:
             return construct
     parts = [*_about(view.program, found)]
     return Hover(view.whole(found.span), "\n\n".join(part for part in parts if part)) if parts else None
+
+
+def _is_abandon(view: View, found: Occurrence) -> bool:
+    """Whether a name is that of `on abandon`, which is no term."""
+    span = view.whole(found.span)
+    line = view.source.text[: span.start].rpartition("\n")[2]
+    return span.text == ABANDON and line.split()[-1:] == ["on"]
 
 
 def _construct_at(view: View, offset: int) -> Hover | None:

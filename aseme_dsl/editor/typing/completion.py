@@ -15,6 +15,7 @@ from aseme_dsl.amola.liveness import Formula, canonical
 from aseme_dsl.amola.messages import AGENT
 from aseme_dsl.amola.operators import INFIX
 from aseme_dsl.compiler.chart.aip_to_eac import PROCESS
+from aseme_dsl.compiler.formula.staying import ABANDON
 from aseme_dsl.compiler.formula.terms import Terms, ways
 from aseme_dsl.compiler.names.scope import Party
 from aseme_dsl.compiler.read.builtins import ROUND_QUESTIONS, STATE_QUESTIONS
@@ -155,6 +156,11 @@ def _terms(ask: Ask) -> Iterator[Item]:
     assert control is not None
     said = ask.around.said(control, terms)
     written = ask.place.rest_of_line.strip()
+    owner = ask.around.owner(control)
+    if verb == "on" and owner is not None and owner[2] == control:
+        insert = ABANDON if written else f"{ABANDON} : "
+        detail = f"when {control} is left before its END"
+        yield Item(ABANDON, ItemKind.WORD, detail, "", insert, rank=5, start=start, goes_on=not written)
     for term in terms.parents:
         way = ways(terms, term).get(verb)
         if way is None:

@@ -69,6 +69,8 @@ def _member_lines(member: Member) -> list[str]:
     who = f"{member.agent} as {member.participant}"
     if not member.here:
         return [f"{who}, in another process"]
+    if member.suspended:
+        return [f"{who} is suspended"]
     if not member.waits:
         return [f"{who} has not joined"]
     return [f"{who} waits {_waits(item)}" for item in member.waits]

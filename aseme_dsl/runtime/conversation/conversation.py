@@ -321,16 +321,17 @@ class Conversations:
             place = self._members.desks[agent.name].branches.get(branch)
             return (None, False) if place is None else (place.conversation, True)
 
-    def open(self) -> list[tuple[str, str, list[tuple[str, str, str | None]]]]:
-        """The open conversations: name, protocol, and who is still in it as (agent, participant, branch).
+    def open(self) -> list[tuple[str, str, list[tuple[str, str, str | None, bool]]]]:
+        """The open conversations: name, protocol, and the agents that are still in it.
 
-        The branch is None where the agent runs elsewhere, or was invited and has not joined yet.
+        Each as (agent, participant, branch, whether it is suspended). The branch is None where the agent runs
+        elsewhere, or was invited and has not joined yet.
         """
         with self._lock:
             found = []
             for name, conversation in self._members.conversations.items():
                 here = {
-                    (agent, participant): place.info.label
+                    (agent, participant): (place.info.label, place.suspended)
                     for (agent, participant), place in conversation.places.items()
                 }
                 members = dict.fromkeys(
@@ -340,7 +341,9 @@ class Conversations:
                     if (agent, participant) not in conversation.past
                 )
                 members.update(dict.fromkeys(here))
-                found.append((name, conversation.protocol, [(*who, here.get(who)) for who in members]))
+                found.append(
+                    (name, conversation.protocol, [(*who, *here.get(who, (None, False))) for who in members])
+                )
             return found
 
     def mailbox(self, name: str) -> Mailbox:

@@ -51,12 +51,16 @@ class Waiting:
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """An agent that is still in a conversation; `here` says whether it runs in this process."""
+    """An agent that is still in a conversation; `here` says whether it runs in this process.
+
+    It is `suspended` if its part was left and may be resumed.
+    """
 
     agent: str
     participant: str
     here: bool
     waits: tuple[Waiting, ...] = ()
+    suspended: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,8 +114,9 @@ def picture(waits: dict[str, tuple[Waiting, ...]], conversations: Conversations)
                         and item.conversation == name
                         and f"{item.state}.".startswith(f"{branch}.")
                     ),
+                    suspended,
                 )
-                for agent, participant, branch in members
+                for agent, participant, branch, suspended in members
             ),
         )
         for name, protocol, members in conversations.open()

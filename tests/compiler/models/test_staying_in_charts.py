@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from aseme_dsl.amola.statechart import Statechart
-from tests.support.compiling import codes, printed, system
+from tests.support.compiling import analysis, codes, printed, system
 
 LAMP = """system S
 message Button {{ bool pressed }}
@@ -96,3 +96,9 @@ def test_a_state_may_be_called_on_or_exit() -> None:
     chart = system(text).iacs[0]
     assert [node.name for node in chart.states] == ["on", "0.1", "exit", "0.3"]
     assert staying(chart) == [("exitEXIT", "exit", "0.2", "0.2")]
+
+
+def test_on_abandon_of_a_role_says_where_it_stands() -> None:
+    text = "system S srm r { liveness { r = A }  control r { on abandon : / x = 1 }  var x : int = 0 }"
+    hints = [item.hint for item in analysis(text).diagnostics if item.code == "E400"]
+    assert hints == ["`on abandon` stands in the control of a participant: write it in the `aip`"]

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from aseme_dsl.project.playing.run_end import end_lines
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.team.faults import Crash, Faults
 from tests.runtime.playing import MS, SECOND, Played, play
@@ -67,6 +68,14 @@ def kitchen(text: str = TEXT, activities: Any = (), **options: Any) -> Played:
 
 def whats(run: Played, agent: str = "bob") -> list[str]:
     return [f"{r['time'] // MS} {r['what']}" for r in run.of("conversation", agent=agent)]
+
+
+def test_the_end_of_the_run_says_what_is_suspended() -> None:
+    run = play(generate(TEXT), {}, until=3 * SECOND)
+    (conversation,) = run.result.conversations
+    assert {item.agent: item.suspended for item in conversation.members} == {"ann": False, "bob": True}
+    lines = [line for line in end_lines(run.result) if "as cook" in line]
+    assert lines == ["  bob as cook is suspended"]
 
 
 def did(run: Played, agent: str, what: str = "start") -> list[str]:
