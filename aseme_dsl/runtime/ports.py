@@ -49,7 +49,7 @@ class Receiver(Protocol):
         ...
 
     def hear(self, identity: Identity, message: ACLMessage, refuse: Callable[[str], None]) -> None:
-        """A message outside of every protocol has come; `refuse` tells why nobody wants it."""
+        """A message outside of every protocol has come; `refuse` gives the reason why it is not wanted."""
         ...
 
     def branch_info(self, label: str) -> BranchInfo: ...
@@ -84,7 +84,7 @@ class Driver(Scheduler, Protocol[RunningT]):
         ...
 
     def guard(self, agent: Stepping) -> AbstractContextManager[object]:
-        """Nobody else touches the agent's chart meanwhile."""
+        """Only this thread touches the agent's chart meanwhile."""
         ...
 
     def launch(self, execution: RunningT) -> None:

@@ -57,6 +57,11 @@ LOOSE = frozenset(
     }
 )
 """What docstrings and comments may say: no term of the glossary takes their place."""
+STRICT = (
+    *("runtime/activity/", "runtime/agent/", "runtime/channel/", "runtime/conversation/", "runtime/driver/"),
+    *("runtime/team/", "runtime/world/", "runtime/ports.py"),
+)
+"""Where docstrings and comments have none of these words, and no long sentence: the beginnings of paths."""
 QUOTED = {
     "runtime/control/operator_gate.py": {"life"},
     "runtime/transport/envelope.py": {"mail"},
@@ -115,14 +120,30 @@ def test_the_words_of_messages() -> None:
 def test_the_words_of_docstrings_and_comments() -> None:
     found = {}
     for path in sorted(PACKAGE.rglob("*.py")):
-        allowed = LOOSE | QUOTED.get(path.relative_to(PACKAGE).as_posix(), set())
+        name = path.relative_to(PACKAGE).as_posix()
+        loose = set() if name.startswith(STRICT) else LOOSE
+        allowed = loose | QUOTED.get(name, set())
         words = {word: instead for word, instead in WORDS.items() if word not in allowed}
         suspects = (text for text in notes(path.read_text("utf-8")) if may_be_avoided(text, words))
         texts = [part for text in suspects for part in prose(text)]
         if problems := [f"{problem}, in {text!r}" for text in texts for problem in avoided(text, words)]:
-            found[path.relative_to(PACKAGE).as_posix()] = problems
+            found[name] = problems
     assert found == {}
     assert LOOSE - WORDS.keys() == set()
+
+
+def test_the_sentences_of_docstrings_and_comments() -> None:
+    """Only where they have been corrected."""
+    found = {}
+    for path in sorted(PACKAGE.rglob("*.py")):
+        name = path.relative_to(PACKAGE).as_posix()
+        if not name.startswith(STRICT):
+            continue
+        parts = (part for text in notes(path.read_text("utf-8")) for part in prose(text))
+        long = [item for part in parts for item in sentences(part) if number_of_words(item) > MOST_WORDS]
+        if long:
+            found[name] = long
+    assert found == {}
 
 
 def test_a_title_is_short() -> None:

@@ -32,9 +32,9 @@ class Activity:
     """The base of activity classes; one object is made for each start.
 
     A subclass overrides `execute`. A plain function runs in a resident thread (or, with `kind = "process"`, a
-    resident process); an `async def` on the event loop; a generator is advanced inside the agent's steps,
-    must not block, and yields the seconds until it wants to go on (or nothing, for 10 ms). A class whose
-    `execute` is not overridden, or still nothing but a docstring, counts as an activity without code.
+    resident process); an `async def` on the event loop; a generator is advanced inside the agent's steps. It
+    must not block, and yields its pauses in seconds (or nothing, for 10 ms). A class whose `execute` is not
+    overridden, or still nothing but a docstring, counts as an activity without code.
     """
 
     kind: ClassVar[str | None] = None
@@ -101,7 +101,8 @@ def has_code(kind: type[Executable] | None) -> bool:
 
 
 def _is_unwritten(execute: Callable[..., object]) -> bool:
-    """Whether there is only a docstring, as a build starts it, or `...`; `pass` is somebody's word."""
+    """Whether there is only a docstring, as a build starts it, or `...`; `pass` is a decision of the
+    author."""
     import ast
 
     try:

@@ -108,7 +108,9 @@ class Port(Protocol):
 
 
 class Context:
-    """What an activity is given. May be used from any thread, as long as the activity lasts.
+    """All that an activity may do, as one thin face: each method makes one call on its port.
+
+    May be used from any thread, as long as the activity lasts.
 
     Channels are written as in the document: `vision.state.Ball`. What the activity reads or writes without
     having declared it raises UndeclaredError, a LookupError whose text has the line to add. After the
@@ -302,12 +304,12 @@ class Context:
     def send(self, performative: str, message: object, to: str, reply_within: float | None = None) -> None:
         """Send an agent message in this participant's conversation, to a participant or to one agent.
 
-        `reply_within` says that an answer is wanted within so many seconds, to whoever looks at that
-        (`AgentMessage.reply_by`); to wait no longer is what `after(…)` is for.
+        `reply_within` says that an answer is wanted within so many seconds. The receiver sees it as
+        `AgentMessage.reply_by`; the sender still waits, unless a transition has `after(…)`.
 
         Raises LookupError outside a protocol's participant, and for what the protocol does not let this
-        activity send: what a transition sends, what `sends … by` leaves to another activity, and the same
-        message to the same agent again without `repeatedly`. Nothing is sent then.
+        activity send. That is what a transition sends, what `sends … by` leaves to another activity, and the
+        same message to the same agent again without `repeatedly`. Nothing is sent then.
         """
         self._port.do(
             Send(performative, message, to, None if reply_within is None else nanoseconds(reply_within))

@@ -312,7 +312,7 @@ class Execution:
             context.raise_if_cancelled()
             assert self.code is not None
             self.result = as_outcome(self.code().execute(context, **self.arguments))
-        except BaseException as raised:  # whatever it is, the agent must hear of it
+        except BaseException as raised:  # of any type: the agent must hear of it
             return raised
         return None
 

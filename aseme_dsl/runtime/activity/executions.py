@@ -109,14 +109,14 @@ class Executions:
             self.agent.driver.cancel(execution)
 
     def suspend(self, branch: str) -> None:
-        """A protocol branch is suspended: where an activity ran, the next start goes on."""
+        """A protocol branch is suspended: where an activity ran, the next start continues it."""
         for node in self._nodes.values():
             current = node.current
             if node.branch == branch and current is not None and current.cancelled:
                 node.made = set(current.made)
 
     def leave(self, branch: str) -> None:
-        """The part of a protocol branch is over: nothing in it goes on."""
+        """The part of a protocol branch is over: nothing in it continues."""
         for node in self._nodes.values():
             if node.branch == branch:
                 node.made = set()
@@ -131,7 +131,7 @@ class Executions:
                 self.cancel(Cancel(label, start.activity, start.token))
 
     def refuse(self, start: Start, reason: str) -> None:
-        """An activity cannot start, or go on: its state has failed."""
+        """An activity cannot start, or continue: its state has failed."""
         identity = self.agent.identity()
         self._trace("crash", start, sequence=identity[1], reason=reason)
         self.agent.post(identity, Crashed(start.label, start.token, reason))
@@ -185,7 +185,7 @@ class Executions:
     # ---- another plan ------------------------------------------------------------------------
 
     def carry(self, labels: Mapping[str, str], find: ActivityFinder) -> None:
-        """Go on under the agent's new plan, in which the states have these labels.
+        """Continue under the agent's new plan, in which the states have these labels.
 
         What runs keeps running, with the code that it has; what starts later has the new plan's.
         """
@@ -214,7 +214,7 @@ class Executions:
                 execution.board = self.agent.chart.board_of(label)
 
     def forget(self, find: ActivityFinder) -> None:
-        """Go on under the agent's new plan, of which nothing runs yet; everything has been cancelled."""
+        """Continue under the agent's new plan, of which nothing runs yet; everything has been cancelled."""
         self._former += [node for node in self._nodes.values() if node.current is not None]
         self._nodes = {}
         self._find = find
@@ -343,7 +343,8 @@ class Executions:
         self.agent.trace.remark(now, self.agent.name, f"{text}: {write} would decide that")
 
     def has_code(self, activity: str) -> bool:
-        """Whether there is code for an activity; what cannot be loaded is told when it starts."""
+        """Whether there is code for an activity; code that cannot be loaded counts, and fails at its
+        start."""
         try:
             info = self._info(activity)
             return not info.simulated and not info.waits and has_code(self._find(activity))
@@ -362,7 +363,7 @@ class Executions:
             self.agent.errand(lambda: self._end(execution))
 
     def _advance(self, execution: Execution) -> None:
-        """Let a `step` activity go on until it yields."""
+        """Let a `step` activity continue until it yields."""
         if execution.cancelled or execution.has_returned:
             return
         try:
@@ -496,7 +497,7 @@ class Executions:
                 self.agent.requests.check_registered(True)
 
     def frozen(self, execution: Execution) -> c.Port:
-        """The port of a context that goes on with what its activity sees just now."""
+        """The port of a context that keeps what its activity sees just now."""
         from aseme_dsl.runtime.activity.snapshot import FrozenPort
 
         return FrozenPort(execution)

@@ -3,8 +3,8 @@
 A module is one object for as long as its agent plays; its `execute` is called every period, from the agent's
 first step on. It sees the agent's own blackboard, that of the root, and publishes as activities do. Releases
 lie on a grid that begins with the first: one that comes while the last has not returned is missed, counted
-and never made up for. One that raises is told in the trace; a new object takes its place, at the next release
-after the first failure, later the longer it goes on failing. The agent goes on.
+and never made up for. One that raises is recorded in the trace. A new object takes its place: after the first
+failure at the next release, after further ones later. The agent continues.
 """
 
 from __future__ import annotations
@@ -151,7 +151,7 @@ class Modules:
         return count
 
     def renew(self, find: ActivityFinder) -> None:
-        """Go on under the agent's new plan, with new objects."""
+        """Continue under the agent's new plan, with new objects."""
         begun = self.has_begun
         self.forget(find)
         if begun:
@@ -213,7 +213,7 @@ class Modules:
             agent.driver.launch(execution)
 
     def _advance(self, module: _Module, execution: Execution) -> None:
-        """Run a `step` module here: a generator goes on to where it yields next."""
+        """Run a `step` module here: a generator continues to where it yields next."""
         error: BaseException | None = None
         try:
             if module.generator is None:
@@ -249,7 +249,7 @@ class Modules:
         self._executions.check(execution, doing)
 
     def frozen(self, execution: Execution) -> c.Port:
-        """The port of a context that goes on with what its module sees just now."""
+        """The port of a context that keeps what its module sees just now."""
         return self._executions.frozen(execution)
 
     def returned(self, execution: Execution, error: BaseException | None) -> None:

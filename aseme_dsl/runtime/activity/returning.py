@@ -11,7 +11,7 @@ _RUNTIME = str(Path(__file__).parents[1])
 
 
 def as_outcome(result: object) -> str | None:
-    """What an activity has returned as the name of an outcome; of what is no text, its type: `<int>`."""
+    """What an activity has returned as the name of an outcome; for any other value, its type: `<int>`."""
     if result is None or isinstance(result, str):
         return result if result is None else str.__str__(result)
     return f"<{type(result).__name__}>"

@@ -82,7 +82,7 @@ class TookMail:
 
 
 Told = Doing | TookSignal | TookMail
-"""What is told to the agent while the activity runs."""
+"""What the agent receives while the activity runs."""
 
 
 class SnapshotPort:
@@ -250,7 +250,7 @@ def snapshot_of(execution: Execution) -> Snapshot:
         try:
             variable = agent.plan.variable_of(name, execution.label)
         except LookupError:
-            continue  # the variable of a participant that the activity is no part of
+            continue  # the variable of a participant that the activity does not belong to
         variables[name] = variable, agent.chart.variable(variable.name)
     mail = None if execution.branch is None else tuple(agent.chart.mail[execution.branch])
     return Snapshot(
@@ -298,6 +298,6 @@ def run_snapshot(execution: Execution) -> None:
         )
         assert execution.code is not None
         execution.result = as_outcome(execution.code().execute(Context(port), **execution.arguments))
-    except BaseException as raised:  # whatever it is, the agent must hear of it
+    except BaseException as raised:  # of any type: the agent must hear of it
         error = raised
     execution.returned(error)

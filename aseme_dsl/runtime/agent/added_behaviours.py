@@ -1,7 +1,7 @@
 """Added behaviours: what an agent does beside its statechart, as JADE's behaviours; a user subclasses these.
 
 An agent runs one action at a time, between its steps. An action takes no time and does not block: it ends, or
-it is a generator that yields the seconds until it wants to go on. What is not done and does not `block` is
+it is a generator that yields its pauses in seconds. What is not done and does not `block` is
 run again: at once if it has received a message, else after 10 ms.
 """
 
@@ -87,7 +87,7 @@ class Behaviour(HasDataStore):
 
         To be used as `message = yield from self.blocking_receive(…)`.
 
-        Only this behaviour waits; the others and the statechart go on.
+        Only this behaviour waits; the others and the statechart continue.
         """
         return Waiting(self._running, template, seconds)
 

@@ -54,8 +54,8 @@ that follows, though nothing goes round."""
 class Agent:
     """A running chart with its activities, its place on the bus and in conversations.
 
-    `post` and `errand` may be called from any thread; the driver sees to it that `process` is not called
-    twice at once, and that items are processed in the order in which they came.
+    `post` and `errand` may be called from any thread. The driver never calls `process` twice at once, and
+    keeps the order of the items.
     """
 
     def __init__(
@@ -88,7 +88,7 @@ class Agent:
         self.kinds: Messages = {}
         """The message classes of the agent's plan, as far as they are known."""
         self.chosen: Callable[[Agent, str, str], None] = _not_here
-        """Is told of a message that says which plan is to run, and by whom it is."""
+        """Called for a message that says which plan is to run, with its sender."""
         self.executions = Executions(self, find)
         self.modules = Modules(self, self.executions, find)
         self.requests = Requests(self, bus)
@@ -169,7 +169,7 @@ class Agent:
         return bool(shown.added_behaviours)
 
     def hear(self, identity: Identity, message: ACLMessage, refuse: Callable[[str], None]) -> None:
-        """A message outside of every protocol has come: for a behaviour that somebody has added."""
+        """A message outside of every protocol has come: for an added behaviour."""
         self.errand(lambda: self._hear(identity, message, refuse))
 
     def _hear(self, identity: Identity, message: ACLMessage, refuse: Callable[[str], None]) -> None:
@@ -309,8 +309,8 @@ class Agent:
             )
 
     def _show(self, labels: Mapping[str, str] | None = None) -> None:
-        """Show the chart with its behaviours, if it is to be shown so. One that goes on where another stood,
-        by `labels`, is shown as it stands."""
+        """Show the chart with its behaviours, if it is to be shown so. One that continues another, by
+        `labels`, is shown in its present state."""
         before = self.shown
         kind = agent_class(type(self.chart), self.executions.find)
         self.shown = kind(self) if kind is not None else None
@@ -505,7 +505,7 @@ class Agent:
     # ---- behaviours --------------------------------------------------------------------------
 
     def take_note(self, branch: str, mail: AgentMessage) -> None:
-        """A participant, by its branch, has taken a message: its behaviour is told."""
+        """A participant, by its branch, has taken a message: its behaviour gets it."""
         if self.shown is not None:
             self.shown.take_note(branch, mail)
 
@@ -525,12 +525,12 @@ def _identities(inputs: Iterable[Posted]) -> list[Identity]:
 
 
 def _is_said(effect: Effect) -> bool:
-    """Whether somebody else would hear of an effect."""
+    """Whether an effect leaves the agent."""
     return isinstance(effect, Publication | Sending)
 
 
 def _not_here(agent: Agent, plan: str, by: str) -> None:
-    """Nobody knows other plans."""
+    """There is no team, and so no other plan."""
 
 
 def _queued(plan: Plan) -> frozenset[str]:

@@ -95,7 +95,7 @@ class BehaviourScheduler:
         self._remove(behaviour)
 
     def stop(self, *, told: bool) -> None:
-        """The agent has ended, or goes on under another plan."""
+        """The agent has ended, or continues under another plan."""
         self._stopped = True
         for item in self.roots:
             if told:
@@ -194,7 +194,7 @@ class BehaviourScheduler:
                 self._sleep(leaf, due)
 
     def _finish(self, behaviour: Behaviour, root: Behaviour) -> None:
-        """A behaviour is done: what is around it goes on, or is done as well."""
+        """A behaviour is done: the behaviour around it continues, or is done as well."""
         while True:
             fine, result = self._call(behaviour, root, behaviour.on_end, "on_end")
             if not fine or not self._is_in(root):
@@ -218,7 +218,7 @@ class BehaviourScheduler:
     def _call(
         self, behaviour: Behaviour, root: Behaviour, call: Callable[[], _T], what: str
     ) -> tuple[bool, _T | None]:
-        """Call something of the user's; what it raises is told, and the behaviour removed."""
+        """Call something of the user's; what it raises is recorded, and the behaviour removed."""
         try:
             return True, call()
         except (Exception, SystemExit) as error:

@@ -1,10 +1,10 @@
 """Views: a running chart as an agent with a tree of behaviours, in the terms of JADE.
 
 The backend `jade_like` generates a class for each behaviour and one for the agent. They show what the chart
-does and decide nothing: a behaviour is active while its state is, whatever runs the chart, and the chart runs
-the same whether anybody looks or not. `on_start` and `on_end` (of a waker also `on_wake`) of a class of the
-user are called in the order in which states are entered and left, also inside one step, after that step, at
-its time. They must not block. What they raise is told in the trace as a fault, and the agent goes on.
+does and decide nothing. A behaviour is active while its state is, on every backend, and the chart runs the
+same without them. A class of the user may have `on_start` and `on_end`, a waker also `on_wake`. They are
+called after the step that enters or leaves their states, in the same order and at its time. They must not
+block. What they raise is recorded in the trace as a fault, and the agent continues.
 
 Behaviours that a user adds beside the tree do act: they are in `added_behaviours`.
 """
@@ -233,13 +233,13 @@ class CompositeBehaviour(Behaviour):
         text: str = "",
         *wakers: type[WakerBehaviour],
     ) -> None:
-        """From here it goes on there when `text` says so; `wakers` are the times in it."""
+        """From here it continues there when `text` says so; `wakers` are the times in it."""
         self._registered.append((source, target, text, wakers))
 
     def register_default_transition(
         self, source: type[Behaviour] | str, target: type[Behaviour] | str, text: str = ""
     ) -> None:
-        """From here it goes on there when the source is done and nothing else is open; `text` says what is
+        """From here it continues there when the source is done and nothing else is open; `text` says what is
         done on the way."""
         self.register_transition(source, target, text)
 
@@ -331,7 +331,7 @@ class _Window:
 
 
 class JadeLikeAgent:
-    """An agent with behaviours: what it offers, and what it does.
+    """An agent with behaviours: what it offers, and what it does. It has the methods of JADE's `Agent`.
 
     The generated subclass says which step class it shows; a subclass of that, in the folder of activities,
     says in `setup` which behaviours are the user's own. Those of the tree that it uses are views; those
@@ -382,13 +382,13 @@ class JadeLikeAgent:
         """Called before the agent's first step; to be overridden."""
 
     def take_over(self, before: JadeLikeAgent) -> None:
-        """Called after `setup` when the agent goes on after a hot swap; `before` is its object until then.
+        """Called after `setup` when the agent continues after a hot swap; `before` is its object until then.
 
         To be overridden, to keep what an attribute has.
         """
 
     def take_down(self) -> None:
-        """Called when the agent has ended, in whatever way; to be overridden."""
+        """Called when the agent has ended in any way; to be overridden."""
 
     def use(self, *kinds: type[Behaviour]) -> None:
         """Have these classes in the place of the generated ones that they are subclasses of. For `setup`.

@@ -105,7 +105,7 @@ class Effects:
         agent = self._agent
         is_farewell = bool(effect.way) and agent.plan.transitions[effect.way[0]].kind == "abandon"
         if is_farewell and self._conversations.place(agent, effect.branch)[0] is None:
-            return  # it has not begun to talk with anybody
+            return  # its conversation has not begun
         content = self._requests.content_of(effect)
         performative, message = effect.performative, effect.message
         if content is None:

@@ -39,14 +39,26 @@ Does = Literal[
 ]
 """What a callback does with what its method returns.
 
-`content` prepares it; `decide` agrees if there is any; `result` has succeeded with it; `condition` says
-whether it came to hold; `responses` and `results` only hear what has come; `award` may choose among it;
-`iterate` may want another round, with the message that begins it; `collect` waits as long as the behaviour
-says, `wait` until the protocol goes on; `clean` may say whether it could stop; `nothing` is done at once.
+* `content` prepares it.
+* `decide` agrees if there is any.
+* `result` has succeeded with it.
+* `condition` says whether it came to hold.
+* `responses` and `results` only get what has come.
+* `award` may choose among it.
+* `iterate` may want another round, with the message that begins it.
+* `collect` waits as long as the behaviour says.
+* `wait` waits until the protocol continues.
+* `clean` may say whether it could stop.
+* `nothing` is done at once.
 
-In auctions `lot` says what is sold, and from which price; `offers` collects and then hears the offers of
-the round, `payment` those of a round that was interrupted, and `sale` whether it was paid. `choose` says
-which agent does it.
+In auctions:
+
+* `lot` says what is sold, and from which price.
+* `offers` collects and then gets the offers of the round.
+* `payment` gets those of a round that was interrupted.
+* `sale` says whether it was paid.
+
+`choose` says which agent does it.
 """
 
 FOREVER = 3600.0
@@ -372,7 +384,7 @@ def _offers(behaviour: Participant) -> list[AgentMessage]:
 
 
 def _iterate(callback: Callback, behaviour: Participant, context: Context) -> Generator[object, None, None]:
-    """Begin another round with a message, accept somebody or nobody, or leave that to the protocol."""
+    """Begin another round with a message, accept an offer or none, or leave that to the protocol."""
     responses = [item for item in behaviour.news() if item.performative in RESPONSES]
     behaviour.tells_responses()
     made = yield from _value(getattr(behaviour, callback.method), responses)

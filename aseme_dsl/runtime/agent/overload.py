@@ -1,6 +1,6 @@
 """Overload: what an agent leaves out because too much comes or too little is taken, as its trace tells it.
 
-Each sort is told the first time by a fault; how much it is, by a `crowd` line a second at the most.
+The first of each sort is recorded as a fault; the number, by a `crowd` line a second at the most.
 """
 
 from __future__ import annotations

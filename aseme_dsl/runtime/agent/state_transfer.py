@@ -1,4 +1,4 @@
-"""Carrying over: a running chart goes on as a chart of another version of its plan.
+"""Carrying over: a running chart continues as a chart of another version of its plan.
 
 States are the same in both versions if they have the same type and the same name under the same named states:
 `KickBall` in `action` in `decision` of `player`. What an activity is given does not count, nor does what a
@@ -7,7 +7,7 @@ there several times, the first is the first, if both versions have it as often.
 
 All states that are active must be in the new version, and be active together there. Blackboards, histories,
 timers, variables and waiting agent messages follow by name and type; a variable in which the team now sets
-something else has that. Activities go on if the new version says the same of them, else they are cancelled
+something else has that. Activities continue if the new version says the same of them, else they are cancelled
 and started anew. A concurrent part that is new begins at its start.
 """
 
@@ -101,7 +101,7 @@ class _Tree:
                 return (state.label, what, self.full[state.label])
             case "full":
                 return (what, self.full[state.label])
-        if kind == "activity":  # whatever it is given
+        if kind == "activity":  # with any arguments
             return (what, self.named[state.label]) if state.type == "BASIC" else None
         if state.type in ("START", "END", "CONDITION") or not self.title[state.label]:
             return None
@@ -191,7 +191,7 @@ class _Carrying:
         old, new = self.old, self.new
         new.now, new.started, new.tokens = old.now, old.started, old.tokens
         new.seed = old.seed
-        if old.chance is not None:  # a copy: the old chart goes on if some other agent cannot
+        if old.chance is not None:  # a copy: the old chart continues if some other agent cannot
             new.chance = Random()
             new.chance.setstate(old.chance.getstate())
         if not old.started:
@@ -392,14 +392,14 @@ class _Carrying:
         return None if scope is None else self.labels.get(scope, "gone")
 
     def _times(self) -> None:
-        """When states were entered; of one that is new, or where nobody asked before, it is now."""
+        """When states were entered; of a new state, or where it was not counted before, it is now."""
         before = {label: other for other, label in self.labels.items()}
         for label, slot in self.new.TIMES.items():
             old = self.old.TIMES.get(before.get(label, ""))
             setattr(self.new, slot, self.now if old is None else getattr(self.old, old))
 
     def _counts(self) -> None:
-        """How often states were entered; one that nobody counted before, once if it is active."""
+        """How often states were entered; one that was not counted before, once if it is active."""
         before = {label: other for other, label in self.labels.items()}
         leaves = self.new.configuration()
         for label, slot in self.new.COUNTS.items():
@@ -462,7 +462,7 @@ class _Carrying:
                 setattr(self.new, new, carried)
 
     def _suspended(self) -> None:
-        """The participants that are suspended, as far as it is known where they go on; others are left."""
+        """The participants that are suspended, as far as it is known where they continue; others are left."""
         new = self.new
         for branch, kept in self.old.suspended.items():
             label = self.labels.get(branch, "")
@@ -512,7 +512,7 @@ class _Carrying:
         return tuple(restarted)
 
     def _goes_on(self, before: ActivityInfo | None, info: ActivityInfo | None) -> bool:
-        """Whether an activity that runs may go on: another deadline is no reason to begin anew."""
+        """Whether a running activity may continue; a changed deadline does not restart it."""
         if before is None or info is None:
             return before is info
         return replace(before, within=info.within) == info and self._same_messages(info)

@@ -5,16 +5,16 @@ see it in the next step. It goes to another agent that reads its channel if
 
 * the channel's topic goes by `radio`, or its rule `from` names a role or an agent: it is the team's; or
 * the other reads it under the publisher's name (`robot1.vision.state.Ball`); or
-* nothing in the other ever publishes on that channel: it can only mean what somebody else says.
+* nothing in the other ever publishes on that channel: it can only mean what others publish.
 
 Everything else stays at home: each robot has its own `vision.state.Ball`. A message to one agent goes to that
 agent alone.
 
-The rules. `from`: a publication by anybody else (by role, agent or activity) is refused. `every`: one that
-comes sooner than that after the last is delayed until the time is over, and a newer one takes its place;
-data is a sample and is dropped instead, `queued` signals all go out, one at a time. `persist`: the last state
-is kept in the state directory and is there when the agent starts again. Whatever does not go out as it was
-published is told in the trace.
+The rules. `from`: a publication by any other (by role, agent or activity) is refused. `every`: one that comes
+sooner than that after the last is delayed until the time is over, and a newer one takes its place. Data is
+dropped instead; `queued` signals all go out, one at a time. `persist`: the last state is kept in the state
+directory and is there when the agent starts again. The trace records each message that does not go out as it
+was published.
 """
 
 from __future__ import annotations
@@ -275,7 +275,7 @@ class Bus:
     # ---- from outside ------------------------------------------------------------------------
 
     def give(self, agent: Receiver, channel: str, message: object, sender: str = "input") -> None:
-        """Give an agent a message that nobody of the team has published (a script, a test)."""
+        """Give an agent a message that no agent has published (a script, a test)."""
         with self._driver.holding(), self._lock:
             identity = self._outside()
             now = self._driver.clock.now()
@@ -342,7 +342,8 @@ class Bus:
     ) -> str | None:
         """The transport has brought what an agent elsewhere published, measured at `moment`.
 
-        The rules hold whoever sent it: what by them is not for the agent is not taken; gives the reason.
+        The rules hold for every sender. A message that by them is not for the agent is refused; gives the
+        reason.
         """
         reason = self._routes.objection(agent.name, channel, sender, host)
         if reason is not None:
@@ -358,7 +359,7 @@ class Bus:
     def restore(self, messages: Mapping[str, type[object]]) -> None:
         """Give the agents the states that were kept; `messages` are the classes by name.
 
-        A kept state that is not of its message's type any more is told in the trace and left out.
+        A kept state that is not of its message's type any more is recorded as a fault and left out.
         """
         if self._kept is None:
             return

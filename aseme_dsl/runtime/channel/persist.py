@@ -1,9 +1,9 @@
 """Kept states: what `persist` channels said last, in one JSON file per agent.
 
-Whatever happens to the process or the machine, a file is either what it was or what it is to be: it is
-written beside, brought to the disk (fsync), and then put in its place (rename, fsync of the folder). It is
-written off the agents' steps; in real time by a thread of its own, at once, and again only after a pause in
-which newer states take the place of older ones. What was said since then is lost with the process.
+If the process or the machine stops, a file is either the old one or the new one. It is written beside,
+brought to the disk (fsync), and then renamed (with fsync of the folder). It is written outside of the agents'
+steps. In real time a thread writes at once, and again only after a pause, in which newer states replace older
+ones. What was said since then is lost with the process.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Kept:
         self._writer: threading.Thread | None = None
 
     def begin(self, failed: Callable[[str, str], None]) -> None:
-        """Write from now on whatever changes, in a thread of its own; `failed` is told (agent, why not)."""
+        """Write from now on what changes, in a thread of its own; `failed` is called with (agent, reason)."""
 
         def work() -> None:
             while not self._over.is_set():
@@ -88,7 +88,7 @@ class Kept:
             states = [
                 {"channel": channel, "host": host, "message": value}
                 for (channel, host), value in sorted(
-                    # a copy: agents go on saying while this is written
+                    # a copy: agents continue to publish while this is written
                     self._states[agent].copy().items(),
                     key=lambda item: (item[0][0], item[0][1] or ""),
                 )

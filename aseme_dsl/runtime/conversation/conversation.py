@@ -1,12 +1,11 @@
 """Conversations: one run of a protocol between its participants, and the agent messages that belong to it.
 
 A conversation is opened by the first message that a participant sends after it was entered. A message goes to
-everybody who takes part as the addressed participant or, while nobody does, to all other agents that play
-it. At the receiver it goes to the branch that takes part in that conversation; if none does, it is offered to
-a free branch of the participant, or waits until one is entered or free, with `WAITING` others at the most. A
-branch that is left takes part no more. What a participant does not list as received, what comes when too many
-wait already, and what comes for a participation that is over, is unexpected: it is told in the trace and
-answered `not_understood`.
+all agents that take part as the addressed participant or, without one, to all other agents that play it. At
+the receiver it goes to the branch that takes part in that conversation. If none does, it is offered to a free
+branch of the participant, or waits until one is entered or free, with at most `WAITING` others. A branch that
+is left takes part no more. A message is unexpected if the participant does not list it as received, if too
+many wait already, or if the participation is over. It is recorded in the trace and answered `not_understood`.
 
 External agents may take part, too. `exchange.external_inbox` hands on a message that is understood like any
 other. A message that was received before is recorded only.
@@ -92,7 +91,7 @@ class Conversations:
     def add_external_agent(self, name: str, hears: Hears) -> None:
         """An agent that is not of the team runs in this process; it speaks by `receive_external`.
 
-        It is told messages while others wait: it only takes note of them, and answers later.
+        It is called with messages while others wait: it only takes note of them, and answers later.
 
         Raises:
             ValueError: an agent of the team has that name.
@@ -163,7 +162,7 @@ class Conversations:
             if self._members.desks[agent.name].was_heard(acl.identity):
                 self._told.unexpected(agent.name, acl, "it was received before")
                 return
-            if acl.performative != LOST:  # that is told where somebody waits for it
+            if acl.performative != LOST:  # that reaches the agents that wait for it
                 self._told.received(agent.name, acl)
             if self._delivery.free.is_free(acl):
                 self._delivery.free.deliver(agent, acl)
@@ -194,8 +193,8 @@ class Conversations:
     def receive_external(self, to: str, message: FipaMessage) -> None:
         """An agent that is not of the team has sent a message to one of ours. May be called from any thread.
 
-        It is handed on like any other if it is understood. Else it is told in the trace why it is not, and
-        answered `not_understood`.
+        It is handed on like any other if it is understood. Else the trace records why not, and it is answered
+        `not_understood`.
         """
         with self._driver.holding(), self._lock:
             if self._management.is_meant(to, message):
@@ -234,7 +233,7 @@ class Conversations:
             self._parts.suspended(agent, branch)
 
     def resumed(self, agent: Receiver, branch: str) -> None:
-        """A branch that was suspended goes on."""
+        """A branch that was suspended continues."""
         with self._driver.holding(), self._lock:
             self._parts.resumed(agent, branch)
 
@@ -295,12 +294,12 @@ class Conversations:
 
     @contextmanager
     def still(self) -> Iterator[None]:
-        """Inside, nobody else sends, joins or leaves; agents that are woken step afterwards."""
+        """Inside, no other thread sends, joins or leaves; agents that are woken step afterwards."""
         with self._driver.holding(), self._lock:
             yield
 
     def carry(self, agent: Receiver, labels: Mapping[str, str], messages: Messages) -> None:
-        """The agent goes on under its new plan, in which the states have these labels.
+        """The agent continues under its new plan, in which the states have these labels.
 
         What it was invited to and now plays in another way is answered `not_understood`.
         """

@@ -1,4 +1,4 @@
-"""What the trace tells of conversations: who takes part, what is said, and what nobody expects."""
+"""What the trace tells of conversations: who takes part, what is said, and what is unexpected."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from aseme_dsl.runtime.time.timers import Scheduler
 from aseme_dsl.runtime.trace.trace import Trace
 
 LONGEST = 2000
-"""So many characters of a content that means nothing are told."""
+"""The most characters of a content without a meaning that are recorded."""
 
 
 class ConversationTrace:
@@ -75,7 +75,7 @@ class ConversationTrace:
             )
 
     def unexpected(self, agent: str, acl: AclMessage, reason: str) -> None:
-        """A message has come that nobody expects."""
+        """An unexpected message has come."""
         self._trace.write(
             "unexpected",
             self._driver.clock.now(),
@@ -119,7 +119,7 @@ class ConversationTrace:
         )
 
     def answered_outside(self, answer: FipaMessage, identity: Identity, to: Identity) -> None:
-        """An agent that is not of the team is told that what it has said means nothing."""
+        """An external agent is answered that its message means nothing."""
         if self._trace.active:
             self._trace.write(
                 "agent_message",

@@ -21,7 +21,7 @@ class Counting:
     def sent(
         self, agent: Receiver, place: Participation, conversation: Conversation, acl: AclMessage
     ) -> None:
-        """A branch sends to a participant; it is told before anybody can answer."""
+        """A branch sends to a participant; it learns so before an answer can come."""
         if acl.to not in place.info.counts:
             return
         item = Addressed(place.info.label, acl.to, acl.receivers, name_of(acl.identity))

@@ -1,10 +1,10 @@
 """The directory: which agents there are (white pages), and what each of them offers (yellow pages).
 
 It is that of FIPA's agent management (SC00023): entries are registered, modified, deregistered and searched,
-and who subscribes is told of changes. Each agent of the team is in it with the participants that it plays,
-from the beginning until it has ended; agents of other processes while the transport knows them as there. What
-an agent offers besides, it registers itself. Agents that are not of the team register at the agent `df`,
-which is this directory's face for them (`management`).
+and subscribers get the changes. Each agent of the team is in it with the participants that it plays, from the
+beginning until it has ended. Agents of other processes are in it while the transport reaches them. What an
+agent offers besides, it registers itself. Agents that are not of the team register at the agent `df`, which
+is this directory's face for them (`management`).
 
 Each process has its own. What agents offer besides the participants they play is known only where they said
 so.
@@ -308,7 +308,7 @@ class Directory:
             lease.timer.cancel()
 
     def _renew(self, name: str, what: str = "") -> Entry:
-        """Put an agent's entry together anew, and tell whoever subscribes; `what` it has done itself."""
+        """Put an agent's entry together anew, and tell the subscribers; `what` it has done itself."""
         with self._lock:
             before = self._entries.get(name)
             base, lease = self._team.get(name), self._leases.get(name)
@@ -370,7 +370,7 @@ class Directory:
         return self._number
 
     def listen(self, listener: Callable[[Change], None]) -> None:
-        """Have somebody told of each change from now on, by the thread that makes it."""
+        """Report each change from now on, by the thread that makes it."""
         with self._lock:
             self._listeners.append(listener)
 

@@ -36,7 +36,7 @@ MESSAGE = "X-message"
 PARTICIPANT = "X-participant"
 """The parameter that names the sender's part in the protocol."""
 LONGEST = 2000
-"""So many characters of a reason are told."""
+"""The most characters of a reason that are sent."""
 
 
 class NotUnderstood(Exception):
@@ -79,9 +79,9 @@ def played_as(wanted: str, infos: Sequence[BranchInfo]) -> list[BranchInfo]:
 class Context:
     """What a message of an external agent may be understood by, besides itself.
 
-    `infos` are the branches that it may be for, in groups, the likeliest first; `part` is the one that its
-    sender has in the conversation, `answered` what the message is that it answers, as performative and type,
-    and `sent` what was sent to it in the conversation, the newest last.
+    `infos` are the branches that it may be for, in groups, the likeliest first. `part` is the one that its
+    sender has in the conversation. `answered` is the message that it answers, as performative and type, and
+    `sent` what was sent to it in the conversation, the newest last.
     """
 
     infos: tuple[tuple[BranchInfo, ...], ...]
@@ -223,7 +223,7 @@ def _content(message: FipaMessage) -> dict[str, object]:
     try:
         found = outside.loads(message.content or "")
         json.dumps(found, ensure_ascii=False).encode()
-    except (ValueError, RecursionError) as problem:  # half a character is no text, either
+    except (ValueError, RecursionError) as problem:  # half a character is not a text, either
         raise NotUnderstood(f"the content is not JSON: {problem}"[:LONGEST]) from None
     if not isinstance(found, dict):
         raise NotUnderstood("the content is not a JSON object")

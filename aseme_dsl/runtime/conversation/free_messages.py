@@ -175,7 +175,7 @@ class FreeMessages:
         agent.hear(acl.identity, message, refuse)
 
     def is_known(self, message: FipaMessage) -> bool:
-        """Whether an external agent answers a free message, or goes on with one's conversation."""
+        """Whether an external agent answers a free message, or continues one's conversation."""
         if message.conversation in self._members.conversations:
             return False
         return ("said", message.in_reply_to) in self._known or ("in", message.conversation) in self._known
@@ -219,7 +219,7 @@ class FreeMessages:
         return True
 
     def clear(self, agent: Receiver, reason: str) -> None:
-        """An agent has ended or left its plan: what waits for its behaviours is told as unexpected."""
+        """An agent has ended or left its plan: what waits for its behaviours is unexpected."""
         box = self._boxes.pop(agent.name, {})
         for identity, item in box.items():
             self._told.unread(agent.name, identity, item, reason or f"{agent.name} has ended")

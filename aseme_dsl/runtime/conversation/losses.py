@@ -1,4 +1,4 @@
-"""Losses: whoever shares a conversation with an agent is told that its part there is over, and why."""
+"""Losses: the agents of a conversation learn that the part of another is over, and why."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ASKING = frozenset("cfp propose proxy query_if query_ref request request_when su
 
 
 class Losses:
-    """What conversations do when an agent's part ends, in whatever way. Called with their lock."""
+    """What conversations do when an agent's part ends in any way. Called with their lock."""
 
     def __init__(
         self,
@@ -44,12 +44,12 @@ class Losses:
         self._links = links
         self._send = send
         self._owed: dict[str, list[tuple[AclMessage, dict[str, tuple[str, ...]]]]] = {}
-        """The ends of parts that agents elsewhere are told if they come back."""
+        """The ends of parts, for agents elsewhere that come back."""
 
     def ended(
         self, agent: Receiver, place: Participation, name: str, conversation: Conversation, reason: Reason
     ) -> None:
-        """The part of an agent of this process is over; everybody in its conversation is told."""
+        """The part of an agent of this process is over; all agents in its conversation learn it."""
         part = place.info.participant
         self.over(conversation, name, agent.name, part, reason)
         for to, theirs in _others(conversation, agent.name):
@@ -68,7 +68,7 @@ class Losses:
                 del owed[:-REMEMBERED]
 
     def exhausted(self, name: str, conversation: Conversation) -> None:
-        """A conversation has had all the messages that it may have: the part of everybody is over."""
+        """A conversation has had all the messages that it may have: all parts are over."""
         for (who, _), place in list(conversation.places.items()):
             for other, theirs in _others(conversation, who):
                 if theirs not in place.info.loses:
@@ -82,13 +82,13 @@ class Losses:
                     self.over(conversation, name, who, part, "exhausted")
 
     def returned(self, name: str, *, same: bool) -> None:
-        """An agent elsewhere can be reached again; the same incarnation is told what it has missed."""
+        """An agent elsewhere can be reached again; the same incarnation gets what it has missed."""
         for loss, members in self._owed.pop(name, ()):
             if same:
                 self._transport.carry(loss, name, members)
 
     def over(self, conversation: Conversation, name: str, who: str, part: str, reason: Reason) -> None:
-        """An agent's part is over, wherever it runs; the agents of this process are told."""
+        """An agent's part is over, wherever it runs; the agents of this process learn it."""
         conversation.past[who, part] = reason
         for (to, _), place in list(conversation.places.items()):
             if to != who:
@@ -99,7 +99,8 @@ class Losses:
     def tell(
         self, agent: Receiver, place: Participation, name: str, who: str, part: str, reason: Reason
     ) -> None:
-        """A branch is told of an agent, if a transition waits for that or a condition counts its answers."""
+        """A branch learns of a lost agent, if a transition waits for that or a condition counts its
+        answers."""
         if part in place.info.counts:
             self._counting.settled(agent, place, part, who)
         if part not in place.info.loses:
@@ -135,13 +136,13 @@ class Losses:
                 self._give(agent, place, place.conversation or "", *item, "completed")
 
     def joined(self, agent: Receiver, place: Participation, name: str, conversation: Conversation) -> None:
-        """A branch takes part from now on: it is told whose part is over already."""
+        """A branch takes part from now on: it learns whose part is over already."""
         for (who, part), reason in list(conversation.past.items()):
             if part in place.info.loses and who != agent.name:
                 self.tell(agent, place, name, who, part, reason)
 
     def _withdraw(self, conversation: Conversation, name: str, who: str, reason: Reason) -> None:
-        """What an agent has sent, and nobody has joined for yet, opens nothing any more."""
+        """What an agent has sent, and no agent has joined for yet, opens nothing any more."""
         for to, desk in self._desks.items():
             for acl in desk.invitations.withdraw(name, who):
                 conversation.invitations -= 1

@@ -8,7 +8,7 @@ They speak FIPA's agent management (SC00023) with contents in JSON, named as FIP
 
 `df` knows register, modify, deregister and search, and `subscribe` with a `description`; `ams` knows search
 and get-description. The answer is `inform` with the `result`, or `refuse`, `failure` or `not-understood` with
-FIPA's `error` and the `reason` in words. What has changed is told to a subscriber by `inform` with `changes`,
+FIPA's `error` and the `reason` in words. A subscriber learns what has changed by `inform` with `changes`,
 until it sends `cancel` in that conversation.
 
 On a network, where `df` has no address, each agent of the team takes what is for it: messages of the ontology
@@ -95,7 +95,7 @@ class Management:
     """The managers of a process."""
 
     def __init__(self, directory: Directory, system: str, say: Say, team: Container[str]) -> None:
-        """`team` holds the names of the team's agents, which nobody else manages."""
+        """`team` holds the names of the team's agents, which only it manages."""
         self._directory = directory
         self._system = system
         self._say = say
@@ -330,7 +330,7 @@ def _content(message: FipaMessage) -> object:
     try:
         found = outside.loads(text)
         json.dumps(found, ensure_ascii=False).encode()
-    except (ValueError, RecursionError) as problem:  # half a character is no text, either
+    except (ValueError, RecursionError) as problem:  # half a character is not a text, either
         reason = f"the content is not JSON: {problem}"
         raise _Refused("not-understood", "unrecognised-value", reason[:1000]) from None
     return found

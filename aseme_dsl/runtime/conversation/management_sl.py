@@ -18,7 +18,7 @@ _SETS = ("services", "protocols", "ontologies", "languages", "properties")
 _ALONE = ("unauthorised", "already-registered", "not-registered", "unexpected-argument-count")
 """Errors without an argument."""
 MOST = 1000
-"""So many characters of a reason are told."""
+"""The most characters of a reason that are sent."""
 
 
 class SlError(Exception):
@@ -50,7 +50,7 @@ def asked(message: FipaMessage, manager: str, act: str) -> Asked:
     """What a message to a manager asks for.
 
     Raises:
-        SlError: it is no content in SL, or none that a manager understands.
+        SlError: it is not a content in SL, or not one that a manager understands.
     """
     if not isinstance(message.content, str):
         raise SlError("unrecognised-value", "the content is not a text in UTF-8")

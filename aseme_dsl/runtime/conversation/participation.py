@@ -81,7 +81,7 @@ class Conversation:
     places: dict[tuple[str, str], Participation] = field(default_factory=dict)
     """The branches here that take part, by agent and participant."""
     chosen: set[str] = field(default_factory=set)
-    """The participants of which an agent here has invited those who take part: nobody else does."""
+    """The participants of which an agent here has invited those who take part: no other agent does."""
     invitations: int = 0
     """How many of its messages wait here for a participant to be entered or free."""
     outsiders: dict[str, tuple[AgentIdentifier, ...]] = field(default_factory=dict)
@@ -95,7 +95,7 @@ class Conversation:
 
     @property
     def is_exhausted(self) -> bool:
-        """Whether it has had all the messages that it may have, and is over for everybody."""
+        """Whether it has had all the messages that it may have, and is over for all."""
         return self.left < 0
 
     def note(self, name: str, performative: str, message: str, receiver: str) -> None:

@@ -1,1 +1,1 @@
-"""Driver: what lets a team go on, in real or in virtual time."""
+"""Driver: what advances a team, in real or in virtual time."""

@@ -1,7 +1,7 @@
 """Real time: agents step where their inputs come in, activities run beside them.
 
-A step has no thread of its own. Who posts an input appends it to the agent's intake and, if nobody else is
-stepping the agent, steps it; else whoever does takes the new input too before it lets go. So there is one
+A step has no thread of its own. Who posts an input appends it to the agent's intake and steps the agent,
+unless another thread does. That thread then takes the new input, too, before it lets go. So there is one
 order of inputs and no hand-over to another thread, which would wait for the interpreter's lock. A thread of
 its own keeps the timers; the one that calls `run` looks after what is stuck, and after what can wait.
 """
@@ -35,7 +35,7 @@ GRACE = 1.0
 LEAVE = 0.3
 """How long, in seconds, threads and processes may take to end after that."""
 LOOK = 0.25
-"""How often, in seconds, somebody looks for what is stuck, and for what can wait."""
+"""Seconds between two checks for what is stuck, and for what can wait."""
 
 
 class RealDriver:
@@ -49,9 +49,9 @@ class RealDriver:
         names: Mapping[str, str] | None = None,
         code: VersionFiles | None = None,
     ) -> None:
-        """`path` are the folders where worker processes find what they import, `names` are other names of
-        packages there (`runtime.loading.other_names`), and `code` is the version that is played, if it is not
-        the build itself; `origin` is the clock's."""
+        """`path` are the folders where worker processes find what they import, and `names` are other names of
+        packages there (`runtime.loading.other_names`). `code` is the version that runs, if it is not the
+        build itself; `origin` is the clock's."""
         self.clock = RealClock(origin)
         self.options = options or RealTime()
         self.agents: Sequence[Stepping] = ()
@@ -111,7 +111,7 @@ class RealDriver:
         return self.at(self.clock.now() + duration, call)
 
     def look(self, agent: Stepping, call: Callable[[], None], seconds: float = PAUSE) -> bool:
-        """Make a call while nobody steps the agent; False if it is in a step for so many seconds."""
+        """Make a call between two steps of the agent; False if it is in a step for so many seconds."""
         return self._steps.look(agent, call, seconds)
 
     def renew(self, path: Sequence[Path], names: Mapping[str, str], code: VersionFiles | None) -> None:
@@ -140,7 +140,7 @@ class RealDriver:
     # ---- the loop ----------------------------------------------------------------------------
 
     def run(self) -> None:
-        """Go on until `until` is reached, `settled` gives a reason or `stop` is called.
+        """Continue until `until` is reached, `settled` gives a reason or `stop` is called.
 
         Then the agents are stopped and their activities cancelled; what has not returned after a while is
         complained about. Raises what the runtime itself raises, never what activities raise.

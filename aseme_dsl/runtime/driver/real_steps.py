@@ -11,7 +11,7 @@ from aseme_dsl.runtime.driver.run_state import PAUSE, RunState
 from aseme_dsl.runtime.ports import Stepping
 
 RESTLESS = 1000
-"""After so many steps that follow each other in one thread, another thread goes on with them."""
+"""After so many steps that follow each other in one thread, another thread continues."""
 BRIEF = 20
 """After so many steps, a thread that only steps looks whether the run is over, and gives way to others."""
 
@@ -73,8 +73,8 @@ class Steps:
             mine.depth -= 1
 
     def _rest(self, mine: _Depth) -> None:
-        """Step whom this thread has woken. If that does not end soon, because they wake each other or more
-        comes than they can take, another thread goes on: this one may have to look at the time."""
+        """Step whom this thread has woken. That may not end soon, if they wake each other or more comes than
+        they can take. Then another thread continues: this one may have to look at the time."""
         steps = 0
         while mine.woken and (self._state.ends is None or not mine.has_time):
             if steps >= RESTLESS and not mine.has_time:
@@ -114,7 +114,7 @@ class Steps:
                 while agent.intake and steps < most:
                     agent.process(agent.take())
                     steps += not agent.chart.drains
-            except BaseException as error:  # of the runtime itself: nobody above may swallow it
+            except BaseException as error:  # of the runtime itself: no caller may swallow it
                 self._state.fail(error)
             finally:
                 del self._owners[agent.name]
@@ -131,7 +131,7 @@ class Steps:
 
     @contextmanager
     def guard(self, agent: Stepping) -> Iterator[None]:
-        """Nobody steps the agent inside; what comes in meanwhile is taken at the end."""
+        """No thread steps the agent inside; what comes in meanwhile is taken at the end."""
         if self.owns(agent):
             yield
             return
@@ -145,7 +145,7 @@ class Steps:
             self.wake(agent)
 
     def look(self, agent: Stepping, call: Callable[[], None], seconds: float = PAUSE) -> bool:
-        """Make a call while nobody steps the agent; False if it is in a step for so many seconds."""
+        """Make a call between two steps of the agent; False if it is in a step for so many seconds."""
         lock = self._locks[agent.name]
         if not lock.acquire(timeout=max(0.001, seconds)):
             return False

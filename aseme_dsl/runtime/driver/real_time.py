@@ -26,10 +26,10 @@ class RealTime:
     """How many signals of a queued channel may wait in a region, how many for an agent's next step, and how
     many agent messages for a participant. What comes then is left out, and told; also in virtual time."""
     conversation_limit: int = MESSAGES
-    """How many messages one conversation may have; then it is over for everybody. Also in virtual time."""
+    """How many messages one conversation may have; then it is over for all. Also in virtual time."""
     switch_interval: int = MILLISECOND // 10
-    """How long a thread that computes may keep the interpreter from another one that wants it. While the run
-    goes on, that holds for the whole process; it is put back with the end of the last run."""
+    """How long a thread that computes may keep the interpreter from another one that wants it. During the
+    run, that holds for the whole process; it is put back with the end of the last run."""
     priority: int | None = None
     """The real-time priority (SCHED_FIFO, from 1 on) of the thread that keeps the timers, where the system
     permits it."""

@@ -1,4 +1,4 @@
-"""Run state: why a run in real time is to end, and what the thread that looks after it is told."""
+"""Run state: why a run in real time is to end, and what its watching thread is asked to do."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ PAUSE = 0.01
 
 
 class RunState:
-    """Whether a run goes on. May be used from any thread."""
+    """Whether a run is in progress. May be used from any thread."""
 
     def __init__(self) -> None:
         self.ends: str | None = None

@@ -1,17 +1,17 @@
 """Virtual time: everything that a team does, one thing at a time and always in the same order.
 
-Nothing runs at once. At an instant the agents that are due step in the team's order (a *wave*); then the code
-of the activities that they started runs, in that order; what came of both is taken by the next wave of the
-instant. When nothing is left, time jumps to the next moment at which something is due.
+Nothing runs at once. At an instant the agents that are due step in the team's order (a *wave*). Then the code
+of the activities that they started runs, in that order. The next wave of the instant takes what came of both.
+When nothing is left, time jumps to the next moment at which something is due.
 
-An activity that waits must let the others go on, and Python can suspend code only with a thread. So the
-thread that runs the loop is not always the same: if activity code waits, its thread (with the code on its
-stack) sleeps, and another one leads the loop on; when the wait is over, the leader wakes the sleeper and
-hands the lead over to it. Still only one thread runs at any time, and code that never waits costs no switch.
+An activity that waits must let the others continue, and Python can suspend code only with a thread. So the
+thread that runs the loop is not always the same. If activity code waits, its thread (with the code on its
+stack) sleeps, and another one leads the loop. When the wait is over, the leader wakes the sleeper and hands
+the lead over to it. Still only one thread runs at any time, and code that never waits costs no switch.
 Nothing of the loop's state is on its stack while code runs; that is what makes this possible.
 
-The thread that asks for the run leads nothing: it waits for its end, says so where code does not return, and
-leaves such code behind, with its thread, once the run is to end.
+The thread that asks for the run leads nothing: it waits for its end. It reports code that does not return,
+and leaves it behind, with its thread, when the run ends.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ LOOK = 0.25
 GRACE = 4
 """Once the run is to end, code is left behind that has not returned at so many looks."""
 PATIENCE = 20
-"""It is told of code that has not returned, or has let no time pass, at so many looks."""
+"""It reports code that has not returned, or has let no time pass, at so many looks."""
 
 _FREE = nullcontext()
 
@@ -61,8 +61,8 @@ class _Seat:
         self.go = threading.Lock()
         self.go.acquire()
         self.steps_aside = False
-        """Whether its thread has handed the lead over and is about to sleep here. It must, whoever leads by
-        then: each release of `go` is for one sleep."""
+        """Whether its thread has handed the lead over and is about to sleep here. It must, under any leader:
+        each release of `go` is for one sleep."""
         self.queued = False
         """Whether it is on the list of those that are handed the lead."""
 
@@ -107,7 +107,7 @@ class VirtualDriver:
         """How often each activity has waited 0 s at the present moment, and its thread."""
         self._told: set[str] = set()
         self._ending = threading.Lock()
-        """Held from the moment at which somebody ends the loop: it is ended once."""
+        """Held from the moment at which a thread ends the loop: it is ended once."""
         self._over = threading.Lock()
         """Held until it has ended."""
         self._over.acquire()
@@ -146,7 +146,7 @@ class VirtualDriver:
         return _FREE
 
     def look(self, agent: Stepping, call: Callable[[], None]) -> bool:
-        """Make a call while nobody steps the agent: at once."""
+        """Make a call between two steps of the agent: at once."""
         call()
         return True
 
@@ -217,7 +217,7 @@ class VirtualDriver:
         thread.start()
 
     def _lead(self, seat: _Seat) -> None:
-        """Lead the loop; when somebody else does, sleep until the lead comes back."""
+        """Lead the loop; when another thread does, sleep until the lead comes back."""
         seat.thread = threading.get_ident()
         try:
             while not self._done:
@@ -230,7 +230,7 @@ class VirtualDriver:
             self._finish()
 
     def _finish(self) -> bool:
-        """End the loop, unless somebody has: every thread comes back from where it sleeps."""
+        """End the loop, unless it has ended: every thread comes back from where it sleeps."""
         if not self._ending.acquire(blocking=False):
             return False
         self._done = True
@@ -373,7 +373,7 @@ class VirtualDriver:
                 )
 
     def _jump(self) -> None:
-        """Go on to the next moment at which something is due."""
+        """Advance to the next moment at which something is due."""
         moment = self._timers.next()
         if self.until is None:
             if moment is None or self._timers.only_background():
@@ -401,7 +401,7 @@ class VirtualDriver:
             timer.ring()
 
     def _close(self, reason: str) -> None:
-        """Stop everything; what is told that it is cancelled still comes to its end."""
+        """Stop everything; what is cancelled still comes to its end."""
         self.reason = reason
         self._closing = True
         self.ending()

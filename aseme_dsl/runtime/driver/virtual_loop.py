@@ -29,7 +29,7 @@ async def _error(execution: Execution) -> BaseException | None:
         assert execution.code is not None
         made = execution.code().execute(context, **execution.arguments)
         execution.result = as_outcome(await cast("Awaitable[object]", made))
-    except BaseException as raised:  # whatever it is, the agent must hear of it
+    except BaseException as raised:  # of any type: the agent must hear of it
         return raised
     return None
 
@@ -46,7 +46,7 @@ class VirtualLoop:
         soon: Callable[[Callable[[], None]], None],
         complain: Callable[[str], None],
     ) -> None:
-        """`soon` has a call made at this instant; `complain` is told what goes wrong in the loop."""
+        """`soon` has a call made at this instant; `complain` gets what goes wrong in the loop."""
         self._scheduler = scheduler
         self._soon = soon
         self._complain = complain

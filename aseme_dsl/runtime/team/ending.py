@@ -30,8 +30,8 @@ class Awaited:
 class Waiting:
     """An active state and what is awaited there.
 
-    `state` is the label of the leaf (or the state that is complete with its END), `name` the innermost name
-    around it, `at` the place of that name in the source. `where` says how far it is: "in" (its activity
+    `state` is the label of the leaf (or of the complete state with its END), `name` the innermost name
+    around it. `at` is the place of that name in the source. `where` says how far it is: "in" (its activity
     runs), "after" (the activity has returned, or its END is active) or "before" (the first transition inside
     was not taken yet). `conversation` is the open conversation that the state belongs to; `free` says that it
     waits for a message that begins a conversation. `since` is the moment (ns) at which the activity returned

@@ -9,8 +9,8 @@ same bookkeeping as above real ones (`transport.stream`), with its promises:
   own time. The same holds for topics that go by radio.
 
 The content of messages is not encoded, and agents do not learn that another one is lost. An agent that
-crashes loses what it knew and what comes for it until it starts again; each such message is told in the
-trace, and so is each sample that is lost.
+crashes loses what it knew and what comes for it until it starts again; the trace records each such message
+and sample.
 """
 
 from __future__ import annotations

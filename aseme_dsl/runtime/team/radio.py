@@ -3,8 +3,8 @@
 A message begins with one byte: its channel's number, and for a message to one robot that robot's place in
 the team as well. Both follow from the document, so that all robots of one build agree.
 
-What the radio refuses, because too much was said lately, is said later: of a state the newest, of a signal
-the newest (each one, where the topic is `queued`), of data the newest.
+What the radio refuses because of its rate is sent later. Of states, signals and data that is the newest; of
+signals of a topic that is `queued` it is each one.
 """
 
 from __future__ import annotations

@@ -35,7 +35,7 @@ class RoleSwitches:
         robot carries (`player`, `Kouretes.player`). Called while the agent is guarded, between two steps.
 
         `own` keeps it to the team's system: nothing is loaded. Gives the reason if it was refused. An agent
-        that follows the plan already goes on with it.
+        that follows the plan already continues.
         """
         found = self._carried_plan(plan, own)
         if isinstance(found, str):
@@ -91,7 +91,7 @@ class RoleSwitches:
             versions = [self._team.version]
             if not own and plan not in self._team.version.charts:
                 versions += [item for item in self._carried() if item.system != self._team.version.system]
-        except Exception as error:  # another package in the folder, of anybody
+        except Exception as error:  # another package in the folder, of any origin
             return f"what the robot carries cannot be loaded: {error}"
         found = [
             (item, chart)

@@ -1,8 +1,8 @@
-"""Swapping: the agents of a running team go on under another version of their plans, all of them or none.
+"""Swapping: the agents of a running team continue under another version of their plans, all of them or none.
 
 A swap is prepared, then done or rolled back. Preparing waits for a moment at which no agent is inside a
-conversation of a protocol that the two versions play differently; there it holds the agents still, between
-two steps, and works out where each of them goes on. Nothing has changed until it is done: rolling back is
+conversation of a protocol that the two versions play differently. There it holds the agents between two
+steps, and works out where each of them continues. Nothing has changed until it is done: rolling back is
 letting the agents go.
 """
 
@@ -230,7 +230,7 @@ class Swap:
         self._tell("refused")
 
     def roll_back(self, reason: str) -> None:
-        """Let the agents go on as they were."""
+        """Let the agents continue as they were."""
         self._carried.clear()
         self._held.close()
         self.state = "rolled back"
@@ -238,7 +238,7 @@ class Swap:
         self._tell("rolled back")
 
     def finish(self) -> None:
-        """Let the agents go on under the new version."""
+        """Let the agents continue under the new version."""
         version, team = self.version, self.team
         put_in_place(version.modules)
         try:

@@ -140,7 +140,7 @@ class Setup:
     version: Version | None = None
     """The system that the agents are of, with all its plans."""
     carried: Callable[[], Sequence[Version]] = tuple
-    """What the robots carry besides; asked when somebody asks for a plan of another system."""
+    """What the robots carry besides; called when a plan of another system is wanted."""
     faults: Faults | None = None
     """What goes wrong between the agents in virtual time."""
 
@@ -158,9 +158,8 @@ class Team:
 
         Raises:
             TeamError: two agents of one name, no agents, an activity whose code cannot be loaded, a world
-                that would never end, a script for an agent or channel that there is not; agents elsewhere
-                without a transport, or in virtual time.
-            OSError: the trace cannot be written.
+            that would never end, inputs for an unknown agent or channel. Also agents elsewhere without a
+            transport, or in virtual time. OSError: the trace cannot be written.
         """
         members = list(agents)
         names = [name for name, _ in members]
@@ -275,8 +274,8 @@ class Team:
     def swap(
         self, version: Version, *, at: int = 0, within: int = WITHIN, agents: Iterable[str] | None = None
     ) -> Swap:
-        """Have the agents (all, or these) change to another version in virtual time: at the moment `at`, or
-        within `within` ns from then, as soon as no conversation is in the way.
+        """Have the agents (all, or these) change to another version in virtual time. They do so at the moment
+        `at`, or within `within` ns from then, as soon as no conversation is in the way.
 
         Raises:
             LookupError: there is no such agent.
@@ -508,7 +507,7 @@ class Team:
         self.bus.save()
 
     def _move_world(self) -> None:
-        """Let a simulated world go on step by step: with real time, or because it may end the run."""
+        """Advance a simulated world step by step: with real time, or because it may end the run."""
         assert self.world is not None
         now = self.driver.clock.now()
         self.world.advance(now)
@@ -677,7 +676,7 @@ def _interruptible(stop: Callable[[str], None]) -> Iterator[None]:
         stop("interrupted")
 
     for number in (int(signal.SIGINT), int(signal.SIGTERM)):
-        if signal.getsignal(number) is not None:  # None: somebody set it who is not Python
+        if signal.getsignal(number) is not None:  # None: it was not set by Python
             before[number] = signal.signal(number, handle)
     try:
         yield

@@ -5,7 +5,7 @@ One line is an object:
     {"at": "1.5s", "agent": "robot1", "channel": "vision.state.Ball", "message": {"visible": true}}
     {"at": "2s", "event": "Bumped"}
 
-`at` is a duration as in a document, or whole nanoseconds; without `agent` every agent of the team that reads
+`at` is a duration as in a document, or whole nanoseconds. Without `agent` every agent of the team that reads
 the channel is given it; `sender` says whose message it is to be (for `host.` conditions).
 """
 

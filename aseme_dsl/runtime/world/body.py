@@ -1,8 +1,8 @@
 """The port through which every body is reached: sense, act, say and hear, and the world that moves it.
 
-An agent sees its robot only through :class:`Body`, whatever the robot is: a wheeled one, a humanoid in a
-three-dimensional simulator, something at the other end of a socket, or a player of the embedded field. What a
-percept and a command contain is the business of that world; the port fixes only how they are passed.
+An agent sees its robot only through :class:`Body`. The robot may be a wheeled one, a humanoid in a
+three-dimensional simulator, a device behind a socket, or a player of the embedded field. That world defines
+what a percept and a command contain; the port fixes only how they are passed.
 
 * Time is an ``int`` of nanoseconds since the world began.
 * None of the four methods waits: they give or take what is there now. A body behind a wire keeps its newest
@@ -11,9 +11,9 @@ percept and a command contain is the business of that world; the port fixes only
 * A body that can no longer be reached raises :class:`BodyConnectionError` from each of them.
 
 A real robot is a body without a world: its time passes by itself. A simulated one comes with a
-:class:`World`, whose time passes only when it is told to, so that a virtual clock can drive it to the bit.
-A simulator that runs in lock step with its players (all commands in, one step, all percepts out) is a world,
-too: ``advance`` exchanges the messages of as many steps as it is asked for.
+:class:`World`, whose time passes only in ``advance``, so that a virtual clock can drive it to the bit.
+A simulator that runs in lock step with its players is a world, too: all commands in, one step, all percepts
+out. Its ``advance`` exchanges the messages of as many steps as fit into the time.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ class BodyConnectionError(ConnectionError):
 class RadioMessage:
     """One radio message as it was received.
 
-    ``sender`` is the name of the robot that said it, or ``""`` where the medium does not tell (a simulator
-    that gives only the direction of the sound): a payload that must be attributed carries its sender itself.
+    ``sender`` is the name of the robot that said it. It is ``""`` where the medium does not tell, as in a
+    simulator that gives only the direction of the sound. Then the payload must carry the sender itself.
     """
 
     sender: str
@@ -84,7 +84,7 @@ class Body(Protocol[PerceptT_co, CommandT_contra]):
 
 @runtime_checkable
 class World(Protocol[PerceptT_co, CommandT_contra]):
-    """A simulated world: bodies, and a time that passes only when somebody asks for it."""
+    """A simulated world: bodies, and a time that passes only in `advance`."""
 
     @property
     def bodies(self) -> Mapping[str, Body[PerceptT_co, CommandT_contra]]:

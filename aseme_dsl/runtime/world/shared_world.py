@@ -1,7 +1,7 @@
 """A simulated world in a process of its own, whose bodies agents in other processes drive.
 
 Each robot's process has one connection for each of its bodies, on this machine, with a key that only the
-team's processes know; over it go the calls of the body's port, one answer each. So a call takes as long as
+team's processes know. Over it go the calls of the body's port, one answer each. So a call takes as long as
 two processes need to hand something over: a fraction of a millisecond. The world's time is real: it follows
 the clock that all processes of the machine share.
 """
@@ -60,7 +60,7 @@ class WorldServer:
     """Lets a world pass in real time, and lends its bodies to other processes."""
 
     def __init__(self, world: AnyWorld, key: bytes) -> None:
-        """Raises OSError if nobody could connect."""
+        """Raises OSError if no process could connect."""
         self.world = world
         self.doing: dict[str, tuple[tuple[str, ...], ...]] = {}
         """What the agents have told last of what they are doing."""
@@ -97,7 +97,7 @@ class WorldServer:
             try:
                 connection = self._listener.accept()
             except ConnectionError:
-                continue  # somebody hung up
+                continue  # the other end hung up
             except OSError:
                 return
             threading.Thread(target=self._serve, args=(connection,), daemon=True).start()

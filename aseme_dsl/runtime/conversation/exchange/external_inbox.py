@@ -50,8 +50,8 @@ class ExternalInbox:
     def receive(self, to: str, message: FipaMessage) -> None:
         """An agent that is not of the team has sent a message to one of ours. May be called from any thread.
 
-        It is handed on like any other if it is understood. Else it is told in the trace why it is not, and
-        answered `not_understood`.
+        It is handed on like any other if it is understood. Else the trace records why not, and it is answered
+        `not_understood`.
         """
         agent = self._members.agents.get(to)
         sender = message.sender.name if message.sender is not None else ""

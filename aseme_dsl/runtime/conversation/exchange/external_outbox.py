@@ -10,7 +10,7 @@ from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage
 from aseme_dsl.runtime.transport.port import Transport
 
 Hears = Callable[[FipaMessage], None]
-"""What an agent in this process that is not of the team is told messages by."""
+"""The function that gives messages to an external agent in this process."""
 
 
 class ExternalOutbox:

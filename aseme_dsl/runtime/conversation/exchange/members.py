@@ -23,15 +23,15 @@ class Members:
     agents: dict[str, Receiver] = field(default_factory=dict)
     """Those of this process."""
     plans: dict[str, Plan] = field(default_factory=dict)
-    """Of everybody, also of agents in other processes, in the team's order."""
+    """Of all agents, also of those in other processes, in the team's order."""
     desks: dict[str, Desk] = field(default_factory=dict)
     conversations: dict[str, Conversation] = field(default_factory=dict)
     over: dict[str, dict[tuple[str, str], Reason]] = field(default_factory=dict)
-    """Who has left the conversations that are forgotten here but may go on elsewhere, the newest last."""
+    """Who has left the conversations that are forgotten here but may continue elsewhere, the newest last."""
     opened: dict[tuple[str, str], int] = field(default_factory=dict)
     """How many conversations of a protocol an agent has opened."""
     _playing: dict[Part, list[str]] | None = None
-    """Who plays a participant, in the team's order, once somebody has asked."""
+    """Who plays a participant, in the team's order, once it was asked for."""
 
     def join_elsewhere(self, name: str, plan: Plan) -> None:
         """An agent of the team runs in another process, with this plan; it counts in the team's order."""

@@ -158,7 +158,7 @@ class Delivery:
     def spend(self, agent: Receiver, name: str) -> str:
         """Count a message of a conversation; why it may not have it, empty if it may.
 
-        With the first that it may not have, the conversation is over for everybody.
+        With the first that it may not have, the conversation is over for all.
         """
         conversation = self._members.conversations.get(name)
         if conversation is None:
@@ -172,7 +172,7 @@ class Delivery:
         return self._limit_text()
 
     def exhaust(self, name: str, conversation: Conversation) -> None:
-        """A conversation has had all its messages: the part of everybody in it is over."""
+        """A conversation has had all its messages: all parts in it are over."""
         if not conversation.is_exhausted:
             conversation.left = -1
             self.losses.exhausted(name, conversation)
@@ -207,14 +207,14 @@ class Delivery:
         self.unexpected(agent, acl, f"{self._queue} messages wait already for {acl.to}")
 
     def unexpected(self, agent: Receiver, acl: AclMessage, reason: str) -> None:
-        """Tell of a message that nobody expects, and answer it, but never an answer to that."""
+        """Record an unexpected message and answer it, but never an answer to that."""
         self._told.unexpected(agent.name, acl, reason)
         self._counting.unexpected(agent, self._members.conversations.get(acl.conversation), acl)
         if acl.performative != NOT_UNDERSTOOD and not self.spend(agent, acl.conversation):
             self._answer(agent, acl, reason)
 
     def _answer(self, agent: Receiver, acl: AclMessage, reason: str) -> None:
-        """Answer a message that nobody expects."""
+        """Answer an unexpected message."""
         identity = agent.identity()
         answer = AclMessage(
             NOT_UNDERSTOOD,
@@ -274,7 +274,7 @@ class Delivery:
         self.unexpected(agent, acl, reason)
 
     def close(self, name: str) -> None:
-        """Forget a conversation in which nobody takes part or may still do so."""
+        """Forget a conversation in which no agent takes part or may still do so."""
         conversation = self._members.conversations.get(name)
         if conversation is None or conversation.places:
             return
@@ -287,7 +287,7 @@ class Delivery:
             remember(self._members.over, name, conversation.past)
 
     def _refuse_early(self, name: str, conversation: Conversation) -> None:
-        """Nobody can send what opens a conversation any more: answer what waits for that."""
+        """No agent can send what opens a conversation any more: answer what waits for that."""
         for agent, desk in self._members.desks.items():
             for acl in desk.invitations.take_early(name):
                 conversation.invitations -= 1

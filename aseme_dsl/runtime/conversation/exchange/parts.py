@@ -57,7 +57,7 @@ class Parts:
             self._told.takes_part("suspend", agent.name, place, place.conversation)
 
     def resumed(self, agent: Receiver, branch: str) -> None:
-        """A branch that was suspended goes on."""
+        """A branch that was suspended continues."""
         place = self._members.desks[agent.name].branches[branch]
         place.suspended = False
         if place.conversation is None:
@@ -115,7 +115,7 @@ class Parts:
     def returned(self, name: str, *, same: bool) -> None:
         """An agent elsewhere is there again: as the same incarnation, it takes part as before, or in another.
 
-        What was told of its loss stays told; what ended here meanwhile, it is told now.
+        Reports of its loss remain; it now learns what ended here meanwhile.
         """
         for known, conversation in list(self._members.conversations.items()):
             parts = [(who, part) for who, part in sorted(conversation.absent) if who == name]
@@ -179,7 +179,7 @@ class Parts:
         return tuple(mail for mail in taken if mail.performative != LOST)
 
     def carry(self, agent: Receiver, labels: Mapping[str, str], messages: Messages) -> None:
-        """The agent goes on under its new plan, in which the states have these labels.
+        """The agent continues under its new plan, in which the states have these labels.
 
         What it was invited to and now plays in another way is answered `not_understood`.
         """

@@ -233,7 +233,7 @@ class Sending:
             members = conversation.members[to] = players[:most]
             conversation.chosen.add(to)
         still = tuple(name for name in members if (name, to) not in conversation.past)
-        return still or tuple(members), to, ""  # whose part is over needs no word of what all others are told
+        return still or tuple(members), to, ""  # an agent whose part is over does not get what all others get
 
     def _one(
         self, agent: Receiver, place: Participation, to: str, excepts: Collection[str]
