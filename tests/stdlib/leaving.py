@@ -10,7 +10,7 @@ from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.team.faults import Crash, Faults
 from tests.runtime.playing import MS, SECOND, Played, make
 from tests.stdlib.hostile import LIMIT, finish
-from tests.stdlib.library import Act, Protocol, kind_of
+from tests.stdlib.library import PROTOCOLS, Act, Protocol, kind_of
 from tests.support.generated import Generated, generate
 
 ROLES = """
@@ -33,6 +33,9 @@ srm erring_{part} {{
 }}
 """
 """Roles that leave their part: cut short from outside, by the way to what follows, and by an error."""
+
+AGENTS = [(item.name, agent) for item in PROTOCOLS for agent in item.parts]
+"""Each agent of each protocol."""
 
 Way = Callable[[Protocol, str, float], Played]
 """A run in which an agent leaves after so many seconds."""

@@ -24,6 +24,7 @@ from tests.stdlib.hostile import (
     team_of,
     wrongs,
 )
+from tests.stdlib.leaving import AGENTS
 from tests.stdlib.library import PROTOCOLS, Protocol, generated, protocol
 
 WAYS: dict[str, Callable[[list[Kind]], list[Move]]] = {
@@ -36,7 +37,6 @@ WAYS: dict[str, Callable[[list[Kind]], list[Move]]] = {
     "silent": lambda kinds: [],
 }
 """What a hostile agent makes of the moves of its part."""
-AGENTS = [(item.name, agent) for item in PROTOCOLS for agent in item.parts]
 
 
 @pytest.mark.parametrize("way", WAYS)

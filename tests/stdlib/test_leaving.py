@@ -5,10 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tests.stdlib.hostile import wrongs
-from tests.stdlib.leaving import MOMENTS, WAYS, ends_in_errors, of
-from tests.stdlib.library import PROTOCOLS, Protocol, protocol
-
-AGENTS = [(item.name, agent) for item in PROTOCOLS for agent in item.parts]
+from tests.stdlib.leaving import AGENTS, MOMENTS, WAYS, ends_in_errors, of
+from tests.stdlib.library import Protocol, protocol
 
 
 @pytest.mark.parametrize("way", WAYS)
