@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 Headers = dict[str, str]
@@ -133,6 +133,8 @@ ROLES: dict[str, Role] = {
         ]
     },
 }
+OPENERS = {"request", "query-ref", "request-when", "cfp", "propose", "subscribe", "proxy"}
+"""What begins a conversation, so that who says it has one of its own."""
 NAMES = {"auction": "fipa-auction-english", "dutch_auction": "fipa-auction-dutch"}
 """The registered names that are not `fipa-` and the protocol's."""
 
@@ -146,6 +148,8 @@ class Hand:
     """The address of each other part."""
     directory: str
     """Who is told by agent management that this one offers its role."""
+    way: str = "honest"
+    """How it does that: `twice` each move, `early` all moves at once, `lying` also what others may say."""
     heard: list[str] = field(default_factory=list)
     over: bool = False
     refused: str = ""
@@ -181,7 +185,7 @@ class Hand:
         """What is answered to a message."""
         act = headers.get("performative", "")
         self.heard.append(act)
-        if act == "not-understood":
+        if act == "not-understood" and self.way == "honest":
             self.refused = content
         if headers.get("ontology") == "fipa-agent-management":
             return []
@@ -191,18 +195,43 @@ class Hand:
         return self._do((act, number), sender, headers.get("reply-with", ""))
 
     def _do(self, when: tuple[str, int], sender: str, reply_with: str) -> list[Sent]:
-        sent: list[Sent] = []
-        for does in ROLES[self.role].get(when, []):
-            if does.act:
-                headers = {
-                    "performative": does.act,
-                    "protocol": self._protocol,
-                    "conversation-id": self._conversation,
-                    "reply-with": f"{self.role}-{next(self._numbers)}",
-                }
-                if does.to == SENDER:
-                    headers["in-reply-to"] = reply_with
-                to = sender if does.to == SENDER else self.partners[does.to]
-                sent.append((to, headers, json.dumps(does.content)))
-            self.over = self.over or does.last
-        return sent
+        does = ROLES[self.role].get(when, [])
+        if self.way == "early":
+            does = [item for part in ROLES[self.role].values() for item in part] if does else []
+            does = does if sum(self._seen.values()) <= 1 else []
+        elif self.way == "twice":
+            does = [item for item in does for _ in range(2)]
+        said = [self._said(item, sender, reply_with) for item in does if item.act]
+        self.over = self.over or any(item.last for item in does)
+        return [*(self._lies() if does and self.way == "lying" else []), *said]
+
+    def _said(self, does: Does, sender: str, reply_with: str, conversation: str = "") -> Sent:
+        headers = {
+            "performative": does.act,
+            "protocol": self._protocol,
+            "conversation-id": conversation or self._conversation,
+            "reply-with": f"{self.role}-{next(self._numbers)}",
+        }
+        if does.to == SENDER and reply_with:
+            headers["in-reply-to"] = reply_with
+        to = self.partners[does.to] if does.to != SENDER else sender or next(iter(self.partners.values()))
+        return to, headers, json.dumps(does.content)
+
+    def _lies(self) -> list[Sent]:
+        """What the other parts say, to everybody, in this conversation and in one that there is not."""
+        protocol = self.role.partition(".")[0]
+        mine = {item.act for part in ROLES[self.role].values() for item in part}
+        others = [
+            item
+            for role, parts in ROLES.items()
+            if role.partition(".")[0] == protocol and role != self.role
+            for part in parts.values()
+            for item in part
+            if item.act and item.act not in mine and item.act not in OPENERS
+        ]
+        return [
+            self._said(replace(item, to=to), "", "", conversation)
+            for item in others
+            for to in self.partners
+            for conversation in ("", "of-nobody")
+        ]

@@ -1,6 +1,6 @@
 """An agent that somebody else has written for SPADE: it plays one role once, as `by_hand.py` has it.
 
-    python by_hand_spade.py PORT JID ROLE PARTNERS DIRECTORY
+    python by_hand_spade.py PORT JID ROLE PARTNERS DIRECTORY [WAY]
 
 PARTNERS are a JSON object: the address of each other part. It prints what it has heard, as JSON, when it is
 done. It uses SPADE alone.
@@ -39,9 +39,9 @@ class Agent(spade.agent.Agent):
 
 
 async def main() -> None:
-    port, jid, role, partners, directory = sys.argv[1:]
+    port, jid, role, partners, directory, *way = sys.argv[1:]
     agent = Agent(jid, "secret", port=int(port))
-    agent.hand = by_hand.Hand(role, json.loads(partners), directory)
+    agent.hand = by_hand.Hand(role, json.loads(partners), directory, *way)
     await agent.start(auto_register=True)
     while agent.is_alive() and not agent.hand.over and not agent.hand.refused:
         await asyncio.sleep(0.02)

@@ -22,6 +22,7 @@ from aseme_dsl.runtime.transport.settings import Mango
 from tests.platforms.by_hand import ROLES
 from tests.platforms.servers import Server
 from tests.runtime.transport.net import Part, part
+from tests.stdlib.hostile import ENDINGS
 from tests.stdlib.library import PROTOCOLS, Act, act, kind_of
 from tests.support.generated import Generated, generate
 from tests.support.network import own_port
@@ -35,6 +36,19 @@ OTHERWISE = {
     "ReadNews": act(withdrawn=True),
 }
 """What goes otherwise than in the library's tests: the first offer is enough, and so is the first news."""
+HOSTILE = (
+    "request.responder",
+    "query.initiator",
+    "contract_net.manager",
+    "contract_net.contractor",
+    "subscribe.responder",
+    "auction.bidder",
+    "propose.responder",
+    "brokering.provider",
+    "recruiting.provider",
+    "recruiting.recruiter",
+)
+"""The roles of agents by hand that do not keep to the protocol. In one process there are all of them."""
 FAST = 0.05
 """How long, in seconds, anything else lasts at the most."""
 
@@ -107,6 +121,26 @@ def completes(
     role: str, link: Callable[[list[str]], Link], start: Callable[[dict[str, str], str], Any]
 ) -> None:
     """Our agents of a protocol with one by hand: the conversation takes place as the protocol has it."""
+    team, found = played(role, link, start)
+    assert found["refused"] == ""
+    assert team.of("unexpected") == []
+    assert [r for r in team.of("fault") if "code" not in r] == []
+    # An agent by hand that has the last word has no message that says so.
+    assert endings(team) <= {"DONE", "CANCELLED", "UNCONFIRMED"}
+    heard = [act for act in found["heard"] if act not in ("agree", "inform")]
+    awaited = [act for act, _ in ROLES[role] if act not in ("", "agree", "inform")]
+    assert heard == awaited or set(awaited) <= set(heard)
+
+
+def endings(team: Part) -> set[str]:
+    texts = [record["text"] for record in team.of("log")]
+    return {text.removeprefix("ended ") for text in texts if text.startswith("ended ")}
+
+
+def played(
+    role: str, link: Callable[[list[str]], Link], start: Callable[[dict[str, str], str], Any]
+) -> tuple[Part, dict[str, Any]]:
+    """Our agents of a protocol with one by hand, to the end of all parts; and what that one has heard."""
     name, _, theirs = role.partition(".")
     item = next(item for item in PROTOCOLS if item.name == name)
     parts = {part: agent for agent, part in reversed(item.parts.items()) if part != theirs}
@@ -121,18 +155,10 @@ def completes(
         wait_until(lambda: team.error or team.post.state.gate.is_set())
         with start(parts, agents[0]) as said:
             found = said()
-            assert found["refused"] == ""
             wait_until(lambda: team.error or all(_has_ended(team, agent) for agent in agents))
     finally:
         team.stop()
-    assert team.of("unexpected") == []
-    assert [r for r in team.of("fault") if "code" not in r] == []
-    ends = [record["text"] for record in team.of("log") if record["text"].startswith("ended ")]
-    # An agent by hand that has the last word has no message that says so.
-    assert set(ends) <= {"ended DONE", "ended CANCELLED", "ended UNCONFIRMED"}, ends
-    heard = [act for act in found["heard"] if act not in ("agree", "inform")]
-    awaited = [act for act, _ in ROLES[role] if act not in ("", "agree", "inform")]
-    assert heard == awaited or set(awaited) <= set(heard)
+    return team, found
 
 
 def _has_ended(team: Part, agent: str) -> bool:
@@ -140,23 +166,41 @@ def _has_ended(team: Part, agent: str) -> bool:
     return bool(parts) and parts[-1]["what"] == "leave"
 
 
-@pytest.mark.parametrize("role", ROLES)
-def test_in_spade(role: str, spade_server: Server) -> None:
+def in_spade(server: Server, role: str, way: str) -> tuple[Any, Any]:
+    """How our agents are linked over SPADE, and how the one by hand is started."""
     from aseme_dsl.runtime.platform.over_spade import SpadePlatform
 
-    name = "hand-" + role.replace(".", "-").replace("_", "-")
+    name = f"hand-{way}-" + role.replace(".", "-").replace("_", "-")
 
     def link(agents: list[str]) -> Link:
-        settings = spade_server.settings(account=f"{name}-ROBOT")
+        settings = server.settings(account=f"{name}-ROBOT")
         return PlatformLink(SpadePlatform(settings, agents), "T", agents)
 
     def start(parts: dict[str, str], first: str) -> Any:
         addresses = {part: f"{name}-{agent}@localhost" for part, agent in parts.items()}
         directory = f"{name}-{first}@localhost"
-        arguments = (str(spade_server.port), f"{name}@localhost", role, json.dumps(addresses), directory)
+        arguments = (str(server.port), f"{name}@localhost", role, json.dumps(addresses), directory, way)
         return by_hand("by_hand_spade.py", *arguments)
 
-    completes(role, link, start)
+    return link, start
+
+
+@pytest.mark.parametrize("role", ROLES)
+def test_in_spade(role: str, spade_server: Server) -> None:
+    completes(role, *in_spade(spade_server, role, "honest"))
+
+
+@pytest.mark.parametrize("way", ["twice", "early", "lying"])
+@pytest.mark.parametrize("role", HOSTILE)
+def test_a_hostile_agent_in_spade(role: str, way: str, spade_server: Server) -> None:
+    """Our agents' parts end, as their protocol has it; who only lies besides changes nothing."""
+    team, _ = played(role, *in_spade(spade_server, role, way))
+    assert team.of("error") == []
+    ends = endings(team)
+    assert ends and ends <= set(ENDINGS[1:])
+    if way == "lying":
+        assert ends <= {"DONE", "CANCELLED", "UNCONFIRMED"}
+        assert team.of("unexpected") != []
 
 
 # A container of mango that ends leaves open what others have connected to it.

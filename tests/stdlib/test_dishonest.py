@@ -29,6 +29,7 @@ def dishonest(
     usual: type[Any], item: Protocol, made: Generated, agent: str, refused: list[str], went: list[str]
 ) -> type[Any]:
     """An activity that, at its begin and at its end, says whatever it can, and else does what it should."""
+    tries = attempts(item, made)
 
     class Activity(usual):  # type: ignore[misc]
         def execute(self, context: Context) -> None:
@@ -37,9 +38,7 @@ def dishonest(
             self._try_all(context)
 
         def _try_all(self, context: Context) -> None:
-            for (performative, message), content, to in (
-                attempts(item, made) if context.agent == agent else ()
-            ):
+            for (performative, message), content, to in tries if context.agent == agent else ():
                 try:
                     context.send(performative, content, to)
                 except Exception as problem:
@@ -74,6 +73,7 @@ def test_nor_does_one_beside_the_participant(name: str, agent: str) -> None:
     made = of(item)
     refused: list[str] = []
     went: list[str] = []
+    tries = attempts(item, made)
 
     class Waiting:
         def execute(self, context: Context) -> None:
@@ -84,7 +84,7 @@ def test_nor_does_one_beside_the_participant(name: str, agent: str) -> None:
         def execute(self, context: Context) -> None:
             for _ in range(8):
                 context.wait(1)
-                for (performative, message), content, to in attempts(item, made):
+                for (performative, message), content, to in tries:
                     try:
                         context.send(performative, content, to)
                     except Exception as problem:
