@@ -18,12 +18,14 @@ srm abandoning_{part} {{
   plays {name}.{part}
   var stop : bool = false
   liveness {{ abandoning_{part} = work || Clock  work = {part} [> Halt }}
+  activities {{ Clock writes stop }}
   control work {{ enter Halt : when [stop] }}
 }}
 srm leaving_{part} {{
   plays {name}.{part}
   var stop : bool = false
   liveness {{ leaving_{part} = work || Clock  work = {part} . Halt }}
+  activities {{ Clock writes stop }}
   control work {{ enter Halt : when [stop] }}
 }}
 srm erring_{part} {{

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.stdlib.hostile import wrongs
+from tests.stdlib.hostile import endings, wrongs
 from tests.stdlib.leaving import AGENTS, MOMENTS, WAYS, ends_in_errors, of
 from tests.stdlib.library import Protocol, protocol
 
@@ -15,7 +15,13 @@ def test_an_agent_leaves_at_any_moment(name: str, agent: str, way: str) -> None:
     item = protocol(name)
     found = {}
     for moment in MOMENTS:
-        if wrong := wrongs(item, WAYS[way](item, agent, moment), agent):
+        run = WAYS[way](item, agent, moment)
+        wrong = wrongs(item, run, agent) + [str(record) for record in run.of("error")]
+        took_part = run.of("conversation", agent=agent)
+        said = {other: ending for other, ending in endings(run).items() if other != agent}
+        if took_part and way != "returns" and {"TIMED_OUT", "UNKNOWN", "NOT_UNDERSTOOD"} & set(said.values()):
+            wrong += [f"they are not told that it has left: {said}"]
+        if wrong:
             found[moment] = wrong
     assert found == {}
 
