@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
-from typing import Any, assert_never
+from typing import Any, assert_never, cast
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Kind, Type
@@ -113,7 +113,8 @@ class Encoder:
         for key in self.symbols:
             if key[0] != THERE:
                 continue
-            form, host, channel, path, extent = key[1:]
+            form, host, channel, path, last = key[1:]
+            extent = cast(int, last)
             self.facts.append(self.terms.implies(self.symbols[key], self.symbols[HAS, host, channel]))
             extents.setdefault((form, host, channel, path), []).append((extent, self.symbols[key]))
             age = self.symbols.get((AGE, host, channel))
@@ -325,7 +326,7 @@ def _whole(value: e.Value) -> bool:
     return value.type.kind in WHOLE
 
 
-def _texts(conditions: Iterable[e.Value]) -> list[Any]:
+def _texts(conditions: Iterable[e.Value]) -> list[str]:
     """The texts that are written in the conditions, in order; the empty one is the least of all."""
     found = {""}
     for condition in conditions:

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import cast
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Kind
 from aseme_dsl.proofs.unknowns import RAISES, THERE, Key, Vocabulary, identity, presences, written_size
 
-Values = Mapping[Key, Any]
+Values = Mapping[Key, object]
 """What is known: booleans for presences, an enum's number, ns for a duration, else the value itself."""
 
 
@@ -24,7 +24,7 @@ class Fault(Exception):
 
 _UNKNOWN = object()
 
-_COMPARE: dict[str, Callable[[Any, Any], bool]] = {
+_COMPARE: dict[str, Callable[[float, float], bool]] = {
     "==": operator.eq,
     "!=": operator.ne,
     "<": operator.lt,
@@ -32,7 +32,7 @@ _COMPARE: dict[str, Callable[[Any, Any], bool]] = {
     ">": operator.gt,
     ">=": operator.ge,
 }
-_COMPUTE: dict[str, Callable[[Any, Any], Any]] = {
+_COMPUTE: dict[str, Callable[[float, float], float]] = {
     "+": operator.add,
     "-": operator.sub,
     "*": operator.mul,
@@ -49,7 +49,7 @@ def holds(condition: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
         return False
 
 
-def value_of(value: e.Value, values: Values, vocabulary: Vocabulary) -> Any:
+def value_of(value: e.Value, values: Values, vocabulary: Vocabulary) -> object:
     """What the value is; None where `values` do not decide it, or where it raises."""
     try:
         if not _is_there(value, values, vocabulary):
@@ -167,7 +167,7 @@ def _is_known_there(key: Key, needs: Iterable[Key], values: Values) -> bool | No
     return False if False in known else None if None in known else True
 
 
-def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> Any:
+def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> object:
     """The value of something that is there."""
     match value:
         case e.Named(expression=inner):
@@ -188,7 +188,7 @@ def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> Any:
             return False if False in known_there else _UNKNOWN if None in known_there else True
         case e.Call(function=function) if function.target.startswith("builtin:"):
             known = [_value(argument, values, vocabulary) for argument in value.arguments]
-            return _UNKNOWN if _UNKNOWN in known else _BUILT_IN[function.target[8:]](*known)
+            return _UNKNOWN if _UNKNOWN in known else _built_in(function.target[8:], known)
         case e.Call():
             for argument in value.arguments:
                 _value(argument, values, vocabulary)
@@ -201,19 +201,26 @@ def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> Any:
         case e.Compare(operator=word):
             left = _value(value.left, values, vocabulary)
             right = _value(value.right, values, vocabulary)
-            return _UNKNOWN if _UNKNOWN in (left, right) else _COMPARE[word](left, right)
+            return _UNKNOWN if _UNKNOWN in (left, right) else _COMPARE[word](_number(left), _number(right))
         case e.Arithmetic():
             return _arithmetic(value, values, vocabulary)
         case e.Negate(operand=operand):
-            found = _value(operand, values, vocabulary)
-            return _UNKNOWN if found is _UNKNOWN else -found
+            negated = _value(operand, values, vocabulary)
+            return _UNKNOWN if negated is _UNKNOWN else -_number(negated)
     return values.get(identity(value), _UNKNOWN)
 
 
-_BUILT_IN: dict[str, Callable[..., Any]] = {"abs": abs, "min": min, "max": max}
+def _number(value: object) -> float:
+    """A value that is compared or computed with: the compiler lets only values of one type meet."""
+    return cast(float, value)
 
 
-def _arithmetic(value: e.Arithmetic, values: Values, vocabulary: Vocabulary) -> Any:
+def _built_in(name: str, arguments: Iterable[object]) -> float:
+    numbers = [_number(item) for item in arguments]
+    return abs(numbers[0]) if name == "abs" else min(numbers) if name == "min" else max(numbers)
+
+
+def _arithmetic(value: e.Arithmetic, values: Values, vocabulary: Vocabulary) -> object:
     left = _value(value.left, values, vocabulary)
     right = _value(value.right, values, vocabulary)
     if right is not _UNKNOWN and value.operator in ("/", "%") and right == 0:
@@ -222,8 +229,8 @@ def _arithmetic(value: e.Arithmetic, values: Values, vocabulary: Vocabulary) -> 
         return _UNKNOWN
     try:
         if value.type == DURATION and value.operator == "/" and value.right.type == INT:
-            return left // right
-        found = _COMPUTE[value.operator](left, right)
+            return _number(left) // _number(right)
+        found = _COMPUTE[value.operator](_number(left), _number(right))
         return (
             int(found) if value.type == DURATION and DOUBLE in (value.left.type, value.right.type) else found
         )

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any, assert_never
+from typing import Any, TypeVar, assert_never
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import Kind
@@ -35,6 +35,8 @@ from aseme_dsl.proofs.unknowns import (
     presences,
     unknowns_of,
 )
+
+_T = TypeVar("_T")
 
 BUDGET = 400_000
 """What z3 may spend on one question, in its own units: an ordinary one needs a few thousand."""
@@ -217,7 +219,7 @@ class Snapshot:
     def _simplest(self, claim: Claim, assumptions: Assumptions) -> dict[Key, object]:
         """Fix one unknown after the other to the first candidate that leaves the claim possible."""
         model = self._solver.model()
-        values: dict[Key, Any] = {}
+        values: dict[Key, object] = {}
         for unknown in self._unknowns(claim):
             if any(values.get(need) is False for need in unknown.needs):
                 continue
@@ -394,7 +396,7 @@ class Snapshot:
                 assert_never(unknown.type.kind)
 
 
-def _few(candidates: Iterable[object]) -> list[Any]:
+def _few(candidates: Iterable[_T]) -> list[_T]:
     return list(dict.fromkeys(candidates))[:_MOST_CANDIDATES]
 
 

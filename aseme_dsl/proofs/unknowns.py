@@ -5,12 +5,12 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import cast
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import AGENT, BOOL, ChannelKind, EnumType, Function, Kind, Message, Type
 
-Key = tuple[Any, ...]
+Key = tuple[object, ...]
 """Which unknown it is: two places that read the same in one snapshot have the same key."""
 
 HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "expired", "age"
@@ -241,7 +241,7 @@ def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
 def _presence_unknowns(read: Read, vocabulary: Vocabulary) -> Iterator[Unknown]:
     whole = e.value_text(read if isinstance(read, e.VariableValue) else replace(read, path=()))
     for key in presences(read, vocabulary):
-        text = ".".join((whole, *key[3])) if len(key) > 3 else whole
+        text = ".".join((whole, *cast("tuple[str, ...]", key[3]))) if len(key) > 3 else whole
         yield Unknown(key, text, BOOL)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import cast
 
 from aseme_dsl.codegen.batch.simple import Function, bare, exits, otherwise_of, returns, unknown
 from aseme_dsl.codegen.code import tree
@@ -249,7 +249,7 @@ _FOLDED: Mapping[str, Callable[..., object]] = {
     "min": min,
 }
 
-_OPERATIONS: Mapping[str, Callable[[Any, Any], Any]] = {
+_OPERATIONS: Mapping[str, Callable[[float, float], object]] = {
     "+": operator.add,
     "-": operator.sub,
     "*": operator.mul,
@@ -275,7 +275,7 @@ def _is_constant(expr: tree.Expr) -> bool:
     )
 
 
-def _folded(expr: tree.Expr) -> Any:
+def _folded(expr: tree.Expr) -> object:
     """What an expression of constants gives, for which no array says how many there are of it."""
     match bare(expr):
         case tree.Const(value=value):
@@ -283,21 +283,26 @@ def _folded(expr: tree.Expr) -> Any:
         case tree.Negated(operand=operand):
             return not _folded(operand)
         case tree.Minus(operand=operand):
-            return -_folded(operand)
+            return -_number(operand)
         case tree.All(parts=parts):
             return all(_folded(part) for part in parts)
         case tree.AnyOf(parts=parts):
             return any(_folded(part) for part in parts)
         case tree.Infix(operator=sign, left=left, right=right):
-            return _OPERATIONS[sign](_folded(left), _folded(right))
+            return _OPERATIONS[sign](_number(left), _number(right))
         case tree.Compared(left=left, rest=rest):
-            sides = [_folded(side) for side in (left, *(side for _, side in rest))]
+            sides = [_number(side) for side in (left, *(side for _, side in rest))]
             pairs = zip(rest, sides, sides[1:], strict=False)
             return all(_OPERATIONS[sign](one, other) for (sign, _), one, other in pairs)
         case tree.CallOf(function=tree.Name(name=name), arguments=arguments) if name in _FOLDED:
             return _FOLDED[name](*map(_folded, arguments))
         case other:
             raise unknown(other)
+
+
+def _number(expr: tree.Expr) -> float:
+    """A constant that is compared or computed with, of whatever type both sides are."""
+    return cast(float, _folded(expr))
 
 
 __all__ = ["ForNumpy"]

@@ -10,7 +10,7 @@ import logging
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from random import Random
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 ROUNDS = 1000
 """A step that has not settled after so many rounds never will."""
@@ -68,6 +68,10 @@ def leaves_of(labels: str) -> tuple[str, ...]:
     return tuple(labels.split())
 
 
+Write: TypeAlias = "tuple[int, str, object, Write | None]"
+"""A write to a blackboard: its place among others, the slot, the value, and the write before it."""
+
+
 class Plain:
     """A running statechart. Subclasses are generated; `semantics.md` says what a step does.
 
@@ -82,7 +86,7 @@ class Plain:
     __slots__ = ()
 
     # Subclasses have those of these slots that they need: hence `setattr`, for mypy.
-    writes: tuple[int, str, Any, Any] | None
+    writes: Write | None
     """What a region has written last that others see in the next step, and what was written before."""
     faulty: tuple[int, ...]
     """The transitions of which something could not be done in this step."""
@@ -265,10 +269,10 @@ class Plain:
 
     # ---- what generated code calls ---------------------------------------------------------
 
-    def spread(self, board: Any) -> None:
+    def spread(self, board: object) -> None:
         """Let all regions see what some have written: of several writes, the last in document order."""
         write = self.writes
-        found = []
+        found: list[Write] = []
         while write is not None:
             found.append(write)
             write = write[3]

@@ -19,12 +19,16 @@ import zlib
 from collections.abc import Iterable, Iterator, Mapping
 from datetime import datetime
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, TYPE_CHECKING, Any
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.message.naming import snake_case
+from aseme_dsl.runtime.trace.records import Record, agents_of, as_record
 from aseme_dsl.runtime.trace.trace_files import TraceError, to_disk
 from aseme_dsl.runtime.trace.trace_schema import line_schema
+
+if TYPE_CHECKING:
+    from google.protobuf.message import Message
 
 MAGIC = b"\x89MCAP0\r\n"
 PREFIX = "trace/"
@@ -66,7 +70,7 @@ class McapFile:
         self._origin = 0
         self._descriptors = b""
         self._names: Mapping[str, str] = {}
-        self._classes: dict[str, Any] = {}
+        self._classes: dict[str, type[Message]] = {}
         self._number = 0
 
     def put(self, lines: Iterable[str]) -> None:
@@ -91,19 +95,19 @@ class McapFile:
 
     def _line(self, line: str) -> None:
         found = _BEGINNING.match(line)
-        record: Any = None
+        record: Record | None = None
         if found is not None:
             kind, moment = found[1], int(found[2])
         else:
-            record = json.loads(line)
+            record = as_record(json.loads(line))
             kind, moment = str(record["kind"]), int(record["time"])
         if kind == "header":
-            self._begin(record or json.loads(line))
+            self._begin(record or as_record(json.loads(line)))
         self._number += 1
         data = line.encode("utf-8", "backslashreplace")
         self._add(self._json_channel(PREFIX + kind, kind), moment, data, moment)
         if kind in ("message", "arrived", "radio_received"):
-            self._publication(kind, record or json.loads(line), moment)
+            self._publication(kind, record or as_record(json.loads(line)), moment)
 
     def _add(self, channel: int, moment: int, data: bytes, published: int) -> None:
         origin = self._origin
@@ -111,17 +115,17 @@ class McapFile:
             channel, max(0, moment + origin), data, max(0, published + origin), self._number
         )
 
-    def _begin(self, header: Mapping[str, Any]) -> None:
+    def _begin(self, header: Record) -> None:
         """Say whose trace it is, and learn what the messages are."""
         if "start" in header:
             start = datetime.fromisoformat(header["start"])
             self._origin = round(start.timestamp() * 1e6) * 1000
-        messages = header.get("messages") or {}
-        self._descriptors = base64.b64decode(messages.get("descriptors", ""))
-        self._names = messages.get("channels", {})
-        agents = header.get("agents", [])
-        said = {
-            name: str(header[name])
+        messages = header.get("messages")
+        self._descriptors = base64.b64decode(messages["descriptors"] if messages else "")
+        self._names = messages["channels"] if messages else {}
+        agents = agents_of(header) if "agents" in header else []
+        said: dict[str, str] = {
+            name: str(header.get(name))
             for name in ("system", "format", "seed", "clock", "start")
             if name in header
         }
@@ -160,7 +164,7 @@ class McapFile:
             self._channels[topic, "protobuf"] = found
         return int(found)
 
-    def _publication(self, kind: str, record: Mapping[str, Any], moment: int) -> None:
+    def _publication(self, kind: str, record: Record, moment: int) -> None:
         channel = str(record["channel"])
         topic, comm, message = channel.split(".", 2)
         if kind == "arrived":
@@ -183,7 +187,7 @@ class McapFile:
             text = json.dumps(content, ensure_ascii=False).encode("utf-8", "backslashreplace")
             self._add(self._json_channel(place, "", said), moment, text, published)
 
-    def _proto(self, name: str, content: Mapping[str, Any]) -> bytes:
+    def _proto(self, name: str, content: object) -> bytes:
         if not self._classes:
             self._classes = message_classes(self._descriptors)
         proto = self._classes[name]()
@@ -206,7 +210,7 @@ def _compression() -> Any:
     return CompressionType.NONE
 
 
-def message_classes(descriptors: bytes) -> dict[str, Any]:
+def message_classes(descriptors: bytes) -> dict[str, type[Message]]:
     """The protobuf classes of a FileDescriptorSet, by their full names."""
     from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
 
@@ -214,7 +218,7 @@ def message_classes(descriptors: bytes) -> dict[str, Any]:
     files = descriptor_pb2.FileDescriptorSet.FromString(descriptors)
     for file in files.file:
         pool.Add(file)
-    found: dict[str, Any] = {}
+    found: dict[str, type[Message]] = {}
     names = [f"{file.package}.{kind.name}".lstrip(".") for file in files.file for kind in file.message_type]
     waiting = [pool.FindMessageTypeByName(name) for name in names]
     while waiting:
@@ -224,7 +228,7 @@ def message_classes(descriptors: bytes) -> dict[str, Any]:
     return found
 
 
-def _fill(proto: Any, content: Mapping[str, Any]) -> None:
+def _fill(proto: Any, content: Any) -> None:
     """Set the fields of a protobuf message from the members in a line, which stand in the fields' order.
 
     Raises TypeError or ValueError if they are not of that message.
@@ -285,7 +289,8 @@ def lines_in(file: IO[bytes], path: Path) -> Iterator[str]:
     """
     require()
     from mcap.exceptions import McapError
-    from mcap.records import Channel, Footer, Message
+    from mcap.records import Channel, Footer
+    from mcap.records import Message as McapMessage
     from mcap.stream_reader import StreamReader
 
     mine: set[int] = set()
@@ -297,7 +302,7 @@ def lines_in(file: IO[bytes], path: Path) -> Iterator[str]:
         for record in (inner for outer in reader.records for inner in _unpacked(outer)):
             if isinstance(record, Channel) and record.topic.startswith(PREFIX):
                 mine.add(record.id)
-            elif isinstance(record, Message) and record.channel_id in mine:
+            elif isinstance(record, McapMessage) and record.channel_id in mine:
                 number += 1
                 yield record.data.decode("utf-8")
             elif isinstance(record, Footer):

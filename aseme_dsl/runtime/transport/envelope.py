@@ -147,10 +147,14 @@ def read(data: bytes, payload: bytes) -> Envelope:
     if len(proto.missing) > MOST_MISSING:
         raise EnvelopeError(f"it says of {len(proto.missing)} places that they are missing")
     envelope = Envelope(*_simple(proto))
-    lists: dict[str, Any] = {name: tuple(found) for name in _LISTS if (found := getattr(proto, name))}
-    if proto.parts:
-        lists["parts"] = tuple((part.participant, tuple(part.agents)) for part in proto.parts)
-    return envelope._replace(**lists) if lists else envelope
+    if not (proto.parts or proto.receivers or proto.missing or proto.reply_to):
+        return envelope
+    return envelope._replace(
+        parts=tuple((part.participant, tuple(part.agents)) for part in proto.parts),
+        receivers=tuple(proto.receivers),
+        missing=tuple(proto.missing),
+        reply_to=tuple(proto.reply_to),
+    )
 
 
 def proven(data: bytes, payload: bytes, secret: bytes, way: str) -> bytes:
@@ -190,7 +194,7 @@ def mac(secret: bytes, *parts: bytes) -> bytes:
 
 
 @lru_cache(maxsize=16)
-def _begun(secret: bytes) -> tuple[Any, Any]:
+def _begun(secret: bytes) -> tuple[hashlib._Hash, hashlib._Hash]:
     block = secret if len(secret) <= 64 else hashlib.sha256(secret).digest()
     block = block.ljust(64, b"\0")
     return (
