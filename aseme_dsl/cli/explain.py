@@ -46,7 +46,9 @@ def _codes(context: click.Context, parameter: click.Parameter, written: tuple[st
     return tuple(codes)
 
 
-def _completions(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
+def _completions(
+    context: click.Context, parameter: click.Parameter, incomplete: str
+) -> list[CompletionItem[str]]:
     from click.shell_completion import CompletionItem
 
     wanted = incomplete.upper()

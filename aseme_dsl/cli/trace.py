@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 _NANOSECONDS = 1e9
 
 
-def _kinds(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
+def _kinds(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem[str]]:
     from click.shell_completion import CompletionItem
 
     from aseme_dsl.project.playing.traces import kinds

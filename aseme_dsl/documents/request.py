@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.diagrams import Expressions, Layout, Options
+from aseme_dsl.runtime.message.by_name import made
 
 BOTH = "both"
 """The layout that is both of them."""
@@ -56,8 +57,7 @@ def request_of(options: Mapping[str, str]) -> Request:
             raise WrongOption(f"a diagram has no option {name!r}; {hint}")
         field, read = _READERS[name]
         known[field] = read(name, text.strip())
-    make: Callable[..., Request] = Request  # `_READERS` gives each field what it has to be
-    return make(**known)
+    return made(Request, **known)  # `_READERS` gives each field what it has to be
 
 
 OPTIONS = ("model", "at", "depth", "layout", "expressions", "labels", "caption", "alt", "source", "embed")

@@ -21,6 +21,12 @@ from aseme_dsl.runtime.time.timers import Scheduler
 RunningT = TypeVar("RunningT", contravariant=True)
 
 
+class Complain(Protocol):
+    """Is told what is wrong, of which agent and activity, as far as that is known."""
+
+    def __call__(self, text: str, agent: str = "", activity: str | None = None) -> None: ...
+
+
 class Receiver(Protocol):
     """An agent that inputs are given to."""
 

@@ -214,10 +214,12 @@ def _read(work: str, source: Source) -> object:
     return WORK[work](source) if own is None else own.do(work, source, WORK[work])
 
 
-def at_once(function: Callable[..., _T], *arguments: object) -> _T:
+def at_once(function: Callable[_P, _T], *arguments: _P.args, **named: _P.kwargs) -> _T:
     """`function(*arguments)`, for an answer that nobody wants late; may raise `TooSlow`."""
     own = reader.get()
-    return function(*arguments) if own is None else own.at_once(function, *arguments)
+    if own is None:
+        return function(*arguments, **named)
+    return own.at_once(function, *arguments, **named)
 
 
 __all__ = ["Job", "NotYet", "Reader", "at_once", "format_source", "own_command", "parse", "reader"]

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from importlib.util import cache_from_source
 from pathlib import Path
 from types import FrameType, MappingProxyType
+from typing import TypeVarTuple
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics import Diagnostic, Problem
@@ -32,6 +33,8 @@ from aseme_dsl.project.files.manifest import (
     seen_from_here,
 )
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
+
+_Ts = TypeVarTuple("_Ts")
 
 STAGED = ".asemec-"
 """How the names of files begin that exist only while a build is being written."""
@@ -537,7 +540,7 @@ def _remove_empty_folders(plan: _Plan, disk: Disk) -> None:
             folder = folder.parent
 
 
-def _fails(action: Callable[..., None], *arguments: Path) -> bool:
+def _fails(action: Callable[[*_Ts], None], *arguments: *_Ts) -> bool:
     """Do it as well as it goes; whether it failed. Used where there is nothing more to be done about it."""
     try:
         action(*arguments)

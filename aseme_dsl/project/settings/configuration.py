@@ -16,6 +16,7 @@ from aseme_dsl.diagnostics.problems.settings import Fitting
 from aseme_dsl.project.files.duration import duration
 from aseme_dsl.project.settings.deployment import Deployment, TlsFiles, network_mistakes
 from aseme_dsl.project.settings.platform_settings import PLATFORMS, MangoConfiguration, SpadeConfiguration
+from aseme_dsl.runtime.message.by_name import made
 from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:
@@ -161,8 +162,8 @@ def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, .
     deploy = given.get("deploy")
     for key, mistake in network_mistakes(deploy) if isinstance(deploy, Deployment) else ():
         reader.report(f"{TABLE}.deploy", key, mistake)
-    make: Callable[..., Configuration] = Configuration  # `_keys` gives each field what it has to be
-    return make(path.parent, path, **given), tuple(reader.diagnostics)
+    # `_keys` gives each field what it has to be
+    return made(Configuration, path.parent, path, **given), tuple(reader.diagnostics)
 
 
 _LARGEST = 1 << 20
@@ -198,7 +199,7 @@ class _Policy:
 class _Table:
     """A table inside: its keys, what is made of them, and which of them it cannot do without."""
 
-    make: Callable[..., object]
+    make: type[object]
     keys: Mapping[str, _Convert | _Table]
     needs: tuple[str, ...] = ()
 
@@ -465,7 +466,7 @@ class _Reader:
                     if missing:
                         inner = f"{name}.{key}"
                         self.report(inner, None, problems.KeyMissing(missing[0], inner))
-                    given[key] = convert.make(**inside)
+                    given[key] = made(convert.make, **inside)
                 else:
                     self.report(name, key, problems.KeyNotTable(key, f"{name}.{key}"))
             else:

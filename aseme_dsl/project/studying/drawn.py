@@ -8,7 +8,7 @@ drawn while a chart runs.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from enum import Enum
 from typing import assert_never
 
@@ -19,6 +19,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Completed, Happened, Input, Sample, Written
+from aseme_dsl.runtime.message.by_name import made
 
 MS = 1_000_000
 _LONGEST = 50
@@ -168,8 +169,7 @@ class _Drawing:
                 found[item.name] = tuple(self.value(item.type) for _ in range(self.chance.randrange(4)))
             elif item.label != "optional" or self.chance.random() < 0.7:
                 found[item.name] = self.value(item.type)
-        make: Callable[..., object] = self.classes[name]
-        return make(**found)
+        return made(self.classes[name], **found)
 
     def value(self, kind: Type) -> object:
         """A value of a type: more often than not near a constant of the chart's own conditions."""

@@ -204,7 +204,7 @@ def _as_they_end(futures: Sequence[Future[Run]]) -> Iterator[Future[Run]]:
         yield from done
 
 
-def _begin_worker(end: Connection) -> None:
+def _begin_worker(end: Connection[object, object]) -> None:
     """Ctrl-C is for the one who started the study; when that closes its side, or has ended, we end, too."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 

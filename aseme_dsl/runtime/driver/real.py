@@ -18,7 +18,7 @@ from aseme_dsl.runtime.driver.real_activities import RealActivities
 from aseme_dsl.runtime.driver.real_steps import Steps
 from aseme_dsl.runtime.driver.real_time import RealTime
 from aseme_dsl.runtime.driver.run_state import PAUSE, RunState
-from aseme_dsl.runtime.ports import Stepping
+from aseme_dsl.runtime.ports import Complain, Stepping
 from aseme_dsl.runtime.time.clock import SECOND, RealClock, shown
 from aseme_dsl.runtime.time.timer_thread import Timekeeper
 from aseme_dsl.runtime.time.timers import Timer
@@ -65,7 +65,7 @@ class RealDriver:
         """Called once, when the run is to end and nothing has been stopped yet."""
         self.idle_since: int | None = None
         """Always None: in real time an input may come from outside at any moment."""
-        self.complain: Callable[..., None] = lambda text, agent="", activity=None: None
+        self.complain: Complain = lambda text, agent="", activity=None: None
         """Told what is stuck or cannot be had, and errors in callbacks of the event loop."""
         self.reason = ""
         self.left: tuple[str, ...] = ()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.driver.real_time import RealTime
 from aseme_dsl.runtime.driver.run_state import RunState
+from aseme_dsl.runtime.ports import Complain
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.runtime.time.timers import Timer
 from aseme_dsl.runtime.workers.threads import Threads
@@ -32,7 +33,7 @@ class RealActivities:
         code: VersionFiles | None,
         state: RunState,
         after: Callable[[int, Callable[[], None]], Timer],
-        complain: Callable[..., None],
+        complain: Complain,
     ) -> None:
         """`path`, `names` and `code` are those of the driver; `after` makes a call after so many ns."""
         self._options = options

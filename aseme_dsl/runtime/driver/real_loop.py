@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, cast
 
 from aseme_dsl.runtime.activity.stacks import place_of
 from aseme_dsl.runtime.driver.virtual_loop import run_async
+from aseme_dsl.runtime.ports import Complain
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.activity.execution import Execution
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 class RealLoop:
     """An event loop in a thread of its own. When an activity blocks it, another takes its place."""
 
-    def __init__(self, ended: Callable[[Execution], None], complain: Callable[..., None]) -> None:
+    def __init__(self, ended: Callable[[Execution], None], complain: Complain) -> None:
         self._ended = ended
         self._complain = complain
         self._loop, self._thread = _start(complain)
@@ -86,7 +87,7 @@ def _cancel(execution: Execution) -> None:
         task.cancel()
 
 
-def _start(complain: Callable[..., None]) -> tuple[asyncio.AbstractEventLoop, threading.Thread]:
+def _start(complain: Complain) -> tuple[asyncio.AbstractEventLoop, threading.Thread]:
     """An event loop that selects with `select`, whose timeouts are not rounded to whole milliseconds."""
     loop = asyncio.SelectorEventLoop(selectors.SelectSelector())
 

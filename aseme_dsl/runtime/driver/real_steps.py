@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 from aseme_dsl.runtime.activity.stacks import place_of
 from aseme_dsl.runtime.driver.run_state import PAUSE, RunState
-from aseme_dsl.runtime.ports import Stepping
+from aseme_dsl.runtime.ports import Complain, Stepping
 
 RESTLESS = 1000
 """After so many steps that follow each other in one thread, another thread continues."""
@@ -29,7 +29,7 @@ class _Depth(threading.local):
 class Steps:
     """The steps of the agents: each is stepped by one thread at a time, the one that wakes it."""
 
-    def __init__(self, state: RunState, complain: Callable[..., None]) -> None:
+    def __init__(self, state: RunState, complain: Complain) -> None:
         self._state = state
         self._complain = complain
         self._locks: dict[str, threading.Lock] = {}

@@ -28,7 +28,7 @@ from aseme_dsl.runtime.activity.context import Cancelled
 from aseme_dsl.runtime.activity.snapshot import run_snapshot
 from aseme_dsl.runtime.activity.stacks import activity_of, place_of
 from aseme_dsl.runtime.chart.input_queue import Errand, Posted
-from aseme_dsl.runtime.ports import Stepping
+from aseme_dsl.runtime.ports import Complain, Stepping
 from aseme_dsl.runtime.time.clock import VirtualClock, shown
 from aseme_dsl.runtime.time.timers import Timer, Timers
 
@@ -85,7 +85,7 @@ class VirtualDriver:
         """The moment after which nothing was pending any more, if the run ended so."""
         self._last = 0
         """The last moment at which something was due that is not of the background."""
-        self.complain: Callable[..., None] = _nothing
+        self.complain: Complain = _nothing
         """Called with what is wrong, the agent and the activity, as far as that is known."""
         self.reason = ""
         """Why the run has ended: what `settled` or `stop` said, "time", or "idle"."""
@@ -431,7 +431,7 @@ def _end_task(execution: Execution, task: asyncio.Task[None]) -> None:
         execution.returned(Cancelled())
 
 
-def _nothing(*values: object) -> None:
+def _nothing(*values: object, **named: object) -> None:
     pass
 
 

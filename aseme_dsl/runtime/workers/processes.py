@@ -24,6 +24,7 @@ from typing import IO, TYPE_CHECKING
 from aseme_dsl.runtime.activity.context import Cancelled
 from aseme_dsl.runtime.activity.returning import reason_of
 from aseme_dsl.runtime.activity.snapshot import Snapshot, snapshot_of, tell
+from aseme_dsl.runtime.ports import Complain
 from aseme_dsl.runtime.version.versions import VersionFiles, version_of_module
 
 if TYPE_CHECKING:
@@ -237,7 +238,7 @@ class Processes:
         maximum: int,
         memory: int | None,
         ended: Callable[[Execution], None],
-        complain: Callable[..., None],
+        complain: Complain,
         names: Mapping[str, str] | None = None,
         code: VersionFiles | None = None,
     ) -> None:

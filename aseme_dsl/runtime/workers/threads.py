@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.activity.context import Cancelled
 from aseme_dsl.runtime.activity.stacks import place_of
+from aseme_dsl.runtime.ports import Complain
 from aseme_dsl.runtime.time.clock import SECOND
 
 if TYPE_CHECKING:
@@ -54,9 +55,7 @@ class Threads:
     """As many threads as are wanted beforehand, or as activities have run in them at once if that is more, up
     to a maximum. For use from any thread."""
 
-    def __init__(
-        self, maximum: int, ended: Callable[[Execution], None], complain: Callable[..., None]
-    ) -> None:
+    def __init__(self, maximum: int, ended: Callable[[Execution], None], complain: Complain) -> None:
         self.ended = ended
         self._maximum = maximum
         self._complain = complain

@@ -17,6 +17,7 @@ import time
 from collections.abc import Callable, Mapping
 from multiprocessing import AuthenticationError
 from multiprocessing.connection import Client, Connection, Listener, answer_challenge, deliver_challenge
+from typing import cast
 
 from aseme_dsl.runtime.time.clock import SECOND
 from aseme_dsl.runtime.transport.meeting import private_folder
@@ -102,18 +103,18 @@ class WorldServer:
                 return
             threading.Thread(target=self._serve, args=(connection,), daemon=True).start()
 
-    def _serve(self, connection: Connection) -> None:
+    def _serve(self, connection: Connection[object, object]) -> None:
         with contextlib.suppress(OSError, EOFError, AuthenticationError), connection:
             deliver_challenge(connection, self._key)
             answer_challenge(connection, self._key)
-            name = connection.recv()
+            name = cast(str, connection.recv())
             body = self.world.bodies.get(name)
             if body is None:
                 connection.send(("raise", BodyConnectionError(f"the world has no body called {name}")))
                 return
             connection.send(("give", body.payload_limit))
             while True:
-                what, argument = connection.recv()
+                what, argument = cast("tuple[str, object]", connection.recv())
                 connection.send(self._call(name, body, what, argument))
 
     def _call(self, name: str, body: AnyBody, what: str, argument: object) -> tuple[str, object]:
