@@ -22,7 +22,7 @@ RunningT = TypeVar("RunningT", contravariant=True)
 
 
 class Complain(Protocol):
-    """Is told what is wrong, of which agent and activity, as far as that is known."""
+    """Reports to the user what is wrong, with the agent and the activity as far as they are known."""
 
     def __call__(self, text: str, agent: str = "", activity: str | None = None) -> None: ...
 
