@@ -161,6 +161,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W435": ("warning", "`done` of a state that never completes"),
     "W436": ("warning", "livelock of concurrent regions"),
     "W438": ("warning", "wait that may never end"),
+    "W439": ("warning", "loop without a pause"),
     # Types (E5xx)
     "E500": ("error", "type mismatch"),
     "E501": ("error", "unknown field"),

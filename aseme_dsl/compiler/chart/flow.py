@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.expression import (
@@ -12,16 +12,21 @@ from aseme_dsl.amola.expression import (
     Age,
     Assign,
     Expired,
+    Has,
     Member,
+    Outcome,
     Publish,
     ReadMessages,
+    RoundValue,
     StartTimer,
+    StateValue,
     TransitionExpression,
     Value,
     VariableValue,
     walk,
 )
 from aseme_dsl.amola.messages import ChannelKind
+from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import OriginKind, State, Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
@@ -29,11 +34,13 @@ from aseme_dsl.diagnostics.problems.control import (
     ChoicesInCircle,
     CycleNeverRests,
     LeftByTimeOnly,
+    LoopWithoutPause,
     NeverCompletes,
     NeverHappens,
 )
 from aseme_dsl.diagnostics.problems.statecharts import StateNotLeft, StateNotReached
 from aseme_dsl.diagnostics.problems.use import TimerNotStarted
+from aseme_dsl.proofs.unknowns import identity
 from aseme_dsl.source import Span
 
 _POINTS = (StateType.START, StateType.CONDITION)
@@ -60,8 +67,65 @@ def check_flow(chart: Statechart, contradict: Contradict = lambda _, __: False) 
     """
     edges = _edges(chart)
     found = list(_endless_waits(chart, edges))
-    found += _cycles(chart, edges, contradict)
+    for circle, at_once in _cycles(chart, edges, contradict, {}):
+        found.append(_restless(chart, circle, at_once))
     return tuple(found)
+
+
+def check_pace(chart: Statechart, quick: Mapping[str, Activity]) -> Iterator[Diagnostic]:
+    """W439 for a loop all of whose activities are `quick`: they return at once, and nothing else waits.
+
+    What the activities write, and how they end, may be what ends the loop.
+    """
+    labels = {node.label: node for node in chart.states if node.activity in quick}
+    if not labels:
+        return
+    written: set[object] = set()
+    for node in labels.values():
+        written.update((*quick[node.activity or ""].writes, *quick[node.activity or ""].writes_variables))
+    edges = {
+        scope: [edge for edge in found if not _may_change(edge.transition.expression, written)]
+        for scope, found in _edges(chart).items()
+    }
+    told: set[Span] = set()
+    for circle, _ in _cycles(chart, edges, _plainly, {label: () for label in labels}):
+        sources = [edge.source for edge in circle]
+        inside = [
+            node
+            for label, node in labels.items()
+            if any(label == source or label.startswith(f"{source}.") for source in sources)
+        ]
+        last = circle[-1].transition
+        if inside and last.span not in told:
+            told.add(last.span)
+            names = tuple(dict.fromkeys(node.activity or "" for node in inside))
+            term = cut(chart.node(circle[-1].target).name)
+            related = tuple(
+                Related(node.span, f"`{node.activity}` returns at once")
+                for node in inside[:5]
+                if len(inside) > 1
+            )
+            yield Diagnostic(LoopWithoutPause(names, term), last.span, related)
+
+
+def _plainly(holding: Sequence[Value], failing: Sequence[Value]) -> bool:
+    """What contradicts itself without a proof: a condition and its own `else`."""
+    return bool({identity(item) for item in holding} & {identity(item) for item in failing})
+
+
+def _may_change(expression: TransitionExpression, written: Container[object]) -> bool:
+    """Whether a condition reads what the activities of a loop change."""
+    if expression.condition is None:
+        return False
+    for value in walk(expression.condition):
+        match value:
+            case Member(channel=channel) if channel in written:
+                return True
+            case VariableValue(name=name) if name.partition("@")[0] in written or "@" in name:
+                return True
+            case Outcome() | StateValue() | RoundValue() | Has():
+                return True
+    return False
 
 
 def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
@@ -289,9 +353,15 @@ def _endless_wait(chart: Statechart, transition: Transition, target: State) -> D
 # ---- cycles --------------------------------------------------------------------------------------
 
 
-def _cycles(chart: Statechart, edges: dict[str, list[_Edge]], contradict: Contradict) -> Iterator[Diagnostic]:
-    """W403 for a cycle that goes on within one step; E412 if it has no state at all."""
-    at_once: AtOnce = {}
+def _cycles(
+    chart: Statechart,
+    edges: Mapping[str, list[_Edge]],
+    contradict: Contradict,
+    quick_states: Mapping[str, tuple[Transition, ...]],
+) -> Iterator[tuple[list[_Edge], AtOnce]]:
+    """The cycles that go on within one instant, with what completes on the way; `quick_states` complete at
+    once, too."""
+    at_once: AtOnce = dict(quick_states)
     for node in reversed(chart.states):
         if node.type is StateType.AND:
             inside = [at_once.get(child.label) for child in chart.children(node.label)]
@@ -310,12 +380,12 @@ def _cycles(chart: Statechart, edges: dict[str, list[_Edge]], contradict: Contra
                 at_once[node.label] = _all_of(ways[0], at_once) if len(ways) == 1 else ()
         for circle in _circles(quick):
             if _is_bare(chart, circle) or not _comes_to_rest(chart, _all_of(circle, at_once), contradict):
-                yield _restless(chart, circle, at_once)
+                yield circle, at_once
                 continue
             others = (_walks(chart, quick, edge.source, edge.source, at_once, contradict) for edge in circle)
             other = next((walks[0] for walks in others if walks), None)
             if other is not None:
-                yield _restless(chart, other or circle, at_once)
+                yield other or circle, at_once
 
 
 AtOnce = dict[str, tuple[Transition, ...]]
@@ -508,4 +578,4 @@ def _names(nodes: Iterable[State]) -> Iterator[str]:
     )
 
 
-__all__ = ["check_completion", "check_flow", "check_reach", "check_timers"]
+__all__ = ["check_completion", "check_flow", "check_pace", "check_reach", "check_timers"]

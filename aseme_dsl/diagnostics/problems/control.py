@@ -408,6 +408,24 @@ class CycleNeverRests(Problem):
     hint = "wait for the completion of an activity, for an event, or for a timer that is started again"
 
 
+class LoopWithoutPause(Problem):
+    """`activities` all return at once; `term` is what the loop repeats."""
+
+    code = "W439"
+    activities: tuple[str, ...]
+    term: str
+
+    @property
+    def message(self) -> str:
+        names = ", ".join(f"`{name}`" for name in self.activities)
+        verb = "returns" if len(self.activities) == 1 else "return"
+        return f"nothing paces this loop: {names} {verb} at once"
+
+    @property
+    def hint(self) -> str:
+        return f"write `repeat {self.term} every 100ms :`, or wait in an activity: `context.wait(0.1)`"
+
+
 class ConditionAlwaysFalse(Problem):
     code = "W404"
     message = "this transition is never taken: its condition is always false"

@@ -19,6 +19,7 @@ from aseme_dsl.amola.expression import Raised
 from aseme_dsl.amola.messages import Channel, ChannelKind, Topic
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.amola.system import System, agent_names
+from aseme_dsl.compiler.chart.flow import check_pace
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.diagnostics import CODES, Diagnostic, Related, Severity, Suppressed, closest
 from aseme_dsl.diagnostics.problems.python.code import (
@@ -59,6 +60,7 @@ from aseme_dsl.project.code.activity_files import (
 from aseme_dsl.project.code.activity_given import wrong_parameters
 from aseme_dsl.project.code.activity_imports import systems_beside, wrong_imports
 from aseme_dsl.project.code.activity_messages import unfit_messages
+from aseme_dsl.project.code.activity_pace import returns_at_once
 from aseme_dsl.project.code.activity_talk import Talk, parts_of, talk_in, unfit_talk, unsaid
 from aseme_dsl.project.code.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
@@ -130,6 +132,8 @@ def check_code(
         for code in read.values():
             found += wrong_imports(code.read.tree, system, systems, code.read.span)
     found += (problem for results in checked for problems in results for problem in problems)
+    for chart in system.iacs:
+        found += check_pace(chart, written.quick)
     if alone and system.aips:
         parts = parts_of(system, memory)
         talks = {**_of_simulated(system), **written.talks}
@@ -152,6 +156,8 @@ class _Written:
     problems: Sequence[Diagnostic]
     is_complete: bool
     """Whether there is code of all, so that what none of it does is not done."""
+    quick: Mapping[str, Activity]
+    """The activities whose code surely returns at once."""
 
 
 def _written(pieces: Iterable[_Piece], codes: Mapping[str, _Code], required: Required | None) -> _Written:
@@ -160,6 +166,7 @@ def _written(pieces: Iterable[_Piece], codes: Mapping[str, _Code], required: Req
     talks: dict[str, tuple[Talk, ...]] = {}
     problems: list[Diagnostic] = []
     is_complete = True
+    quick: dict[str, Activity] = {}
     for piece in pieces:
         if not piece.said.has_code:  # its code, which is to come, may raise any event
             is_complete = False
@@ -178,8 +185,12 @@ def _written(pieces: Iterable[_Piece], codes: Mapping[str, _Code], required: Req
         is_complete = is_complete and is_written
         if is_written and piece.what == "activity":
             talks[piece.said.name] = code.talk
+            executes = list(executes_of(code.read.tree, [piece.wanted]))
+            is_paced = piece.said.every is not None or piece.wanted in code.empty
+            if executes and not is_paced and all(map(returns_at_once, executes)):
+                quick[piece.said.name] = piece.said
         described.append((code, piece.said, piece.wanted, piece.what))
-    return _Written(described, talks, problems, is_complete)
+    return _Written(described, talks, problems, is_complete, quick)
 
 
 _Kept = tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]

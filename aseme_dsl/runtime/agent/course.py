@@ -34,10 +34,8 @@ def place_of_failure(plan: Plan, outcome: Outcome) -> str:
 def cycle(plan: Plan, recent: Iterable[tuple[int, ...]]) -> str:
     """The transitions taken last and their activities, for messages about what does not end."""
     taken = list(recent)
-    activities = [
-        activity
-        for numbers in taken
-        if (activity := plan.by_label[plan.transitions[numbers[-1]].target].activity)
-    ]
-    text = ", ".join(dict.fromkeys(map(plan.way, taken))) or "no transition"
-    return text + (f" (activities {', '.join(dict.fromkeys(activities))})" if activities else "")
+    states = [plan.by_label[plan.transitions[numbers[-1]].target] for numbers in taken]
+    activities = [f"{state.activity} ({state.at})" for state in states if state.activity]
+    if activities:
+        return "activities " + ", ".join(dict.fromkeys(activities)) + " again and again"
+    return ", ".join(dict.fromkeys(map(plan.way, taken))) or "no transition"

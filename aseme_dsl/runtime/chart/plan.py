@@ -211,7 +211,17 @@ class Plan:
         """What a compound transition leads from and to, and where it is written, for messages."""
         first, last = self.transitions[numbers[0]], self.transitions[numbers[-1]]
         source, target = (self.by_label[label] for label in (first.source, last.target))
-        return f"{source.name or source.label} -> {target.name or target.label} ({first.at})"
+        return f"{self.called(source)} -> {self.called(target)} ({first.at})"
+
+    def called(self, state: State) -> str:
+        """What people call a state: by what it is in the state around it where its name is only its label."""
+        around = state
+        while around.parent is not None and around.name in ("", around.label):
+            around = self.by_label[around.parent]
+        if around is state or around.name in ("", around.label):
+            return state.name or state.label
+        what = {"START": "start of ", "END": "end of ", "CONDITION": "choice in "}.get(state.type, "in ")
+        return what + around.name
 
     @cached_property
     def receivers(self) -> dict[tuple[str, str, str], tuple[str, ...]]:

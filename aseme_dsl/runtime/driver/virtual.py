@@ -368,8 +368,8 @@ class VirtualDriver:
             steps = self._steps[agent.name] = self._steps.get(agent.name, 0) + 1
             if steps == STEPS and not agent.over:
                 agent.fail(
-                    f"{STEPS} steps at {shown(self.clock.now())} and no end: {agent.cycle()}; let something "
-                    "in it take time (`takes`, `every`, a timer, an activity that waits)"
+                    f"{STEPS} steps at {shown(self.clock.now())} and no end: {agent.cycle()}; pace the loop "
+                    "(`repeat … every 100ms`), or let an activity in it wait"
                 )
 
     def _jump(self) -> None:

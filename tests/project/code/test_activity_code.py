@@ -32,6 +32,7 @@ srm player {
   control player {
     enter Walk : seen
     enter buyer : [tired]
+    repeat Legs every 1s :
   }
   activities {
     Look    writes vision.state.Ball, vision.data.Ball
