@@ -9,8 +9,9 @@ from typing import cast
 
 from aseme_dsl.runtime.activity import access
 from aseme_dsl.runtime.activity import context as c
-from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, Executable, has_code, kind_of
+from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder
 from aseme_dsl.runtime.activity.execution import Execution, Host
+from aseme_dsl.runtime.activity.plan_code import CodeOf, PlanCode
 from aseme_dsl.runtime.activity.returning import as_outcome, frames_of, is_cancellation, reason_of
 from aseme_dsl.runtime.chart.functions import TYPES
 from aseme_dsl.runtime.chart.inputs import Cancel, Completed, Crashed, Start
@@ -33,12 +34,8 @@ TICK = 10 * MILLISECOND
 class _Node:
     """A BASIC state: what runs there, and what is to run next."""
 
-    info: ActivityInfo
-    code: type[Executable] | None
-    """None where there is no code."""
-    kind: str
-    error: ActivityError | None
-    """Why the activity cannot run."""
+    program: CodeOf
+    """What the plan says of its activity, and the code."""
     branch: str | None
     """The label of the protocol branch around it."""
     starts: int = 0
@@ -55,18 +52,15 @@ class _Node:
 class Executions:
     """The activities of one agent. Called only while the agent is guarded, but for `check`."""
 
-    def __init__(self, agent: Host, find: ActivityFinder) -> None:
+    def __init__(self, agent: Host, code: PlanCode) -> None:
         self.agent = agent
-        self._find = find
-        self._infos = {info.name: info for info in agent.plan.activities}
+        self._code = code
         self._nodes: dict[str, _Node] = {}
         self._former: list[_Node] = []
         """What the present plan does not have and is cancelled, but has not come to its end yet."""
         self._late_codeless: set[str] = set()
         self._codeless: set[str] = set()
         """The branches of which an activity without code has begun."""
-        self._coded: dict[str, bool] = {}
-        """Whether an activity of a branch has code, for those that were asked for."""
 
     # ---- what the step asks for --------------------------------------------------------------
 
@@ -147,40 +141,10 @@ class Executions:
                 return True
         return False
 
-    def has_code_in(self, branch: str) -> bool:
-        """Whether an activity of a protocol branch has code."""
-        if branch not in self._coded:
-            inside = (item for item in self.agent.plan.states if item.label.startswith(f"{branch}."))
-            self._coded[branch] = any(
-                self.has_code(item.activity) or self.agent.callback(item.label) is not None
-                for item in inside
-                if item.activity
-            )
-        return self._coded[branch]
-
     def running(self) -> list[Execution]:
         """What has not come to its end yet, cancelled or not."""
         nodes = (*self._nodes.values(), *self._former)
         return [node.current for node in nodes if node.current is not None]
-
-    def in_threads(self) -> int:
-        """How many of the plan's activities can run in threads at once."""
-        threads: dict[str, bool] = {}
-        labels: list[str] = []
-        for state in self.agent.plan.states:
-            name = state.activity
-            if name is not None:
-                if name not in threads:
-                    node = self._node(Start(state.label, name, 0))
-                    threads[name] = node.code is not None and node.kind == "thread"
-                if threads[name]:
-                    labels.append(state.label)
-        return self.agent.plan.at_once(frozenset(labels))
-
-    @property
-    def find(self) -> ActivityFinder:
-        """Where the code of activities is found."""
-        return self._find
 
     # ---- another plan ------------------------------------------------------------------------
 
@@ -190,10 +154,8 @@ class Executions:
         What runs keeps running, with the code that it has; what starts later has the new plan's.
         """
         nodes, self._nodes = self._nodes, {}
-        self._find = find
+        self._code.renew(find)
         self._codeless.clear()
-        self._infos = {info.name: info for info in self.agent.plan.activities}
-        self._coded.clear()
         for old, node in nodes.items():
             label = labels.get(old)
             if label is None:  # nothing is active there
@@ -203,8 +165,7 @@ class Executions:
             self._nodes[label] = node
             start = Start(label, self.agent.plan.by_label[label].activity or "", 0)
             fresh = self._node(start)
-            node.info, node.code, node.kind = fresh.info, fresh.code, fresh.kind
-            node.error, node.branch = fresh.error, fresh.branch
+            node.program, node.branch = fresh.program, fresh.branch
             if node.next is not None:
                 node.next = replace(node.next, label=label)
             execution = node.current
@@ -217,29 +178,13 @@ class Executions:
         """Continue under the agent's new plan, of which nothing runs yet; everything has been cancelled."""
         self._former += [node for node in self._nodes.values() if node.current is not None]
         self._nodes = {}
-        self._find = find
+        self._code.renew(find)
         self._codeless.clear()
-        self._infos = {info.name: info for info in self.agent.plan.activities}
-        self._coded.clear()
 
     # ---- beginning ---------------------------------------------------------------------------
 
-    def _info(self, activity: str) -> ActivityInfo:
-        return self._infos.get(activity) or ActivityInfo(activity)
-
     def _node(self, start: Start) -> _Node:
-        info = self._info(start.activity)
-        code: type[Executable] | None = None
-        kind = info.kind
-        error: ActivityError | None = None
-        try:
-            code = None if info.simulated or info.waits else self._find(start.activity)
-            if code is not None:
-                code = code if has_code(code) else None
-                kind = info.kind if code is None else kind_of(code, info.kind)
-        except ActivityError as raised:
-            error = raised
-        return _Node(info, code, kind, error, self.agent.plan.branch_of(start.label))
+        return _Node(self._code.of(start.activity), self.agent.plan.branch_of(start.label))
 
     def _begin_when_free(self, node: _Node) -> None:
         """Begin what is next, unless the old one has not returned or the period is not over."""
@@ -252,7 +197,7 @@ class Executions:
                 self._trace("wait", start)
             return
         now = self.agent.driver.clock.now()
-        every = node.info.every
+        every = node.program.info.every
         if every is not None and node.last_start is not None:
             due = node.last_start + every
             if now < due:
@@ -266,7 +211,7 @@ class Executions:
 
     def _begin_held(self, node: _Node, due: int) -> None:
         """Begin what was delayed until `due`. Its period is counted from then, however late it is now."""
-        start, every = node.next, node.info.every
+        start, every = node.next, node.program.info.every
         assert start is not None and every is not None
         now = self.agent.driver.clock.now()
         missed = (now - due) // every
@@ -285,13 +230,13 @@ class Executions:
                 self._begin_when_free(node)
 
     def _begin(self, node: _Node, start: Start, now: int) -> None:
-        info = node.info
+        info = node.program.info
         node.next = None
         node.last_start = now
         node.starts += 1
         board = self.agent.chart.board_of(start.label)
-        code, kind = node.code, node.kind
-        if code is None and node.error is None and not info.waits:
+        code, kind = node.program.code, node.program.kind
+        if code is None and node.program.error is None and not info.waits:
             called = self.agent.callback(start.label)
             code, kind = called, kind if called is None else "step"
         execution = node.current = Execution(
@@ -300,8 +245,8 @@ class Executions:
         execution.earlier, execution.made, node.made = node.made, set(node.made), set()
         given = {name: to_json(value) for name, value in start.arguments}
         self._trace("start", start, **({"arguments": given} if given else {}))
-        if node.error is not None:
-            self.returned(execution, node.error)
+        if node.program.error is not None:
+            self.returned(execution, node.program.error)
         elif info.waits:
             pass  # until it is cancelled
         elif execution.code is None:
@@ -334,22 +279,13 @@ class Executions:
         """Tell, once for a role, of a participant that agrees to nothing: no activity of it has code."""
         plan = self.agent.plan
         found = undecided(plan, branch)
-        if not found.variables or self.has_code_in(branch):
+        if not found.variables or self._code.has_code_in(branch):
             return
         info = self.agent.branch_info(branch)
         stay = f"{listed(found.variables, 'and')} {'stays' if len(found.variables) == 1 else 'stay'} false"
         text = f"{plan.name} plays {info.protocol}.{info.participant} without code, so {stay}"
         write = listed(found.activities, "or")
         self.agent.trace.remark(now, self.agent.name, f"{text}: {write} would decide that")
-
-    def has_code(self, activity: str) -> bool:
-        """Whether there is code for an activity; code that cannot be loaded counts, and fails at its
-        start."""
-        try:
-            info = self._info(activity)
-            return not info.simulated and not info.waits and has_code(self._find(activity))
-        except ActivityError:
-            return True
 
     def _open(self, execution: Execution) -> None:
         """The activity has lasted what it takes: what it did counts."""

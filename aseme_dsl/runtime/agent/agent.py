@@ -10,6 +10,7 @@ from aseme_dsl.runtime.activity.activities import ActivityFinder, Executable
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.activity.executions import Executions
 from aseme_dsl.runtime.activity.modules import Modules
+from aseme_dsl.runtime.activity.plan_code import PlanCode
 from aseme_dsl.runtime.activity.returning import frames_of, reason_of
 from aseme_dsl.runtime.agent.behaviours import JadeLikeAgent, agent_class
 from aseme_dsl.runtime.agent.course import changed_states, cycle, place_of_failure
@@ -89,7 +90,8 @@ class Agent:
         """The message classes of the agent's plan, as far as they are known."""
         self.chosen: Callable[[Agent, str, str], None] = _not_here
         """Called for a message that says which plan is to run, with its sender."""
-        self.executions = Executions(self, find)
+        self.code = PlanCode(self, find)
+        self.executions = Executions(self, self.code)
         self.modules = Modules(self, self.executions, find)
         self.requests = Requests(self, bus)
         self.intake = Intake(_queued(self.plan), not driver.clock.virtual, queue)
@@ -312,7 +314,7 @@ class Agent:
         """Show the chart with its behaviours, if it is to be shown so. One that continues another, by
         `labels`, is shown in its present state."""
         before = self.shown
-        kind = agent_class(type(self.chart), self.executions.find)
+        kind = agent_class(type(self.chart), self.code.find)
         self.shown = kind(self) if kind is not None else None
         if self.shown is not None and labels is not None:
             self.shown.go_on(before, labels)
@@ -441,7 +443,7 @@ class Agent:
     def crash(self) -> None:
         """Stop dead, as a robot that is switched off; its knowledge is lost. Between two steps."""
         if not self.over:
-            self.begin_as(type(self.chart)(self.name), self.executions.find, self.messages, dead=True)
+            self.begin_as(type(self.chart)(self.name), self.code.find, self.messages, dead=True)
             self.down = True
             self.conversations.directory.disappeared(self.name)
 
@@ -496,7 +498,7 @@ class Agent:
 
     def in_threads(self) -> int:
         """How many of its activities and modules can run in threads at once."""
-        return self.executions.in_threads() + self.modules.in_threads()
+        return self.code.in_threads() + self.modules.in_threads()
 
     def cycle(self) -> str:
         """The transitions taken last, for messages about what does not end."""

@@ -541,7 +541,7 @@ class JadeLikeAgent:
                     f"{kind.__name__} has {callback.method}, which nothing calls: another activity stands for"
                     f" {activity}"
                 )
-            if callback.method in names and activity in inside and self._shell.executions.has_code(activity):
+            if callback.method in names and activity in inside and self._shell.code.has_code(activity):
                 text = f"{callback.method} of {kind.__name__} is not called: {activity} has code"
                 self._shell.trace.fault(self.now, self._shell.name, text, kind.at)
 

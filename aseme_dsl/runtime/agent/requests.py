@@ -48,7 +48,7 @@ class Requests:
         if content is None and opens:
             content = prepared.take_around(plan, branch, message, source)
         if content is None and (
-            prepared.has_codeless(plan, branch, opens) or not agent.executions.has_code_in(branch)
+            prepared.has_codeless(plan, branch, opens) or not agent.code.has_code_in(branch)
         ):
             agent.trace.write(
                 "default_content",

@@ -1,0 +1,94 @@
+"""The code of the activities of one agent, by its plan: what is loaded, how it runs, where there is none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, Executable, has_code, kind_of
+from aseme_dsl.runtime.activity.execution import Host
+from aseme_dsl.runtime.chart.plan import ActivityInfo
+
+
+@dataclass(frozen=True, slots=True)
+class CodeOf:
+    """What the plan says of an activity, with its code."""
+
+    info: ActivityInfo
+    code: type[Executable] | None
+    """None where there is no code."""
+    kind: str
+    error: ActivityError | None
+    """Why the activity cannot run."""
+
+
+class PlanCode:
+    """Finds the code of the activities of an agent's plan."""
+
+    def __init__(self, agent: Host, find: ActivityFinder) -> None:
+        self._agent = agent
+        self.find = find
+        """Where the code of activities is found."""
+        self._infos = {info.name: info for info in agent.plan.activities}
+        self._coded: dict[str, bool] = {}
+        """Whether an activity of a branch has code, for those that were asked for."""
+
+    def renew(self, find: ActivityFinder) -> None:
+        """The agent has another plan now."""
+        self.find = find
+        self._infos = {info.name: info for info in self._agent.plan.activities}
+        self._coded.clear()
+
+    def of(self, activity: str) -> CodeOf:
+        """The code of an activity, loaded now if it was not; what cannot be loaded is an error in it."""
+        info = self._info(activity)
+        code: type[Executable] | None = None
+        kind = info.kind
+        error: ActivityError | None = None
+        try:
+            code = None if info.simulated or info.waits else self.find(activity)
+            if code is not None:
+                code = code if has_code(code) else None
+                kind = info.kind if code is None else kind_of(code, info.kind)
+        except ActivityError as raised:
+            error = raised
+        return CodeOf(info, code, kind, error)
+
+    def has_code(self, activity: str) -> bool:
+        """Whether there is code for an activity; code that cannot be loaded counts, and fails at its
+        start."""
+        try:
+            info = self._info(activity)
+            return not info.simulated and not info.waits and has_code(self.find(activity))
+        except ActivityError:
+            return True
+
+    def has_code_in(self, branch: str) -> bool:
+        """Whether an activity of a protocol branch has code."""
+        if branch not in self._coded:
+            inside = (item for item in self._agent.plan.states if item.label.startswith(f"{branch}."))
+            self._coded[branch] = any(
+                self.has_code(item.activity) or self._agent.callback(item.label) is not None
+                for item in inside
+                if item.activity
+            )
+        return self._coded[branch]
+
+    def in_threads(self) -> int:
+        """How many of the plan's activities can run in threads at once."""
+        threads: dict[str, bool] = {}
+        labels: list[str] = []
+        for state in self._agent.plan.states:
+            name = state.activity
+            if name is not None:
+                if name not in threads:
+                    found = self.of(name)
+                    threads[name] = found.code is not None and found.kind == "thread"
+                if threads[name]:
+                    labels.append(state.label)
+        return self._agent.plan.at_once(frozenset(labels))
+
+    def _info(self, activity: str) -> ActivityInfo:
+        return self._infos.get(activity) or ActivityInfo(activity)
+
+
+__all__ = ["CodeOf", "PlanCode"]
