@@ -8,8 +8,11 @@ import pytest
 
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.team.faults import Crash, Faults
-from tests.runtime.playing import MS, SECOND, Played, play
+from tests.runtime.outside import Outside
+from tests.runtime.playing import MS, SECOND, Played, make, play
+from tests.runtime.transport.net import Air, part
 from tests.support.generated import generate
+from tests.support.waiting import wait_until
 
 TEXT = """
 system Kitchen
@@ -153,3 +156,27 @@ def test_what_was_prepared_is_sent() -> None:
     )
     run = play(generated, {"Cook": Cook}, until=20 * SECOND)
     assert said(run) == ["2000 failure {'why': 'oven', 'tries': 0}"]
+
+
+CUT_SHORT = "robot = cook [> Charge"
+CHARGE = "control robot { enter Charge : after(200ms) } activities { Charge takes 1s }"
+
+
+def test_between_processes_the_others_get_it_first() -> None:
+    text = TEXT.format(robot=CUT_SHORT, control=CHARGE)
+    made, air = generate(text.replace("takes 1s", "takes 10ms")), Air()
+    ann = part(made, ["ann"], {}, air.link()).start()
+    bob = part(made, ["bob"], {}, air.link()).start()
+    wait_until(lambda: ann.of("activity", what="start", activity="Sorry"))
+    ann.stop()
+    bob.stop()
+    assert not ann.of("activity", what="start", activity="Lost")
+
+
+def test_an_external_agent_gets_it_and_no_other_farewell() -> None:
+    text = TEXT.format(robot=CUT_SHORT, control=CHARGE)
+    team, _ = make(generate(text), agents=[("bob", "robot")], until=5 * SECOND)
+    alice = Outside(team)
+    alice.say(100, "request", {"id": "1"}, protocol="serving", conversation="c1", reply_with="a")
+    team.run()
+    assert alice.answers() == [("failure", {"why": "left", "tries": 1})]

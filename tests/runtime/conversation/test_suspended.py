@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import pytest
@@ -9,8 +10,11 @@ import pytest
 from aseme_dsl.project.playing.run_end import end_lines
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.team.faults import Crash, Faults
-from tests.runtime.playing import MS, SECOND, Played, play
+from tests.runtime.outside import Outside
+from tests.runtime.playing import MS, SECOND, Played, make, play
+from tests.runtime.transport.net import Air, part
 from tests.support.generated import generate
+from tests.support.waiting import wait_until
 
 TEXT = """
 system Kitchen
@@ -172,3 +176,31 @@ def test_one_that_is_suspended_is_not_invited() -> None:
     )
     run = kitchen(text)
     assert whats(run)[0] == "6000 join"
+
+
+def test_between_processes_a_suspended_part_is_nobody_s_loss() -> None:
+    text = re.sub(r"takes (\d+)s\b", r"takes \g<1>0ms", TEXT).replace(
+        "after(2s) [tries", "after(20ms) [tries"
+    )
+    made, air = generate(text), Air()
+    ann = part(made, ["ann"], {}, air.link()).start()
+    bob = part(made, ["bob"], {}, air.link()).start()
+    wait_until(lambda: bob.of("conversation", what="suspend"))
+    wait_until(lambda: bob.of("conversation", what="resume"))
+    wait_until(lambda: ann.of("activity", what="start", activity="Serve"))
+    wait_until(lambda: bob.of("activity", what="start", activity="Sweep"))
+    ann.stop()
+    bob.stop()
+    assert not ann.of("activity", what="start", activity="Gone")
+
+
+def test_an_external_agent_waits_for_a_suspended_part() -> None:
+    team, records = make(generate(TEXT), agents=[("bob", "robot")], until=20 * SECOND)
+    alice = Outside(team)
+    alice.say(100, "request", {"id": "1"}, protocol="serving", conversation="c1", reply_with="a")
+    alice.say(3000, "cancel", {"id": "1"}, protocol="serving", conversation="c1", reply_with="b")
+    team.run()
+    assert alice.answers() == [("inform", {"id": "1"})]
+    whats = [r["what"] for r in records if r["kind"] == "conversation" and r["agent"] == "bob"]
+    assert whats[:3] == ["join", "suspend", "resume"]
+    assert "Bow" in [r["activity"] for r in records if r["kind"] == "activity" and r["what"] == "start"]
