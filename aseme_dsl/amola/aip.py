@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from aseme_dsl.amola.expression import Literal, value_text
+from aseme_dsl.amola.expression import Literal, Value, value_text
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.messages import AGENT, Parameter, Type
 from aseme_dsl.display import Displayed
@@ -49,11 +50,38 @@ class NamedFormula:
 
 
 @dataclass(frozen=True, slots=True)
+class Plays:
+    """`plays attack.center as striker with WalkTowardsGoal = WalkTowardsOpponentGoal`.
+
+    `name` is how the formulas of the player (a role, or a participant of another protocol) call the
+    participant; `bindings` replace the protocol's abstract activities by the player's own. `inputs` are the
+    values of what the participant is given, `results` the player's variables that get its results.
+    """
+
+    protocol: str
+    participant: str
+    name: str
+    bindings: tuple[tuple[str, str], ...]
+    span: Span
+    inputs: tuple[tuple[str, Value], ...] = ()
+    results: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def text(self) -> str:
+        """`attack: center_for as striker with WalkTowardsGoal = WalkTowardsOpponentGoal`."""
+        alias = f" as {self.name}" if self.name != self.participant else ""
+        pairs = (*self.bindings, *((name, value_text(value)) for name, value in self.inputs), *self.results)
+        bound = ", ".join(f"{name} = {text}" for name, text in pairs)
+        return f"{self.protocol}: {self.participant}{alias}{f' with {bound}' if bound else ''}"
+
+
+@dataclass(frozen=True, slots=True)
 class Participant:
     """`[1..*]` is least 1, most None. `formulas[0]` is the process, the rest its helpers.
 
     `inputs` (`given`) are supplied by the role that plays it; `results` are those of its variables which the
-    role gets when the part is complete.
+    role gets when the part is complete. `plays` are its parts in other protocols: their conversations are
+    nested in its own.
     """
 
     name: str
@@ -67,6 +95,7 @@ class Participant:
     span: Span
     inputs: tuple[DeclaredVariable, ...] = ()
     results: tuple[str, ...] = ()
+    plays: tuple[Plays, ...] = ()
 
     @property
     def process(self) -> Formula:
@@ -99,3 +128,14 @@ class Aip(Displayed):
 
     def participant(self, name: str) -> Participant | None:
         return next((item for item in self.participants if item.name == name), None)
+
+
+def plays_inside(plays: Iterable[Plays], aips: Iterable[Aip]) -> Iterator[Plays]:
+    """What is played, each before what is played inside of it."""
+    by_name = {aip.name: aip for aip in aips}
+    waiting = list(plays)[::-1]
+    while waiting:
+        item = waiting.pop()
+        yield item
+        parts = by_name[item.protocol].participants if item.protocol in by_name else ()
+        waiting += [other for part in parts if part.name == item.participant for other in part.plays[::-1]]

@@ -14,7 +14,7 @@ import posixpath
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import PurePath
 
-from aseme_dsl.amola.aip import Aip, DeclaredVariable, NamedFormula, Participant
+from aseme_dsl.amola.aip import Aip, DeclaredVariable, NamedFormula, Participant, Plays
 from aseme_dsl.amola.expression import Literal, action_text, duration_text, events_text, value_text
 from aseme_dsl.amola.liveness import canonical
 from aseme_dsl.amola.messages import AGENT, DURATION, Parameter
@@ -128,18 +128,7 @@ def srm_json(srm: Srm, activities: Iterable[Activity], system: str, folder: Pure
         "name": srm.name,
         "system": system,
         **({"includes": list(srm.includes)} if srm.includes else {}),
-        "plays": [
-            {
-                "protocol": item.protocol,
-                "participant": item.participant,
-                "name": item.name,
-                "bindings": dict(item.bindings),
-                **({"given": {n: value_text(v) for n, v in item.inputs}} if item.inputs else {}),
-                **({"results": dict(item.results)} if item.results else {}),
-                "span": _span(item.span, folder),
-            }
-            for item in srm.plays
-        ],
+        "plays": [_plays(item, folder) for item in srm.plays],
         "variables": _variables(srm.variables, folder),
         "formulas": _formulas(srm.formulas, folder),
         "activities": [_activity(item, folder) for item in activities],
@@ -165,6 +154,18 @@ def srm_json(srm: Srm, activities: Iterable[Activity], system: str, folder: Pure
             for item in srm.capabilities
         ],
         "span": _span(srm.span, folder),
+    }
+
+
+def _plays(item: Plays, folder: PurePath | None) -> Json:
+    return {
+        "protocol": item.protocol,
+        "participant": item.participant,
+        "name": item.name,
+        "bindings": dict(item.bindings),
+        **({"given": {n: value_text(v) for n, v in item.inputs}} if item.inputs else {}),
+        **({"results": dict(item.results)} if item.results else {}),
+        "span": _span(item.span, folder),
     }
 
 
@@ -251,6 +252,7 @@ def _participant(item: Participant, folder: PurePath | None) -> Json:
         "least": item.least,
         "most": item.most,
         "engage": list(item.engage),
+        **({"plays": [_plays(one, folder) for one in item.plays]} if item.plays else {}),
         **({"given": _inputs(item.inputs, folder)} if item.inputs else {}),
         "variables": _variables(item.variables, folder),
         **({"results": list(item.results)} if item.results else {}),

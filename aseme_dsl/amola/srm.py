@@ -4,29 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from aseme_dsl.amola.aip import DeclaredVariable, NamedFormula
-from aseme_dsl.amola.expression import Value
+from aseme_dsl.amola.aip import DeclaredVariable, NamedFormula, Plays
 from aseme_dsl.amola.messages import Channel, Parameter
 from aseme_dsl.display import Displayed
 from aseme_dsl.source import Span
-
-
-@dataclass(frozen=True, slots=True)
-class Plays:
-    """`plays attack.center as striker with WalkTowardsGoal = WalkTowardsOpponentGoal`.
-
-    `name` is how the role's formulas call the participant; `bindings` replace the protocol's abstract
-    activities by the role's own. `inputs` are the values of what the participant is given, `results` the
-    role's variables that get its results.
-    """
-
-    protocol: str
-    participant: str
-    name: str
-    bindings: tuple[tuple[str, str], ...]
-    span: Span
-    inputs: tuple[tuple[str, Value], ...] = ()
-    results: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

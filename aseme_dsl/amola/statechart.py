@@ -321,6 +321,13 @@ class Statechart(Displayed):
             return label
         return next((item.label for item in self.ancestors(label) if self.is_branch(item)), None)
 
+    def conversation_of(self, transition: Transition) -> str | None:
+        """The branch in whose conversation a transition is: of one that leaves a branch, that around it."""
+        node = self.node(transition.source)
+        if transition.changes_state and self.is_branch(node) and node.parent is not None:
+            return self.branch_of(node.parent)
+        return self.branch_of(node.label)
+
     def scope_of(self, transition: Transition) -> str:
         """The lowest OR state that holds source and target (P1, section 4.3)."""
         around = {node.label for node in self.ancestors(transition.target)}

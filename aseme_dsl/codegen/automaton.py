@@ -13,7 +13,7 @@ from functools import cached_property
 
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.expression import Received, Send, TransitionExpression
-from aseme_dsl.amola.statechart import Statechart, StateType, Transition
+from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition
 from aseme_dsl.codegen.moves import moves_of, subchart_of
 
 LARGEST = 3000
@@ -154,14 +154,22 @@ class _Explorer:
             node = self.eac.node(todo.pop())
             if node.type is StateType.AND:
                 todo += [child.label for child in self.eac.children(node.label)]
+            elif self._is_nested(node):
+                leaves.add(node.label)
             elif node.type is StateType.OR and (start := self.eac.start_of(node.label)) is not None:
                 todo.append(start.label)
             else:
                 leaves.add(node.label)
         return frozenset(leaves)
 
+    def _is_nested(self, node: State) -> bool:
+        """Whether a conversation of another protocol is inside: a leaf here, which may be complete."""
+        return node.label != self.subchart and self.eac.is_branch(node)
+
     def _is_complete(self, label: str, configuration: Configuration) -> bool:
         node = self.eac.node(label)
+        if self._is_nested(node):
+            return True
         if node.type is StateType.OR:
             end = self.eac.end_of(label)
             return end is not None and end.label in configuration

@@ -25,7 +25,11 @@ class Move:
 def subchart_of(eac: Statechart, participant: str) -> State | None:
     """The subchart of a participant in the statechart of its protocol; of several, the first."""
     return next(
-        (node for node in eac.states if node.origin.name == participant and eac.is_branch(node)),
+        (
+            node
+            for node in eac.states
+            if (node.origin.owner, node.origin.name) == (eac.name, participant) and eac.is_branch(node)
+        ),
         None,
     )
 

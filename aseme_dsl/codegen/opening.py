@@ -47,7 +47,7 @@ def openings_of(eac: Statechart, participant: Participant) -> tuple[Kind, ...]:
 
 
 def _is_inside(eac: Statechart, transition: Transition, subchart: str) -> bool:
-    return transition.source != subchart and eac.branch_of(transition.source) == subchart
+    return transition.source != subchart and eac.conversation_of(transition) == subchart
 
 
 def _sends(transition: Transition) -> bool:
@@ -103,8 +103,8 @@ def _is_silent(transition: Transition, with_events: bool) -> bool:
 def _is_complete(eac: Statechart, transition: Transition, reached: set[str]) -> bool:
     """Whether what a transition leaves may be complete, where it waits for that."""
     node, expression = eac.node(transition.source), transition.expression
-    if expression.events or expression.when:
-        return True
+    if expression.events or expression.when or eac.is_branch(node):
+        return True  # a conversation inside may be over
     if node.type is StateType.OR:
         end = eac.end_of(node.label)
         return end is not None and end.label in reached

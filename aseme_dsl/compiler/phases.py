@@ -10,7 +10,7 @@ from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
-from aseme_dsl.compiler.chart.aip_to_eac import Protocol
+from aseme_dsl.compiler.chart.chart import Protocol
 from aseme_dsl.compiler.chart.srm_to_iac import Role
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.names.symbols import Symbols

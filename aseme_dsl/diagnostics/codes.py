@@ -199,6 +199,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E591": ("error", "unsuitable variable for a result"),
     "E592": ("error", "signal as an input of a participant"),
     "E593": ("error", "unsuitable formula for an activity of a protocol"),
+    "E594": ("error", "protocols that play each other in a circle"),
     "E595": ("error", "`delay` of a topic without `radio`"),
     "W500": ("warning", "action without effect"),
     "W501": ("warning", "timer never started"),

@@ -5,8 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.statechart import Statechart
-from aseme_dsl.compiler.chart.chart import Part, RelativeLine, World, chart_of
+from aseme_dsl.compiler.chart.chart import Part, Protocol, RelativeLine, World, chart_of
+from aseme_dsl.compiler.chart.playing import (
+    emptiness,
+    other_parameters,
+    played_in,
+    read_plays,
+    unfit_formulas,
+    with_inside,
+)
 from aseme_dsl.compiler.control.choices import check_formulas, undecided_formulas, unsettled
 from aseme_dsl.compiler.control.control import (
     LabelledLine,
@@ -17,7 +26,12 @@ from aseme_dsl.compiler.control.control import (
 )
 from aseme_dsl.compiler.control.stopping import stops_of
 from aseme_dsl.compiler.formula import formulas as formula_tables
-from aseme_dsl.compiler.formula.formula_to_statechart import Outline, expand_protocol, too_large
+from aseme_dsl.compiler.formula.formula_to_statechart import (
+    FRAME,
+    Branch,
+    expand_protocol,
+    too_large,
+)
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.read.blocks import participants_of
 from aseme_dsl.compiler.read.damage import Damaged
@@ -36,24 +50,6 @@ PROCESS = "process"
 
 
 @dataclass(frozen=True, slots=True)
-class Protocol:
-    """An `aip` whose processes have been read: the parts by name, and their chart.
-
-    A participant whose process cannot be expanded is not in `parts`; `outline` is None if any is not.
-    `missing` is what its control does not say yet.
-    """
-
-    written: tree.Aip
-    parts: Mapping[str, Part]
-    outline: Outline | None
-    missing: tuple[Missing, ...]
-
-    @property
-    def name(self) -> str:
-        return self.written.name.text
-
-
-@dataclass(frozen=True, slots=True)
 class _Reading:
     """A participant on the way: its formulas with their control blocks and lines."""
 
@@ -61,6 +57,9 @@ class _Reading:
     formulas: Formulas
     controls: Sequence[tuple[tree.Control, str]]
     lines: Lines
+    plays: tuple[Plays, ...]
+    played: Mapping[str, Branch]
+    inside: Mapping[tuple[str, str], Part]
 
     @property
     def name(self) -> str:
@@ -68,11 +67,16 @@ class _Reading:
 
 
 def read_protocol(
-    written: tree.Aip, typed: Mapping[str, TypedParticipant], largest: int, is_damaged: Damaged
+    written: tree.Aip,
+    typed: Mapping[str, TypedParticipant],
+    protocols: Mapping[str, Protocol],
+    largest: int,
+    is_damaged: Damaged,
 ) -> tuple[Protocol, tuple[Diagnostic, ...]]:
     """The formulas and control lines of every participant, with all that is wrong with them.
 
-    `is_damaged` tells whether syntax errors left something out of a declaration.
+    `protocols` are those whose participants play a part in this one. `is_damaged` tells whether syntax errors
+    left something out of a declaration.
     """
     controls, problems = _controls(written, is_damaged)
     found = list(problems)
@@ -83,7 +87,7 @@ def read_protocol(
         name = participant.name.text
         own = [(control, formula) for control, part, formula in controls if part == name]
         reading, is_sound, problems = _participant(
-            written, participant, own, typed[name], largest, is_damaged
+            written, participant, own, typed[name], protocols, largest, is_damaged
         )
         found += problems
         if reading is None:
@@ -104,6 +108,9 @@ def read_protocol(
                 _regions(participant),
                 typed[name].inputs,
                 typed[name].results,
+                reading.plays,
+                reading.played,
+                reading.inside,
             )
     outline = None
     labelled: dict[str, tuple[LabelledLine, ...]] = {}
@@ -112,7 +119,8 @@ def read_protocol(
         outline = expand_protocol(written.name.text, ends, written.name.span)
         labels: dict[str, str] = {}
         for label, branch in outline.branches.items():
-            labels.setdefault(branch.participant, label)
+            if branch.protocol == written.name.text:
+                labels.setdefault(branch.participant, label)
         for reading in readings:
             label = labels[reading.name]
             labelled[reading.name], problems = check_labels(outline, reading.lines.labelled, label)
@@ -141,6 +149,7 @@ def _participant(
     participant: tree.Participant,
     controls: Sequence[tuple[tree.Control, str]],
     typed: TypedParticipant,
+    protocols: Mapping[str, Protocol],
     largest: int,
     is_damaged: Damaged,
 ) -> tuple[_Reading | None, bool, tuple[Diagnostic, ...]]:
@@ -149,23 +158,36 @@ def _participant(
     formulas, problems = formula_tables.table(owner, participant.formulas, PROCESS)
     found = list(problems)
     damaged = is_damaged(participant.span)
+    plays, parts, problems = read_plays(participant, formulas, protocols, typed.scope, is_damaged)
+    found += problems
     if formulas is None:
         if not damaged:
             found.append(_no_process(written, participant))
         return None, False, tuple(found)
-    formulas, problems = give(formulas, typed.scope)
+    parts = with_inside(parts)
+    playing = played_in(formulas, plays, parts)
+    branches = playing.branches
+    formulas, problems = give(playing.formulas, typed.scope, playing.named)
     found += problems
-    lines, problems = read_lines(formulas, controls, typed.scope, of_participant=True)
+    found += other_parameters(participant, plays, formulas, typed.scope.symbols)
+    is_empty, empty_bound = emptiness(branches, parts)
+    inside = {owner: part.formulas for owner, part in parts.items()}
+    lines, problems = read_lines(formulas, controls, typed.scope, inside, playing.named, of_participant=True)
     found += problems
-    is_sound, problems = formula_tables.check(formulas, stops=stops_of(lines.by_way))
+    is_sound, problems = formula_tables.check(
+        formulas, is_empty, frozenset(playing.named), stops_of(lines.by_way)
+    )
     # A formula that could not be read may be the one that uses another.
     found += [item for item in problems if not (damaged and isinstance(item.problem, FormulaNotUsed))]
+    # What is played and could not be read would stand as an activity.
+    is_sound = is_sound and len(plays) == len(participant.plays) and len(branches) == len(playing.named)
     too_many = None
     if is_sound:
-        too_many = too_large(formulas, {}, largest, participant.name.span, _regions(participant))
+        found += unfit_formulas(participant, plays, branches, parts, empty_bound)
+        too_many = too_large(formulas, branches, largest, participant.name.span, _regions(participant), FRAME)
     if too_many is not None:
         found.append(too_many)
-    reading = _Reading(participant, formulas, controls, lines)
+    reading = _Reading(participant, formulas, controls, lines, plays, branches, parts)
     return reading, is_sound and too_many is None, tuple(found)
 
 
@@ -186,7 +208,7 @@ def aip_to_eac(protocol: Protocol, world: World) -> Statechart | None:
     """The EAC of a protocol; None where a process could not be expanded."""
     if protocol.outline is None:
         return None
-    parts = {(protocol.name, name): part for name, part in protocol.parts.items()}
+    parts = with_inside({(protocol.name, name): part for name, part in protocol.parts.items()})
     return chart_of(protocol.name, "EAC", protocol.outline, parts, world, protocol.written.name.span)
 
 
@@ -257,4 +279,4 @@ def _ambiguous_control(
     return Diagnostic(problem, control.name.span, tuple(related))
 
 
-__all__ = ["PROCESS", "Protocol", "aip_to_eac", "read_protocol"]
+__all__ = ["PROCESS", "aip_to_eac", "read_protocol"]

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import chain
 
-from aseme_dsl.amola.aip import DeclaredVariable
+from aseme_dsl.amola.aip import DeclaredVariable, Plays
 from aseme_dsl.amola.expression import Assign, VariableValue
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.messages import Type
-from aseme_dsl.amola.srm import Activity, Module, Plays
+from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import (
     Argument,
     Origin,
@@ -34,6 +34,8 @@ from aseme_dsl.compiler.formula.formula_to_statechart import Branch, Outline, Wa
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.renames import SAME, rename
 from aseme_dsl.compiler.names.resolve import Symbols
+from aseme_dsl.compiler.read.missing import Missing
+from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
 
@@ -61,6 +63,17 @@ class Part:
     """How many regions it has in the protocol's own chart."""
     inputs: tuple[DeclaredVariable, ...] = ()
     results: tuple[str, ...] = ()
+    plays: tuple[Plays, ...] = ()
+    """What it plays itself, in protocols of its own."""
+    played: Mapping[str, Branch] = field(default_factory=dict)
+    """The processes of that, by the names that its formulas use."""
+    inside: Mapping[tuple[str, str], Part] = field(default_factory=dict)
+    """The parts of all that stands in it, by protocol and participant."""
+
+    @property
+    def activities(self) -> frozenset[str]:
+        """What it does itself."""
+        return self.formulas.activities - self.played.keys()
 
     def branch(self, plays: Plays | None = None) -> Branch:
         """Its process, as it stands where it is played; without `plays` as in the protocol's own chart."""
@@ -73,7 +86,26 @@ class Part:
             self.inputs,
             dict(plays.inputs) if plays is not None else {},
             dict(plays.results) if plays is not None else {},
+            self.played,
         )
+
+
+@dataclass(frozen=True, slots=True)
+class Protocol:
+    """An `aip` whose processes have been read: the parts by name, and their chart.
+
+    A participant whose process cannot be expanded is not in `parts`; `outline` is None if any is not.
+    `missing` is what its control does not say yet.
+    """
+
+    written: tree.Aip
+    parts: Mapping[str, Part]
+    outline: Outline | None
+    missing: tuple[Missing, ...]
+
+    @property
+    def name(self) -> str:
+        return self.written.name.text
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,4 +223,4 @@ def _placed(label: str, part: Part, origin: Origin) -> Iterable[Placed]:
         yield Placed(label + item.source, label + item.target, item.line, origin, label)
 
 
-__all__ = ["Part", "RelativeLine", "World", "chart_of", "waiting_states"]
+__all__ = ["Part", "Protocol", "RelativeLine", "World", "chart_of", "waiting_states"]

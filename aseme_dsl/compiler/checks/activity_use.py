@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Literal
 
-from aseme_dsl.amola.srm import Activity, Plays
+from aseme_dsl.amola.aip import Plays
+from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import OriginKind, State, Statechart, StateType
 from aseme_dsl.compiler.names.usecases import folded
 from aseme_dsl.compiler.read.damage import Damaged

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
+from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.expression import (
     Assign,
     Call,
@@ -16,7 +17,7 @@ from aseme_dsl.amola.expression import (
     operands,
 )
 from aseme_dsl.amola.messages import AGENT
-from aseme_dsl.amola.srm import Activity, Plays, Srm
+from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.diagnostics import Diagnostic, Related

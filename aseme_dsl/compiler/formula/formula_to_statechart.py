@@ -23,6 +23,9 @@ from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.formulas import TooManyStates
 from aseme_dsl.source import Span
 
+FRAME = 3
+"""So many states stand around a participant that another one plays."""
+
 LARGEST = 50_000
 """The size limit of one statechart, in states, unless told otherwise."""
 
@@ -65,6 +68,8 @@ class Branch:
     inputs: tuple[DeclaredVariable, ...] = ()
     supplied: Mapping[str, Value] = field(default_factory=dict)
     results: Mapping[str, str] = field(default_factory=dict)
+    played: Mapping[str, Branch] = field(default_factory=dict)
+    """The participants of other protocols that it plays itself."""
 
     @property
     def origin(self) -> Origin:
@@ -83,7 +88,8 @@ class Branch:
             else:
                 value = rename_value(substituted(value, around.values), around.names)
                 inputs[item.name] = Named(item.name, value, item.type, value.span)
-        return Renames({name: f"{name}@{label}" for name in self.variables}, self.bindings, inputs)
+        activities = {name: around.own(own) for name, own in self.bindings.items()}
+        return Renames({name: f"{name}@{label}" for name in self.variables}, activities, inputs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,22 +160,29 @@ class _Context:
         """The same, with the names that the chart has for what belongs to the branch."""
         return tuple(replace(item, value=rename_value(item.value, self.names)) for item in self.given(term))
 
+    def own(self, name: str) -> str:
+        """What an activity of this is called where the outermost participant is played."""
+        bound = self.bindings.get(name)
+        if bound is None:
+            return name
+        return bound if self.outer is None else self.outer.own(bound)
+
     def bound(self, term: Formula) -> tuple[Formula, _Context] | None:
         """The formula that is bound to an activity of the protocol, and the context that it is in."""
-        name = self.bindings.get(term.name)
-        if self.outer is None or name is None:
-            return None
-        formulas = self.outer.formulas
-        formula = formulas.formula(name)
-        if formula is None:
-            return None
+        name, context = term.name, self
+        formula: Formula | None = None
+        while formula is None:
+            bound = context.bindings.get(name)
+            if context.outer is None or bound is None:
+                return None
+            name, context = bound, context.outer
+            formula = context.formulas.formula(name)
         values: dict[str, Value] = self.instance
-        for parameter, item in zip(
-            formulas.parameters.get(name, ()), self.given_in_chart(term), strict=False
-        ):
+        parameters = context.formulas.parameters.get(name, ())
+        for parameter, item in zip(parameters, self.given_in_chart(term), strict=False):
             values[parameter.name] = item.value
-        origin = Origin(OriginKind.FORMULA, formulas.owner, name)
-        return formula, replace(self.outer, origin=origin, values=values or _NOTHING)
+        origin = Origin(OriginKind.FORMULA, context.formulas.owner, name)
+        return formula, replace(context, origin=origin, values=values or _NOTHING)
 
     def inside(self, term: Formula) -> _Context:
         """The context of the formula that a name stands for."""
@@ -188,6 +201,8 @@ class _Place:
     parent: str | None
     term: Formula
     context: _Context
+    framed: bool = False
+    """Whether it stands in a frame of its own: see `_Builder.frame`."""
 
 
 def expand_role(formulas: Formulas, played: Mapping[str, Branch], span: Span) -> Outline:
@@ -303,15 +318,34 @@ class _Builder:
             if inside is not None:
                 context = context.inside(term)
             elif term.name in context.played:
+                if context.branch is not None and not place.framed:
+                    self.nodes.append(State(label, name, kind, parent, None, context.origin, term.span))
+                    return self.frame(label, name, term, context)
                 branch = context.played[term.name]
                 context = self.enter(label, branch, context)
                 inside = branch.formulas.named[branch.formulas.root].formula
             elif (bound := context.bound(term)) is not None:
                 inside, context = bound
             else:
-                kind, activity = StateType.BASIC, context.bindings.get(term.name, term.name)
+                kind, activity = StateType.BASIC, context.own(term.name)
         self.nodes.append(State(label, name, kind, parent, activity, context.origin, place.term.span, given))
         return self.template(label, inside, context) if inside is not None else []
+
+    def frame(self, label: str, name: str, term: Formula, context: _Context) -> list[State | _Place]:
+        """The states inside a participant that another one plays: its branch between two points.
+
+        So the transitions of the participant around it begin and end at a state of that one's own.
+        """
+        start, inside, end = f"{label}.1", f"{label}.2", f"{label}.3"
+        origin, span, branch = context.origin, term.span, context.branch
+        frame = Formula(Operator.PARALLEL, (), span)
+        self.arrow(start, start, inside, name, ("start", frame), branch, origin, span)
+        self.arrow(inside, name, end, end, ("finish", frame), branch, origin, span)
+        return [
+            State(start, start, StateType.START, label, None, origin, span),
+            _Place(inside, label, term, context, framed=True),
+            State(end, end, StateType.END, label, None, origin, span),
+        ]
 
     def enter(self, label: str, branch: Branch, around: _Context) -> _Context:
         """The context of the process of a participant that stands at `label`."""
@@ -322,7 +356,14 @@ class _Builder:
             names.variables[own]: targets.get(target, target) for own, target in branch.results.items()
         }
         return _Context(
-            branch.formulas, branch.origin, {}, label, branch.bindings, around.instance, names, around
+            branch.formulas,
+            branch.origin,
+            branch.played,
+            label,
+            branch.bindings,
+            around.instance,
+            names,
+            around,
         )
 
     def name_of(self, term: Formula, context: _Context) -> str:
@@ -330,7 +371,7 @@ class _Builder:
         inner = ungrouped(term)
         if inner.operator is Operator.NAME:
             is_formula = context.formulas.formula(inner.name) is not None
-            name = inner.name if is_formula else context.bindings.get(inner.name, inner.name)
+            name = inner.name if is_formula else context.own(inner.name)
             return called(name, (value_text(item.value) for item in context.given(inner)))
         key = (term, id(context.bindings), id(context.values))
         spelling = self._spellings.get(key)
@@ -505,7 +546,7 @@ def _bound(context: _Context) -> Callable[[Formula, Sequence[Formula]], Formula]
     def combine(node: Formula, operands: Sequence[Formula]) -> Formula:
         name = node.name
         if node.operator is Operator.NAME and context.formulas.formula(name) is None:
-            name = context.bindings.get(name, name)
+            name = context.own(name)
         texts = [value_text(item.value) for item in context.given(node)]
         arguments = tuple(
             replace(argument, text=text) for argument, text in zip(node.arguments, texts, strict=False)
@@ -519,12 +560,15 @@ def _bound(context: _Context) -> Callable[[Formula, Sequence[Formula]], Formula]
 
 
 def sizes(
-    formulas: Formulas, branches: Mapping[str, Branch], bound: Mapping[str, int] | None = None
+    formulas: Formulas,
+    branches: Mapping[str, Branch],
+    bound: Mapping[str, int] = MappingProxyType({}),
+    frame: int = 0,
 ) -> dict[str, int]:
     """How many states each formula's own state has, itself included.
 
-    `branches` are the participants that are played, `bound` the states of the formulas that are bound to
-    activities.
+    `branches` are the participants that are played, each with `frame` states around it, `bound` the states of
+    the formulas that are bound to activities.
     """
     inside: dict[str, int] = {}  # the states in a node that holds the formula
 
@@ -535,7 +579,8 @@ def sizes(
             for activity, formula in branch.bindings.items()
             if formula in inside  # those come first: see `Formulas.through`
         }
-        return sizes(branch.formulas, {}, own)[branch.formulas.root]
+        own |= {activity: bound[outer] for activity, outer in branch.bindings.items() if outer in bound}
+        return sizes(branch.formulas, branch.played, own, FRAME)[branch.formulas.root]
 
     def of(node: Formula, operands: Sequence[tuple[int, int]]) -> tuple[int, int]:
         """(states of the term as an operand, states in a node that holds it)"""
@@ -543,7 +588,7 @@ def sizes(
             return operands[0]
         if node.operator is Operator.NAME:
             if node.name not in inside:
-                own = branch_size(node.name) if node.name in branches else (bound or {}).get(node.name, 1)
+                own = frame + branch_size(node.name) if node.name in branches else bound.get(node.name, 1)
                 return own, own + 2
             within = inside[node.name]
         else:
@@ -558,13 +603,19 @@ def sizes(
 
 
 def too_large(
-    formulas: Formulas, branches: Mapping[str, Branch], largest: int, span: Span, regions: int = 1
+    formulas: Formulas,
+    branches: Mapping[str, Branch],
+    largest: int,
+    span: Span,
+    regions: int = 1,
+    frame: int = 0,
 ) -> Diagnostic | None:
     """E304 for a chart of more than `largest` states, with the chain of formulas that blows it up.
 
-    `regions` is how often the whole stands in the chart, each time in a region of its own.
+    `regions` is how often the whole stands in the chart, each time in a region of its own. `frame` is as in
+    `sizes`.
     """
-    states = sizes(formulas, branches)
+    states = sizes(formulas, branches, frame=frame)
     total = states[formulas.root] if regions == 1 else regions * (states[formulas.root] + 3)
     if total <= largest:
         return None
@@ -608,6 +659,7 @@ def _occurrences(formula: Formula) -> Iterable[tuple[Formula, int]]:
 
 
 __all__ = [
+    "FRAME",
     "LARGEST",
     "Arrow",
     "Branch",

@@ -43,8 +43,8 @@ def out_of_reach(
         return
     doers: dict[str, set[str]] = {name: {name} for name in roles}
     for name, role in roles.items():
-        for item in role.plays:
-            doers.setdefault(item.participant, set()).add(name)
+        for _, participant in role.parts:
+            doers.setdefault(participant, set()).add(name)
     places = {folded(item.name.text): item.name.span for item in formulas}
     for case in cases.suc.usecases:
         names = set(cases.names_of(case))
@@ -100,6 +100,7 @@ def not_played(
     if not roles:
         return
     played = {(item.protocol.text, item.participant.text) for role in roles for item in role.written.plays}
+    played.update(*(role.parts for role in roles))
     for aip in aips:
         if aip.span.source.path != home.path or aip.name.span in known:
             continue

@@ -60,6 +60,7 @@ def read_aip(
                 item.name.span,
                 own.inputs,
                 own.results,
+                part.plays if part is not None else (),
             )
         )
     outcomes = tuple(item.text for item in written.outcomes)
@@ -68,7 +69,7 @@ def read_aip(
 
 def _unknown_senders(written: tree.Participant, part: Part) -> Iterator[Diagnostic]:
     """E565 for a name behind `by` that is not an activity of the participant."""
-    activities = part.formulas.activities
+    activities = part.activities
     for name in (name for item in written.sends for name in item.by):
         if name.text not in activities:
             yield unknown(NoActivityToSend, name, activities, part.participant)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Statechart
-from aseme_dsl.compiler.chart.aip_to_eac import Protocol, aip_to_eac
-from aseme_dsl.compiler.chart.chart import World
+from aseme_dsl.compiler.chart.aip_to_eac import aip_to_eac
+from aseme_dsl.compiler.chart.chart import Protocol, World
 from aseme_dsl.compiler.chart.flow import check_flow, check_reach
 from aseme_dsl.compiler.chart.srm_to_iac import Role, srm_to_iac
 from aseme_dsl.compiler.chart.statecharts import GivenChart, build_statechart

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
@@ -11,13 +11,16 @@ from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import Team
-from aseme_dsl.compiler.chart.aip_to_eac import Protocol, read_protocol
+from aseme_dsl.compiler.chart.aip_to_eac import read_protocol
+from aseme_dsl.compiler.chart.chart import Protocol
+from aseme_dsl.compiler.chart.playing import in_order
 from aseme_dsl.compiler.chart.srm_to_iac import Role, read_role
 from aseme_dsl.compiler.chart.statecharts import GivenChart, read_statechart
 from aseme_dsl.compiler.names.inclusion import errors_alone
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.memory import Memory
+from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.compiler.requirements.sag_to_suc import read_sag, sag_to_suc
 from aseme_dsl.compiler.requirements.suc_to_aip import read_aip
 from aseme_dsl.compiler.stages.declarations import Declarations
@@ -81,8 +84,7 @@ def read_processes(declared: Declarations, largest: int, memory: Memory) -> Stag
     parties = found.keep_all((yield from each(protocol_scopes, [(item,) for item in blocks.aips], top)))
     participants = {item.name.text: scope for item, scope in zip(blocks.aips, parties, strict=True)}
     in_protocols = [(item, participants[item.name.text]) for item in blocks.aips]
-    read_aips = found.keep_all((yield from each(read_protocol, in_protocols, largest, is_damaged)))
-    protocols = {item.name.text: protocol for item, protocol in zip(blocks.aips, read_aips, strict=True)}
+    protocols = found.keep((yield from _read_protocols(in_protocols, largest, is_damaged, memory)))
     in_parts = [(*both, protocols[both[0].name.text].parts) for both in in_protocols]
     aips = found.keep_all((yield from each(read_aip, in_parts, is_damaged)))
     typed = found.keep_all((yield from each(role_scope, [(item,) for item in blocks.roles], top)))
@@ -100,6 +102,35 @@ def read_processes(declared: Declarations, largest: int, memory: Memory) -> Stag
         for item in blocks.statecharts
     )
     return found.of(Processes(participants, protocols, tuple(aips), scopes, roles, tuple(given), teams))
+
+
+def _read_protocols(
+    written: Sequence[tuple[tree.Aip, Mapping[str, TypedParticipant]]],
+    largest: int,
+    is_damaged: Damaged,
+    memory: Memory,
+) -> InPieces[With[dict[str, Protocol]]]:
+    """The protocols by name: those that play no part in others first, then each after what it plays."""
+    found = Found()
+    simple = [both for both in written if not any(party.plays for party in both[0].participants)]
+    nothing: Mapping[str, Protocol] = {}
+    read = found.keep_all(
+        (yield from memory.each_in_pieces(read_protocol, simple, nothing, largest, is_damaged))
+    )
+    protocols = {item.name.text: protocol for (item, _), protocol in zip(simple, read, strict=True)}
+    typed = {item.name.text: scopes for item, scopes in written}
+    order, in_circle, problems = in_order([item for item, _ in written])
+    found.add(problems)
+    for item in order:
+        name = item.name.text
+        if name in in_circle:
+            protocols[name] = Protocol(item, {}, None, ())
+        elif name not in protocols:
+            known = dict(protocols)
+            protocols[name] = found.keep(
+                memory.recall(read_protocol, item, typed[name], known, largest, is_damaged)
+            )
+    return found.of({item.name.text: protocols[item.name.text] for item, _ in written})
 
 
 def read_activities(declared: Declarations, processes: Processes, memory: Memory) -> Stage[Described]:

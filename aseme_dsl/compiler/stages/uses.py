@@ -6,8 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
+from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.liveness import names
-from aseme_dsl.amola.srm import Module, Plays, Srm
+from aseme_dsl.amola.srm import Module, Srm
 from aseme_dsl.amola.statechart import State, Statechart
 from aseme_dsl.compiler.chart.srm_to_iac import Role
 from aseme_dsl.compiler.checks.activity_use import (

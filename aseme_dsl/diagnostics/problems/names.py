@@ -352,6 +352,20 @@ class OutcomeOfFormula(Problem):
     hint = "bind it to an activity that has this outcome"
 
 
+class FormulaOfParticipant(Problem):
+    """A participant lets its own formula `own` stand for an activity of another protocol."""
+
+    code = "E593"
+    activity: str
+    own: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.own}` is a formula: here only an activity can stand for `{self.activity}`"
+
+    hint = "bind it to an activity of the participant; a role can bind that one to a formula"
+
+
 class EmptyFormulaInLoop(Problem):
     """A formula stands for an activity that is repeated, and may be done at once."""
 
@@ -366,6 +380,19 @@ class EmptyFormulaInLoop(Problem):
     @property
     def hint(self) -> str:
         return f"let `{self.own}` have an activity in every case"
+
+
+class ProtocolsInCircle(Problem):
+    """`circle` begins and ends with the same protocol."""
+
+    code = "E594"
+    circle: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"a conversation cannot contain itself: {' → '.join(self.circle)}"
+
+    hint = "let one of these participants do without the other protocol, or let a role play both"
 
 
 class DelayWithoutRadio(Problem):

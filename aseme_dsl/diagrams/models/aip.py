@@ -43,6 +43,7 @@ def sheet(aip: Aip, name: str) -> Sheet:
     wide_row("Outcomes (one of)" if len(aip.outcomes) > 1 else "Outcome", aip.outcomes)
     row("Process", [_formulas(person) for person in people])
     row("Inputs", [(f"{item.name} : {item.type}" for item in person.inputs) for person in people])
+    row("Protocols", [(item.text for item in person.plays) for person in people])
     row("Variables", [map(_variable(person), person.variables) for person in people])
     row("Sends", [map(_message, person.sends) for person in people])
     row("Receives", [map(_message, person.receives) for person in people])

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from aseme_dsl.amola.aip import NamedFormula
-from aseme_dsl.amola.expression import duration_text, value_text
+from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import called, canonical
-from aseme_dsl.amola.srm import Activity, Functionality, Plays, Srm, Subscription
+from aseme_dsl.amola.srm import Activity, Functionality, Srm, Subscription
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.diagrams.look.dot import Sheet
 from aseme_dsl.diagrams.look.labels import Cell, wrapped
@@ -24,7 +24,7 @@ def sheet(srm: Srm, activities: Sequence[Activity | None], name: str) -> Sheet:
     """The table of a role and what is said of its activities. Parts that have nothing to say are left out."""
     rows: _Rows = [[Cell((f"Role: {srm.name}",), _COLUMNS, bold=True, colour=style.ACTOR_COLOUR)]]
     _part(rows, "Includes", [", ".join(srm.includes)] if srm.includes else [])
-    _part(rows, "Protocols", [", ".join(map(_plays, srm.plays))] if srm.plays else [])
+    _part(rows, "Protocols", [", ".join(item.text for item in srm.plays)] if srm.plays else [])
     _part(rows, "Liveness", (f"{_formula(item)} = {canonical(item.formula)}" for item in srm.formulas))
     _part(rows, "Variables", (item.text for item in srm.variables))
     _part(
@@ -71,14 +71,6 @@ def _table(rows: _Rows, titles: Sequence[str], items: Sequence[Sequence[Sequence
     row([[title] for title in titles], bold=True, colour=style.HEAD_COLOUR)
     for item in items:
         row(item)
-
-
-def _plays(plays: Plays) -> str:
-    """`attack: center_for as striker with WalkTowardsGoal = WalkTowardsOpponentGoal`."""
-    alias = f" as {plays.name}" if plays.name != plays.participant else ""
-    pairs = (*plays.bindings, *((n, value_text(v)) for n, v in plays.inputs), *plays.results)
-    bound = ", ".join(f"{name} = {text}" for name, text in pairs)
-    return f"{plays.protocol}: {plays.participant}{alias}{f' with {bound}' if bound else ''}"
 
 
 def _capability(name: str, activities: Sequence[str], description: str) -> str:

@@ -196,6 +196,22 @@ class Process(Node):
     tokens: list[Leaf]
 
 
+class Plays(Node):
+    parts: list[Part]
+
+
+class Part(Node):
+    protocol: Leaf
+    participant: Leaf
+    alias: Leaf | None
+    bindings: list[Binding]
+
+
+class Binding(Node):
+    abstract: Leaf
+    tokens: list[Leaf]
+
+
 class Clause(Node):
     rule: ClauseRule
 
@@ -276,22 +292,6 @@ class Srm(Node):
 
 class Inclusion(Node):
     roles: list[Leaf]
-
-
-class Plays(Node):
-    parts: list[Part]
-
-
-class Part(Node):
-    protocol: Leaf
-    participant: Leaf
-    alias: Leaf | None
-    bindings: list[Binding]
-
-
-class Binding(Node):
-    abstract: Leaf
-    tokens: list[Leaf]
 
 
 class Capability(Node):
@@ -486,7 +486,18 @@ if TYPE_CHECKING:
     SucEntry: TypeAlias = Roles | UseCase | Leaf
     UseCaseClause: TypeAlias = By | Includes | Realises | Requirements
     AipEntry: TypeAlias = Participant | Outcome | Clause | Let | Control | Leaf
-    ParticipantEntry: TypeAlias = Engage | Var | Given | Result | Let | Sends | Receives | Process | Leaf
+    ParticipantEntry: TypeAlias = (
+        Engage
+        | Plays
+        | Var
+        | Given
+        | Result
+        | Let
+        | Sends
+        | Receives
+        | Process
+        | Leaf
+    )
     ClauseRule: TypeAlias = AtMost | LeadsTo | Before
     ControlEntry: TypeAlias = Way | LabelledWay | Leaf
     SrmEntry: TypeAlias = (

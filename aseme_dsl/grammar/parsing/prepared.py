@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 3067374760
+CHECKSUM = 2633053173
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -455,6 +455,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         (
             'choice',
             'Engage',
+            'Plays',
             'Var',
             'Given',
             'Result',
@@ -523,7 +524,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'ActName': (
         'match',
         {},
-        ('pattern', '(?!(?:engage|var|let|sends|receives|process)\\b|(?:given|result)\\s+\\w+\\s*:)[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*=|\\s*\\([\\w\\s,:]*\\)\\s*=)'),
+        ('pattern', '(?!(?:engage|var|let|sends|receives|process)\\b|(?:given|result)\\s+\\w+\\s*:|plays\\s+\\w+\\s*\\.)[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*=|\\s*\\([\\w\\s,:]*\\)\\s*=)'),
     ),
     'Process': (
         'common',
@@ -548,6 +549,33 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         'match',
         {},
         ('pattern', '(?!)'),
+    ),
+    'Plays': (
+        'common',
+        {'parts': 'many'},
+        ('series', ('word', 'plays'), ('+=', 'parts', 'Part', ('sign', ','))),
+    ),
+    'Part': (
+        'common',
+        {'protocol': 'one', 'participant': 'one', 'alias': 'one', 'bindings': 'many'},
+        (
+            'series',
+            ('=', 'protocol', 'Name'),
+            ('sign', '.'),
+            ('=', 'participant', 'Name'),
+            ('?', ('series', ('word', 'as'), ('=', 'alias', 'Name'))),
+            ('?', ('series', ('word', 'with'), ('+=', 'bindings', 'Binding', ('sign', ',')))),
+        ),
+    ),
+    'Binding': (
+        'common',
+        {'abstract': 'one', 'tokens': 'many'},
+        ('series', ('=', 'abstract', 'Name'), ('sign', '='), ('+=', 'tokens', 'BindingToken')),
+    ),
+    'BindingToken': (
+        'match',
+        {},
+        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | (?:given|result)\\s+\\w+\\s*:\n    | (?:state|language|on|exit)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | , (?= [^(){}"]* (?: \\( [^(){}]* (?: \\( [^(){}]* \\) [^(){}]* )* \\) [^(){}"]* )* \\) | [^\\[\\]{}]* \\] )\n    | [^\\s{}"\\w:,] )\n'),
     ),
     'Clause': (
         'common',
@@ -633,7 +661,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'ProcessToken': (
         'match',
         {},
-        ('pattern', '(?x)\n    \\|\\| | \\[> | \\^?ω | && | -> | \\?\\w*\\?\n  | (?! (?:engage|var|let|sends|receives|process|participant|outcome|clause|control)\\b\n    | (?:given|result)\\s+\\w+\\s*: )\n    [A-Za-z_][A-Za-z0-9_]*\\b (?! \\s*=(?!=) | \\s*\\([\\w\\s,:]*\\)\\s*=(?!=) | \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n  | [0-9]\\w*\n  | "(?:[^"\\\\\\n]|\\\\.)*"\n  | [^\\s{}"\\w]\n'),
+        ('pattern', '(?x)\n    \\|\\| | \\[> | \\^?ω | && | -> | \\?\\w*\\?\n  | (?! (?:engage|var|let|sends|receives|process|participant|outcome|clause|control)\\b\n    | (?:given|result)\\s+\\w+\\s*: | plays\\s+\\w+\\s*\\. )\n    [A-Za-z_][A-Za-z0-9_]*\\b (?! \\s*=(?!=) | \\s*\\([\\w\\s,:]*\\)\\s*=(?!=) | \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n  | [0-9]\\w*\n  | "(?:[^"\\\\\\n]|\\\\.)*"\n  | [^\\s{}"\\w]\n'),
     ),
     'Control': (
         'common',
@@ -782,33 +810,6 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         'match',
         {},
         ('pattern', '(?!(?:liveness|activities|modules)\\s*\\{|(?:includes|plays|capability|var|let|functionality|control)\\s+\\w)[A-Za-z_][A-Za-z0-9_]*\\b'),
-    ),
-    'Plays': (
-        'common',
-        {'parts': 'many'},
-        ('series', ('word', 'plays'), ('+=', 'parts', 'Part', ('sign', ','))),
-    ),
-    'Part': (
-        'common',
-        {'protocol': 'one', 'participant': 'one', 'alias': 'one', 'bindings': 'many'},
-        (
-            'series',
-            ('=', 'protocol', 'Name'),
-            ('sign', '.'),
-            ('=', 'participant', 'Name'),
-            ('?', ('series', ('word', 'as'), ('=', 'alias', 'Name'))),
-            ('?', ('series', ('word', 'with'), ('+=', 'bindings', 'Binding', ('sign', ',')))),
-        ),
-    ),
-    'Binding': (
-        'common',
-        {'abstract': 'one', 'tokens': 'many'},
-        ('series', ('=', 'abstract', 'Name'), ('sign', '='), ('+=', 'tokens', 'BindingToken')),
-    ),
-    'BindingToken': (
-        'match',
-        {},
-        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | (?:given|result)\\s+\\w+\\s*:\n    | (?:state|language|on|exit)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | , (?= [^(){}"]* (?: \\( [^(){}]* (?: \\( [^(){}]* \\) [^(){}]* )* \\) [^(){}"]* )* \\) | [^\\[\\]{}]* \\] )\n    | [^\\s{}"\\w:,] )\n'),
     ),
     'Capability': (
         'common',

@@ -73,7 +73,7 @@ BLOCKS: dict[str, Block] = {
     "JunkSuc": _block("role usecase", clauses="by includes realises"),
     "JunkAip": _block("participant outcome clause let control"),
     "JunkParticipant": _block(
-        "engage var given result let sends receives process", _FORMULA, around="JunkAip"
+        "engage plays var given result let sends receives process", _FORMULA, around="JunkAip"
     ),
     "JunkControl": _block(
         "enter skip repeat leave start finish on exit resume", _LABELS, around="JunkAip JunkSrm"

@@ -563,6 +563,7 @@ class Participant:
     span: Span
     inputs: tuple[Given, ...] = ()
     results: tuple[Var, ...] = ()
+    plays: tuple[Plays, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 
-from aseme_dsl.amola.aip import Aip, Participant
+from aseme_dsl.amola.aip import Aip, Participant, Plays, plays_inside
 from aseme_dsl.amola.expression import Event, Received, Send
 from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition
@@ -56,9 +56,11 @@ def check_waits(
     simulated send what their participant lists and no line of it sends. So what is told is stuck
     whatever happens. Protocols of the standard library count if somebody plays them.
     """
-    played = {item.protocol for srm in srms for item in srm.plays}
+    aips = list(aips)
+    plays = [item for srm in srms for item in plays_inside(srm.plays, aips)]
+    played = {item.protocol for item in plays}
     looked_at = [
-        (aip, chart, memory.same((aip.name, "silent"), _silent(aip, chart, srms, activities)))
+        (aip, chart, memory.same((aip.name, "silent"), _silent(aip, chart, plays, activities)))
         for aip in aips
         if (chart := eacs.get(aip.name)) is not None
         and (aip.name in played or not is_of_library(aip.span.source))
@@ -67,17 +69,17 @@ def check_waits(
 
 
 def _silent(
-    aip: Aip, chart: Statechart, srms: Sequence[Srm], activities: Mapping[str, Activity]
+    aip: Aip, chart: Statechart, plays: Iterable[Plays], activities: Mapping[str, Activity]
 ) -> frozenset[str]:
     """The activities of a protocol that are simulated in whatever role plays it: they send nothing."""
-    plays = [dict(item.bindings) for srm in srms for item in srm.plays if item.protocol == aip.name] or [{}]
+    bindings = [dict(item.bindings) for item in plays if item.protocol == aip.name] or [{}]
     names = {node.activity for node in chart.states if node.activity is not None}
     return frozenset(
         name
         for name in names
         if all(
             (said := activities.get(bound.get(name, name))) is not None and not said.has_code
-            for bound in plays
+            for bound in bindings
         )
     )
 
@@ -116,6 +118,9 @@ def _go_on(chart: Statechart, region: str, part: Participant, known: _Known, sil
     """Take every transition of a participant that is possible."""
     by_lines: set[tuple[str, str]] = set()
     for transition in _inside(chart, region):
+        if transition.source in known.reached and _is_nested(chart, transition.source):
+            _enter(chart, transition.target, known)  # what others say in a conversation inside of this one
+            continue
         for action in transition.expression.actions:
             if isinstance(action, Send):
                 by_lines.add((action.performative, action.message))
@@ -132,6 +137,7 @@ def _go_on(chart: Statechart, region: str, part: Participant, known: _Known, sil
         and node.activity not in silent
         and node.label.startswith(f"{region}.")
         and node.label in known.reached
+        and not _is_nested(chart, node.label)
         for node in chart.states
     )
     for item in part.sends if acts else ():
@@ -143,6 +149,11 @@ def _inside(chart: Statechart, region: str) -> Iterator[Transition]:
     return (
         item for item in chart.transitions if item.source == region or item.source.startswith(f"{region}.")
     )
+
+
+def _is_nested(chart: Statechart, label: str) -> bool:
+    """Whether a state belongs to a conversation of another protocol, which a participant has inside."""
+    return chart.node(label).origin.owner != chart.name
 
 
 def _enter(chart: Statechart, label: str, known: _Known) -> None:
@@ -198,6 +209,8 @@ def _stuck(
             is_leaf = node.type in (StateType.START, StateType.CONDITION, StateType.BASIC)
             if not is_leaf or node.label not in known.reached or not node.label.startswith(f"{region}."):
                 continue
+            if _is_nested(chart, node.label):
+                continue
             own = chart.outgoing_edges(node.label)
             around = [item.label for item in chart.ancestors(node.label) if item.label.startswith(region)]
             ways = [
@@ -236,9 +249,10 @@ def check_multiplicity(
 
     Of one that no role plays, N706 tells. Who opens the conversation does not invite itself.
     """
+    aips = list(aips)
     plays: dict[tuple[str, str], set[str]] = {}
     for srm in srms:
-        for item in srm.plays:
+        for item in plays_inside(srm.plays, aips):
             plays.setdefault((item.protocol, item.participant), set()).add(srm.name)
     by_name = {srm.name: srm for srm in srms}
     for team in teams:

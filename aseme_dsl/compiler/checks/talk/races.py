@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, combinations
 
-from aseme_dsl.amola.aip import Aip, Participant
+from aseme_dsl.amola.aip import Aip, Participant, plays_inside
 from aseme_dsl.amola.expression import Send
 from aseme_dsl.amola.srm import Srm
 from aseme_dsl.amola.statechart import Statechart
@@ -37,7 +37,8 @@ def check_races(
 
     Protocols of the standard library count if somebody plays them.
     """
-    played = {item.protocol for srm in srms for item in srm.plays}
+    aips = list(aips)
+    played = {item.protocol for srm in srms for item in plays_inside(srm.plays, aips)}
     looked_at = [
         (aip, chart)
         for aip in aips

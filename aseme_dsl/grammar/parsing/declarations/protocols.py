@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
+from aseme_dsl.grammar.formulas.expression import read_expression
 from aseme_dsl.grammar.parsing import nodes
 from aseme_dsl.grammar.parsing.declarations.control import control
 from aseme_dsl.grammar.parsing.declarations.formulas import formula, let, var
@@ -14,8 +15,8 @@ from aseme_dsl.grammar.text.recovery import BLOCKS
 from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Span
 
-_ALSO_NAMES = ("given", "result")
-"""Words that begin an entry only before a name and `:`; so names may be called so, too."""
+_ALSO_NAMES = ("given", "result", "plays")
+"""Words that begin an entry only before a name and `:` or `.`; so names may be called so, too."""
 
 _COUNTS = {"one": 1, "two": 2, "three": 3}
 
@@ -51,7 +52,27 @@ def _participant(pieces: Pieces, node: nodes.Participant) -> tree.Participant:
         pieces.span(node),
         pieces.all(_given, kinds.of(nodes.Given)),
         pieces.all(lambda pieces, entry: var(pieces, entry, words), kinds.of(nodes.Result)),
+        tuple(plays(pieces, part) for entry in kinds.of(nodes.Plays) for part in entry.parts),
     )
+
+
+def plays(pieces: Pieces, node: nodes.Part) -> tree.Plays:
+    """A participant that a role or another participant plays."""
+    return tree.Plays(
+        pieces.name(node.protocol),
+        pieces.name(node.participant),
+        pieces.new_name(node.alias, "participant", ("with",)) if node.alias else None,
+        pieces.all(_binding, node.bindings),
+        pieces.span(node),
+    )
+
+
+def _binding(pieces: Pieces, node: nodes.Binding) -> tree.Binding | None:
+    value = pieces.tried(lambda: read_expression(pieces.source, node.tokens))
+    if value is None:
+        return None
+    name = value.segments[0] if isinstance(value, tree.Path) and len(value.segments) == 1 else None
+    return tree.Binding(pieces.name(node.abstract), name, None if name else value, pieces.span(node))
 
 
 def _given(pieces: Pieces, node: nodes.Given) -> tree.Given:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from aseme_dsl.grammar.formulas.expression import read_expression
 from aseme_dsl.grammar.parsing import nodes
 from aseme_dsl.grammar.parsing.declarations.activities import activity, module
 from aseme_dsl.grammar.parsing.declarations.control import control
 from aseme_dsl.grammar.parsing.declarations.formulas import formula, let, var
 from aseme_dsl.grammar.parsing.declarations.pieces import Kinds, Once, Pieces
+from aseme_dsl.grammar.parsing.declarations.protocols import plays
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.recovery import BLOCKS
 
@@ -18,7 +18,7 @@ def srm(pieces: Pieces, node: nodes.Srm) -> tree.Srm:
     kinds = Kinds(node.entries)
     return tree.Srm(
         pieces.new_name(node.name, "role"),
-        tuple(_plays(pieces, part) for entry in kinds.of(nodes.Plays) for part in entry.parts),
+        tuple(plays(pieces, part) for entry in kinds.of(nodes.Plays) for part in entry.parts),
         pieces.all(_capability, kinds.of(nodes.Capability)),
         pieces.all(lambda pieces, entry: var(pieces, entry, words), kinds.of(nodes.Var)),
         pieces.all(lambda pieces, entry: let(pieces, entry, words), kinds.of(nodes.Let)),
@@ -31,24 +31,6 @@ def srm(pieces: Pieces, node: nodes.Srm) -> tree.Srm:
         tuple(pieces.name(role) for entry in kinds.of(nodes.Inclusion) for role in entry.roles),
         bool(node.abstract),
     )
-
-
-def _plays(pieces: Pieces, node: nodes.Part) -> tree.Plays:
-    return tree.Plays(
-        pieces.name(node.protocol),
-        pieces.name(node.participant),
-        pieces.new_name(node.alias, "participant", ("with",)) if node.alias else None,
-        pieces.all(_binding, node.bindings),
-        pieces.span(node),
-    )
-
-
-def _binding(pieces: Pieces, node: nodes.Binding) -> tree.Binding | None:
-    value = pieces.tried(lambda: read_expression(pieces.source, node.tokens))
-    if value is None:
-        return None
-    name = value.segments[0] if isinstance(value, tree.Path) and len(value.segments) == 1 else None
-    return tree.Binding(pieces.name(node.abstract), name, None if name else value, pieces.span(node))
 
 
 def _capability(pieces: Pieces, node: nodes.Capability) -> tree.Capability:

@@ -1,0 +1,355 @@
+"""Playing: the participants of protocols that a role plays, or a participant of another protocol."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
+from dataclasses import dataclass, replace
+
+import networkx as nx
+
+from aseme_dsl.amola.aip import Plays
+from aseme_dsl.amola.expression import Outcome, values_of
+from aseme_dsl.amola.liveness import called
+from aseme_dsl.compiler.chart.chart import Part, Protocol
+from aseme_dsl.compiler.control.stopping import stops_of
+from aseme_dsl.compiler.formula import formulas as formula_tables
+from aseme_dsl.compiler.formula.formula_to_statechart import Branch
+from aseme_dsl.compiler.formula.formulas import Formulas
+from aseme_dsl.compiler.names.scope import Scope
+from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.compiler.read.damage import Damaged
+from aseme_dsl.compiler.read.names import unknown
+from aseme_dsl.compiler.types.given import Supplied, supplied_names, supply
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.absences import NoActivityToBind, NoParticipant, NoProtocol
+from aseme_dsl.diagnostics.problems.activities import BoundToOtherParameters
+from aseme_dsl.diagnostics.problems.formulas import ProcessRestated
+from aseme_dsl.diagnostics.problems.names import (
+    BoundToExpression,
+    BoundToParticipant,
+    BoundTwice,
+    EmptyFormulaInLoop,
+    FormulaOfParticipant,
+    OutcomeOfFormula,
+    ParticipantNameTaken,
+    ProtocolsInCircle,
+)
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
+
+Player = tree.Srm | tree.Participant
+"""Who plays."""
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """What is played, by all the names that the player's formulas may use for it, with its processes.
+
+    `formulas` are the player's, which know what stands in the participants that they name.
+    """
+
+    formulas: Formulas
+    named: Mapping[str, Plays]
+    branches: Mapping[str, Branch]
+
+
+def played_in(formulas: Formulas, plays: Sequence[Plays], parts: Mapping[tuple[str, str], Part]) -> Played:
+    """What the formulas may use of what is played; `parts` are the sound ones among its processes."""
+    own = {item.name: item for item in plays}
+    named = own | by_own_name(plays, own, formulas)
+    through = {
+        name: tuple(other for _, other in item.bindings if other in formulas.named)
+        for name, item in named.items()
+    }
+    branches = {
+        name: parts[item.protocol, item.participant].branch(item)
+        for name, item in named.items()
+        if (item.protocol, item.participant) in parts
+    }
+    return Played(replace(formulas, through=through), named, branches)
+
+
+def in_order(
+    protocols: Sequence[tree.Aip],
+) -> tuple[tuple[tree.Aip, ...], frozenset[str], tuple[Diagnostic, ...]]:
+    """The protocols, each after those whose participants play a part in it; E594 for those in a circle.
+
+    The names of the latter are the second that is given: what they play cannot be woven in.
+    """
+    known = {item.name.text: item for item in protocols}
+    uses = {
+        name: {
+            play.protocol.text: play
+            for party in reversed(item.participants)
+            for play in reversed(party.plays)
+            if play.protocol.text in known
+        }
+        for name, item in known.items()
+    }
+    graph = nx.DiGraph((name, other) for name, others in uses.items() for other in others)
+    graph.add_nodes_from(known)
+    in_circle: set[str] = set()
+    found: list[Diagnostic] = []
+    for group in sorted(map(sorted, nx.strongly_connected_components(graph)), key=lambda names: names[0]):
+        first = group[0]
+        if len(group) == 1 and not graph.has_edge(first, first):
+            continue
+        in_circle.update(group)
+        circle = nx.find_cycle(graph.subgraph(group), first)
+        names = (*(name for name, _ in circle), circle[0][0])
+        places = [uses[name][other] for name, other in circle]
+        related = tuple(Related(place.span, "and here") for place in places[1:])
+        found.append(Diagnostic(ProtocolsInCircle(names), places[0].span, related))
+    graph.remove_edges_from([(a, b) for a, b in graph.edges if a in in_circle and b in in_circle])
+    order = [name for name in reversed(list(nx.lexicographical_topological_sort(graph)))]
+    return tuple(known[name] for name in order), frozenset(in_circle), tuple(found)
+
+
+def with_inside(parts: Mapping[tuple[str, str], Part]) -> dict[tuple[str, str], Part]:
+    """The parts, and those that stand in them."""
+    found = dict(parts)
+    for part in parts.values():
+        found.update(part.inside)
+    return found
+
+
+def may_be_empty(branch: Branch, parts: Mapping[tuple[str, str], Part]) -> bool:
+    """Whether a participant that another one plays may do nothing at all."""
+    own = [name for name, part in branch.played.items() if may_be_empty(part, parts)]
+    stops = stops_of(parts[branch.protocol, branch.participant].lines.by_way)
+    return formula_tables.may_be_empty(branch.formulas, stops, own)[0]
+
+
+def read_plays(
+    written: Player,
+    formulas: Formulas | None,
+    protocols: Mapping[str, Protocol],
+    scope: Scope,
+    is_damaged: Damaged,
+) -> tuple[tuple[Plays, ...], dict[tuple[str, str], Part], tuple[Diagnostic, ...]]:
+    """What a role or a participant plays, by the names that its formulas use: E205, E206, E213, E306."""
+    found: list[Diagnostic] = []
+    plays: dict[str, Plays] = {}
+    parts: dict[tuple[str, str], Part] = {}
+    own_formulas: Collection[str] = ()
+    if isinstance(written, tree.Participant) and formulas is not None:
+        own_formulas = formulas.named
+    for item in written.plays:
+        protocol = protocols.get(item.protocol.text)
+        if protocol is None:
+            if not scope.symbols.is_excused(item.protocol.text):
+                found.append(unknown(NoProtocol, item.protocol, protocols))
+            continue
+        participants = {p.name.text: p for p in protocol.written.participants}
+        if item.participant.text not in participants:
+            if not is_damaged(protocol.written.span):
+                named = item.protocol.text
+                found.append(unknown(NoParticipant, item.participant, participants, named))
+            continue
+        name = item.alias or item.participant
+        earlier = plays.get(name.text)
+        if earlier is not None:
+            found.append(_same_name(name, earlier))
+            continue
+        part = protocol.parts.get(item.participant.text)
+        bindings: dict[str, str] = {}
+        supplied = Supplied()
+        if part is not None:
+            parts[protocol.name, part.participant] = part
+            party = participants[item.participant.text]
+            bindings, problems = _bindings(item, part, party, _played_names(written), own_formulas)
+            found += problems
+            supplied, problems = supply(item, part.inputs, part.results, part.variables, scope)
+            found += problems
+        plays[name.text] = Plays(
+            item.protocol.text,
+            item.participant.text,
+            name.text,
+            tuple(bindings.items()),
+            item.span,
+            supplied.inputs,
+            supplied.results,
+        )
+        restated = formulas.named.get(name.text) if formulas is not None else None
+        if restated is not None:
+            found.append(_restated(restated, item, participants[item.participant.text]))
+    return tuple(plays.values()), parts, tuple(found)
+
+
+def _same_name(name: tree.Name, earlier: Plays) -> Diagnostic:
+    problem = ParticipantNameTaken(name.text, earlier.protocol, earlier.participant)
+    return Diagnostic(problem, name.span, (Related(earlier.span, "here"),))
+
+
+def _restated(formula: tree.NamedFormula, plays: tree.Plays, participant: tree.Participant) -> Diagnostic:
+    related = [Related(plays.span, "the role plays it here")]
+    related += [
+        Related(item.span, "its process") for item in participant.formulas if item.name.text == "process"
+    ]
+    problem = ProcessRestated(formula.name.text, plays.protocol.text, plays.participant.text)
+    return Diagnostic(problem, formula.name.span, tuple(related))
+
+
+def _bindings(
+    written: tree.Plays,
+    part: Part,
+    party: tree.Participant,
+    played: Mapping[str, Span],
+    formulas: Collection[str],
+) -> tuple[dict[str, str], tuple[Diagnostic, ...]]:
+    """The protocol's activities, and the activities or formulas of the player that stand for them (E206).
+
+    `formulas` are those of a participant. They may send messages of its own conversation, and stand inside
+    of another one: none of them can be bound.
+    """
+    activities = part.activities
+    others = {name.text for name in supplied_names(party)}
+    found: list[Diagnostic] = []
+    bindings: dict[str, str] = {}
+    seen: set[str] = set()
+    for item in written.bindings:
+        abstract = item.abstract.text
+        if abstract in seen:
+            found.append(Diagnostic(BoundTwice(abstract), item.abstract.span))
+        elif abstract in others:
+            pass  # see `supply`
+        elif abstract not in activities:
+            pool = (*activities, *others)
+            none = unknown(NoActivityToBind, item.abstract, pool, part.protocol, part.participant)
+            related = (Related(part.formulas.named[part.formulas.root].span, "its process"),)
+            found.append(replace(none, related=related))
+        elif item.own is None:
+            found.append(Diagnostic(BoundToExpression(abstract), item.expression.span))
+        elif item.own.text in played:
+            own = item.own.text
+            found.append(
+                Diagnostic(BoundToParticipant(own), item.own.span, (Related(played[own], "played here"),))
+            )
+        elif item.own.text in formulas:
+            found.append(Diagnostic(FormulaOfParticipant(abstract, item.own.text), item.own.span))
+        else:
+            bindings[abstract] = item.own.text
+        seen.add(abstract)
+    return bindings, tuple(found)
+
+
+def other_parameters(
+    written: Player, plays: Iterable[Plays], formulas: Formulas, symbols: Symbols
+) -> Iterable[Diagnostic]:
+    """E525 for a binding to what is given something else than the protocol gives it."""
+    for _, binding, own in _bound(written, plays):
+        abstract = symbols.activities.get(binding.abstract.text)
+        wanted = [kind.type for kind in abstract.parameters] if abstract is not None else []
+        form = symbols.activities.get(own)
+        known = [] if abstract is None else [abstract]
+        if own in formulas.named:
+            has = formulas.parameters.get(own, ())
+            if len(has) != len(formulas.named[own].parameters):
+                continue  # that is said
+            related = [Related(formulas.named[own].name.span, "the formula")]
+        else:
+            has = form.parameters if form is not None else ()
+            known += [] if form is None else [form]
+            related = []
+        if wanted == [kind.type for kind in has]:
+            continue
+        if symbols.is_excused(own) or symbols.is_excused(binding.abstract.text):
+            continue
+        related += [Related(one.span, f"`{called(one.name, map(str, one.parameters))}`") for one in known]
+        problem = BoundToOtherParameters(binding.abstract.text, own, tuple(map(str, wanted)))
+        yield Diagnostic(problem, binding.expression.span, tuple(related))
+
+
+def _bound(written: Player, plays: Iterable[Plays]) -> Iterator[tuple[Plays, tree.Binding, str]]:
+    """The sound bindings of a role, each with what stands for the protocol's activity."""
+    by_span = {item.span: item for item in plays}
+    for play in written.plays:
+        item = by_span.get(play.span)
+        bindings = dict(item.bindings) if item is not None else {}
+        for binding in play.bindings:
+            own = bindings.get(binding.abstract.text)
+            if item is not None and own is not None and binding.own is not None and binding.own.text == own:
+                yield item, binding, own
+
+
+def emptiness(
+    branches: Mapping[str, Branch], parts: Mapping[tuple[str, str], Part]
+) -> tuple[formula_tables.IsEmpty, dict[tuple[str, str], tuple[Diagnostic, ...]]]:
+    """Whether a participant may do nothing at all; and, filled meanwhile, loops over bound formulas that may.
+
+    The loops are known by the name of the participant and that of the formula.
+    """
+    known: dict[str, bool] = {}
+    loops: dict[tuple[str, str], tuple[Diagnostic, ...]] = {}
+
+    def is_empty(name: str, formulas: Set[str]) -> bool:
+        branch = branches.get(name)
+        if branch is None:
+            return False
+        if name not in known:
+            stops = stops_of(parts[branch.protocol, branch.participant].lines.by_way)
+            bound = [activity for activity, own in branch.bindings.items() if own in formulas]
+            own = [other for other, part in branch.played.items() if may_be_empty(part, parts)]
+            known[name], _ = formula_tables.may_be_empty(branch.formulas, stops, (*own, *bound))
+            for activity in bound:
+                _, found = formula_tables.may_be_empty(branch.formulas, stops, (*own, activity))
+                loops[name, activity] = found
+        return known[name]
+
+    return is_empty, loops
+
+
+def unfit_formulas(
+    written: Player,
+    plays: Iterable[Plays],
+    branches: Mapping[str, Branch],
+    parts: Mapping[tuple[str, str], Part],
+    loops: Mapping[tuple[str, str], tuple[Diagnostic, ...]],
+) -> Iterable[Diagnostic]:
+    """E593 for a formula that stands for an activity of whose outcome is asked, or in an empty loop."""
+    for item, binding, own in _bound(written, plays):
+        part = parts[item.protocol, item.participant]
+        activity = binding.abstract.text
+        asked = next((value for value in _outcomes_asked(part) if value.activity == activity), None)
+        formula = next((one for one in written.formulas if one.name.text == own), None)
+        if asked is not None and formula is not None:
+            related = (Related(asked.span, "asked here"), Related(formula.name.span, "the formula"))
+            yield Diagnostic(OutcomeOfFormula(activity, own), binding.expression.span, related)
+        for loop in loops.get((item.name, activity), ())[:1]:
+            places = () if loop.span is None else (Related(loop.span, "the loop"),)
+            yield Diagnostic(EmptyFormulaInLoop(activity, own), binding.expression.span, places)
+
+
+def _outcomes_asked(part: Part) -> Iterator[Outcome]:
+    for lines in part.lines.by_way.values():
+        for line in lines:
+            for value in values_of(line.expression):
+                if isinstance(value, Outcome):
+                    yield value
+
+
+def by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: Formulas) -> dict[str, Plays]:
+    """Participants that have another name in the role and may be called by their own as well."""
+    found: dict[str, list[Plays]] = {}
+    for item in plays:
+        if item.participant not in played and item.participant not in formulas.named:
+            found.setdefault(item.participant, []).append(item)
+    return {name: items[0] for name, items in found.items() if len(items) == 1}
+
+
+def _played_names(written: Player) -> dict[str, Span]:
+    return {(item.alias or item.participant).text: item.span for item in written.plays}
+
+
+__all__ = [
+    "Played",
+    "by_own_name",
+    "emptiness",
+    "in_order",
+    "may_be_empty",
+    "other_parameters",
+    "played_in",
+    "read_plays",
+    "unfit_formulas",
+    "with_inside",
+]
