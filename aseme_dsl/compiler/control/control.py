@@ -308,10 +308,10 @@ def check_labels(
         source, target = nodes[item.source.text], nodes[item.target.text]
         place = item.source.span.to(item.target.span)
         problem = structure_problem(nodes, source, target, place)
-        if problem is None and inside is None:
-            problem = _inside_branch(outline, source, target, place)
-        elif problem is None and inside is not None:
+        if problem is None and inside is not None:
             problem = _outside_branch(inside, source, target, place)
+        if problem is None:
+            problem = _inside_branch(outline, source, target, place, inside)
         if problem is not None:
             found.append(problem)
             continue
@@ -396,8 +396,13 @@ def _unknown_label(name: tree.Name, nodes: Mapping[str, State]) -> Diagnostic:
     return Diagnostic(NoStateOfFormula(name.text, parent or None, inside), name.span)
 
 
-def _inside_branch(outline: Outline, source: State, target: State, place: Span) -> Diagnostic | None:
+def _inside_branch(
+    outline: Outline, source: State, target: State, place: Span, own: str | None
+) -> Diagnostic | None:
+    """What is wrong with a line inside a branch that is not the owner's `own`."""
     for label, branch in outline.branches.items():
+        if own is not None and not label.startswith(f"{own}."):
+            continue
         if source.label.startswith(label + ".") or target.label.startswith(label + "."):
             related = (Related(branch.formulas.named[branch.formulas.root].name.span, "the process"),)
             return Diagnostic(LineInBranch(branch.protocol, branch.participant, label), place, related)

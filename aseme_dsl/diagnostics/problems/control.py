@@ -176,7 +176,7 @@ class LineInBranch(_OfProtocol):
     @property
     def message(self) -> str:
         branch = f"{self.protocol}.{self.participant}"
-        return f"{self.label} is the branch of {branch}: a role cannot write control inside it"
+        return f"{self.label} is the branch of {branch}: others cannot write control inside it"
 
 
 class ControlTwice(Problem):

@@ -487,16 +487,7 @@ if TYPE_CHECKING:
     UseCaseClause: TypeAlias = By | Includes | Realises | Requirements
     AipEntry: TypeAlias = Participant | Outcome | Clause | Let | Control | Leaf
     ParticipantEntry: TypeAlias = (
-        Engage
-        | Plays
-        | Var
-        | Given
-        | Result
-        | Let
-        | Sends
-        | Receives
-        | Process
-        | Leaf
+        Engage | Plays | Var | Given | Result | Let | Sends | Receives | Process | Leaf
     )
     ClauseRule: TypeAlias = AtMost | LeadsTo | Before
     ControlEntry: TypeAlias = Way | LabelledWay | Leaf
