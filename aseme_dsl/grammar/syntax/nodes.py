@@ -46,14 +46,19 @@ def _lines(rules: Mapping[str, Rule]) -> Iterator[str]:
 
 
 def _alias(name: str, parts: list[str]) -> Iterator[str]:
-    line = f"    {name}: TypeAlias = {' | '.join(parts)}"
+    """As `ruff format` would wrap it."""
+    either = " | ".join(parts)
+    line, inner = f"    {name}: TypeAlias = {either}", f"        {either}"
     if len(line) <= _LONGEST:
         yield line
         return
     yield f"    {name}: TypeAlias = ("
-    yield f"        {parts[0]}"
-    for part in parts[1:]:
-        yield f"        | {part}"
+    if len(inner) <= _LONGEST:
+        yield inner
+    else:
+        yield f"        {parts[0]}"
+        for part in parts[1:]:
+            yield f"        | {part}"
     yield "    )"
 
 
