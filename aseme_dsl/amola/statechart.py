@@ -194,11 +194,24 @@ class Statechart(Displayed):
     def _called(self) -> dict[str, tuple[State, ...]]:
         found: dict[str, list[State]] = {}
         for node in self.states:
+            if self._is_framed(node):
+                continue
             own = node.name.partition("(")[0] if node.arguments else node.name
             for name in dict.fromkeys((own, node.name, node.activity)):
                 if name is not None:
                     found.setdefault(name, []).append(node)
         return {name: tuple(nodes) for name, nodes in found.items()}
+
+    def _is_framed(self, node: State) -> bool:
+        """Whether a state is the branch of a participant in a frame, which stands for it around."""
+        parent = None if node.parent is None else self.by_label[node.parent]
+        return (
+            parent is not None
+            and parent.name == node.name
+            and parent.origin.kind is OriginKind.PROTOCOL
+            and parent.origin.name != ""
+            and self.is_branch(node)
+        )
 
     @cached_property
     def _outgoing(self) -> dict[str, tuple[Transition, ...]]:

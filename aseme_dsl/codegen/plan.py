@@ -452,14 +452,14 @@ def _sizes(system: System, protocol: str) -> tuple[tuple[str, int, int | None], 
 
 def _lost_in(chart: Statechart, branch: str) -> tuple[str, ...]:
     """The participants whose loss a transition of a branch waits for."""
-    inside = (item for item in chart.transitions if item.source.startswith(f"{branch}."))
+    inside = (item for item in chart.transitions if chart.conversation_of(item) == branch)
     events = (event for item in inside for event in item.expression.events)
     return tuple(dict.fromkeys(event.participant for event in events if isinstance(event, e.Lost)))
 
 
 def _counted_in(chart: Statechart, branch: str) -> tuple[str, ...]:
     """The participants whose answers a transition of a branch counts."""
-    inside = (item for item in chart.transitions if item.source.startswith(f"{branch}."))
+    inside = (item for item in chart.transitions if chart.conversation_of(item) == branch)
     values = (value for item in inside for value in e.values_of(item.expression))
     return tuple(dict.fromkeys(value.participant for value in values if isinstance(value, e.RoundValue)))
 

@@ -6,6 +6,7 @@ transition expression, messages of every class, variables, timers, functions tha
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -798,38 +799,54 @@ def _variables(variables: dict[str, tuple[str, str]]) -> list[str]:
     return [f"  var {name} : {kind} = {initial}" for name, (kind, initial) in variables.items()]
 
 
-def _protocol(outer: Words) -> tuple[str, bool]:
-    """A protocol with the participant `a` that the role plays, and whether its process may be empty."""
+def _protocol(outer: Words, name: str = "p", part: str = "a", own_name: str = "P") -> tuple[str, bool]:
+    """A protocol with the participant `a` that the role plays, and whether its process may be empty.
+
+    Sometimes the participant plays one of another protocol, of which a variable is the result.
+    """
     choices = outer.choices
-    names = Names({}, [], "P")
-    helpers = ["aid"] if choices.one_in(2) else []
-    formulas = _formulas(choices, names, "process", helpers, 2)
+    names = Names({}, [], own_name)
+    helpers = ["aid" if part == "a" else "aided"] if choices.one_in(2) else []
     variables = _some(choices, OWN_VARIABLES)
+    inner = plays = ""
+    if name == "p" and choices.one_in(3):
+        inner, nullable = _protocol(outer, "q", "n", "Q")
+        names.helpers["n"] = nullable
+        names.unused.append("n")
+        results = [one for one in variables if f"  var {one} : " in inner]
+        if results:
+            inner = inner.replace(f"  var {results[0]} : ", f"  result {results[0]} : ")
+        bound = [f"{one} = {one}" for one in results[:1]]
+        bound += ["Q1 = P1"] if choices.one_in(3) and re.search(r"\bQ1\b", inner) else []
+        plays = "  plays q.n" + (f" with {', '.join(bound)}" if bound else "")
+    formulas = _formulas(choices, names, "process", helpers, 2)
     types = {name: kind for name, (kind, _) in variables.items()}
     words = replace(outer, variables=types, is_participant=True)
     own, kinds = _lets(words, "own")
     words = replace(words, lets=outer.lets | kinds, counted=countable(formulas))
     sends, receives = (", ".join(f"{p} {m}" for p, m in listed) for listed in (SENT, RECEIVED))
     text = [
-        "aip p {",
-        "  participant a {",
+        inner,
+        f"aip {name} {{",
+        f"  participant {part} {{",
         '  engage "Always."',
+        plays,
         *_variables(variables),
         "  var who : agent",
         *(f"  {let}" for let in own),
         f"  sends {sends}",
         f"  receives {receives}",
-        *(f"  {name} = {made.text()}" for name, made in formulas),
+        *(f"  {formula} = {made.text()}" for formula, made in formulas),
         "  }",
         f'  participant other {{ engage "Always."  sends {receives}  receives {sends}  process = X }}',
         '  outcome "Done."',
         *(
             control(
-                words, made, "a", [f"    on abandon : {words.staying('exit')}"] if choices.one_in(3) else ()
+                words, made, part, [f"    on abandon : {words.staying('exit')}"] if choices.one_in(3) else ()
             )
-            if name == "process"
-            else control(words, made, name)
-            for name, made in formulas
+            if formula == "process"
+            else control(words, made, formula)
+            for formula, made in formulas
         ),
         "}",
     ]

@@ -10,10 +10,12 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.chart.chart import Part, Protocol, RelativeLine, World, chart_of
 from aseme_dsl.compiler.chart.playing import (
     emptiness,
+    not_used,
     other_parameters,
     played_in,
     read_plays,
     unfit_formulas,
+    unused_plays,
     with_inside,
 )
 from aseme_dsl.compiler.control.choices import check_formulas, undecided_formulas, unsettled
@@ -40,6 +42,7 @@ from aseme_dsl.compiler.types.given import give
 from aseme_dsl.compiler.types.scopes import TypedParticipant
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.diagnostics.problems.absences import NoFormulaOfProtocol
+from aseme_dsl.diagnostics.problems.control import ControlOfProtocol
 from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, ParticipantWithoutProcess
 from aseme_dsl.diagnostics.problems.missing import ProtocolEmpty
 from aseme_dsl.diagnostics.problems.names import FormulaAmbiguous
@@ -141,6 +144,10 @@ def read_protocol(
         found += check_formulas(reading.formulas, names, lines, frozenset(unsure))
         wrong = frozenset(unsure | unsettled(reading.formulas, found))
         missing += undecided_formulas(reading.formulas, names, lines, written.span, wrong)
+        if not is_damaged(reading.written.span):
+            owner = f"{written.name}.{reading.name}"
+            for item in unused_plays(reading.formulas, reading.plays):
+                missing.append(not_used(owner, reading.formulas, item, reading.written.span))
     return Protocol(written, parts, outline, tuple(missing)), tuple(found)
 
 
@@ -260,6 +267,11 @@ def _controls(
 
 def _unknown_control(written: tree.Aip, control: tree.Control, known: Iterable[str]) -> Diagnostic:
     name = control.name.text
+    for play in (item for participant in written.participants for item in participant.plays):
+        if name in ((play.alias or play.participant).text, play.participant.text):
+            related = (Related(play.span, "it is played here"),)
+            foreign = ControlOfProtocol(play.protocol.text, play.participant.text, name)
+            return Diagnostic(foreign, control.name.span, related)
     participants = tuple(item.name.text for item in written.participants)
     is_process = name == PROCESS
     close = None if is_process else closest(name, known)

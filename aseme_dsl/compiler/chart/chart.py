@@ -75,6 +75,12 @@ class Part:
         """What it does itself."""
         return self.formulas.activities - self.played.keys()
 
+    @property
+    def bindable(self) -> frozenset[str]:
+        """What who plays it can bind: with the names that it gives to activities of what it plays itself."""
+        given = (own for branch in self.played.values() for own in branch.bindings.values())
+        return self.activities.union(given)
+
     def branch(self, plays: Plays | None = None) -> Branch:
         """Its process, as it stands where it is played; without `plays` as in the protocol's own chart."""
         return Branch(

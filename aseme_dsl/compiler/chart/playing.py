@@ -9,7 +9,7 @@ import networkx as nx
 
 from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.expression import Outcome, values_of
-from aseme_dsl.amola.liveness import called
+from aseme_dsl.amola.liveness import called, names
 from aseme_dsl.compiler.chart.chart import Part, Protocol
 from aseme_dsl.compiler.control.stopping import stops_of
 from aseme_dsl.compiler.formula import formulas as formula_tables
@@ -18,12 +18,14 @@ from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.damage import Damaged
+from aseme_dsl.compiler.read.missing import Missing
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.compiler.types.given import Supplied, supplied_names, supply
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.absences import NoActivityToBind, NoParticipant, NoProtocol
 from aseme_dsl.diagnostics.problems.activities import BoundToOtherParameters
 from aseme_dsl.diagnostics.problems.formulas import ProcessRestated
+from aseme_dsl.diagnostics.problems.missing import ParticipantNotUsed
 from aseme_dsl.diagnostics.problems.names import (
     BoundToExpression,
     BoundToParticipant,
@@ -113,11 +115,22 @@ def with_inside(parts: Mapping[tuple[str, str], Part]) -> dict[tuple[str, str], 
     return found
 
 
-def may_be_empty(branch: Branch, parts: Mapping[tuple[str, str], Part]) -> bool:
-    """Whether a participant that another one plays may do nothing at all."""
-    own = [name for name, part in branch.played.items() if may_be_empty(part, parts)]
+def _may_be_empty(
+    branch: Branch, parts: Mapping[tuple[str, str], Part], activities: Collection[str]
+) -> tuple[bool, tuple[Diagnostic, ...]]:
+    """Whether a participant may do nothing at all, and its loops over such, also in what it plays itself.
+
+    `activities` are those for which something stands that may be done at once.
+    """
+    empty, loops = list(activities), list[Diagnostic]()
+    for name, inner in branch.played.items():
+        bound = [activity for activity, own in inner.bindings.items() if own in activities]
+        is_empty, found = _may_be_empty(inner, parts, bound)
+        empty += [name] if is_empty else []
+        loops += found
     stops = stops_of(parts[branch.protocol, branch.participant].lines.by_way)
-    return formula_tables.may_be_empty(branch.formulas, stops, own)[0]
+    is_empty, found = formula_tables.may_be_empty(branch.formulas, stops, empty)
+    return is_empty, (*found, *loops)
 
 
 def read_plays(
@@ -202,7 +215,7 @@ def _bindings(
     `formulas` are those of a participant. They may send messages of its own conversation, and stand inside
     of another one: none of them can be bound.
     """
-    activities = part.activities
+    activities = part.bindable
     others = {name.text for name in supplied_names(party)}
     found: list[Diagnostic] = []
     bindings: dict[str, str] = {}
@@ -214,7 +227,7 @@ def _bindings(
         elif abstract in others:
             pass  # see `supply`
         elif abstract not in activities:
-            pool = (*activities, *others)
+            pool = (*sorted(activities), *others)
             none = unknown(NoActivityToBind, item.abstract, pool, part.protocol, part.participant)
             related = (Related(part.formulas.named[part.formulas.root].span, "its process"),)
             found.append(replace(none, related=related))
@@ -287,13 +300,10 @@ def emptiness(
         if branch is None:
             return False
         if name not in known:
-            stops = stops_of(parts[branch.protocol, branch.participant].lines.by_way)
             bound = [activity for activity, own in branch.bindings.items() if own in formulas]
-            own = [other for other, part in branch.played.items() if may_be_empty(part, parts)]
-            known[name], _ = formula_tables.may_be_empty(branch.formulas, stops, (*own, *bound))
+            known[name], _ = _may_be_empty(branch, parts, bound)
             for activity in bound:
-                _, found = formula_tables.may_be_empty(branch.formulas, stops, (*own, activity))
-                loops[name, activity] = found
+                _, loops[name, activity] = _may_be_empty(branch, parts, (activity,))
         return known[name]
 
     return is_empty, loops
@@ -310,7 +320,7 @@ def unfit_formulas(
     for item, binding, own in _bound(written, plays):
         part = parts[item.protocol, item.participant]
         activity = binding.abstract.text
-        asked = next((value for value in _outcomes_asked(part) if value.activity == activity), None)
+        asked = next(_outcomes_asked(part, activity, parts), None)
         formula = next((one for one in written.formulas if one.name.text == own), None)
         if asked is not None and formula is not None:
             related = (Related(asked.span, "asked here"), Related(formula.name.span, "the formula"))
@@ -320,12 +330,17 @@ def unfit_formulas(
             yield Diagnostic(EmptyFormulaInLoop(activity, own), binding.expression.span, places)
 
 
-def _outcomes_asked(part: Part) -> Iterator[Outcome]:
+def _outcomes_asked(part: Part, activity: str, parts: Mapping[tuple[str, str], Part]) -> Iterator[Outcome]:
+    """Where a participant asks for the outcome of an activity, also in what it plays itself."""
     for lines in part.lines.by_way.values():
         for line in lines:
             for value in values_of(line.expression):
-                if isinstance(value, Outcome):
+                if isinstance(value, Outcome) and value.activity == activity:
                     yield value
+    for branch in part.played.values():
+        for inner, own in branch.bindings.items():
+            if own == activity:
+                yield from _outcomes_asked(parts[branch.protocol, branch.participant], inner, parts)
 
 
 def by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: Formulas) -> dict[str, Plays]:
@@ -337,6 +352,21 @@ def by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: F
     return {name: items[0] for name, items in found.items() if len(items) == 1}
 
 
+def unused_plays(formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Plays]:
+    """What is played and no formula uses."""
+    used = {node.name for item in formulas.named.values() for node in names(item.formula)}
+    named = by_own_name(plays, {item.name: item for item in plays}, formulas)
+    used.update(item.name for name, item in named.items() if name in used)
+    return (item for item in plays if item.name not in used and item.name not in formulas.named)
+
+
+def not_used(player: str, formulas: Formulas, item: Plays, block: Span) -> Missing:
+    """N702 for what a role or participant plays and no formula of it uses."""
+    problem = ParticipantNotUsed(player, item.protocol, item.participant, item.name, formulas.root)
+    note = Diagnostic(problem, item.span)
+    return Missing(note, f"// Let a formula use the participant {item.name}.", block)
+
+
 def _played_names(written: Player) -> dict[str, Span]:
     return {(item.alias or item.participant).text: item.span for item in written.plays}
 
@@ -346,10 +376,11 @@ __all__ = [
     "by_own_name",
     "emptiness",
     "in_order",
-    "may_be_empty",
+    "not_used",
     "other_parameters",
     "played_in",
     "read_plays",
     "unfit_formulas",
+    "unused_plays",
     "with_inside",
 ]

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import Plays
-from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.chart.chart import Part, Protocol, World, chart_of
 from aseme_dsl.compiler.chart.playing import (
-    by_own_name,
     emptiness,
+    not_used,
     other_parameters,
     played_in,
     read_plays,
     unfit_formulas,
+    unused_plays,
     with_inside,
 )
 from aseme_dsl.compiler.control.choices import check_formulas, undecided_formulas, unsettled
@@ -34,7 +34,6 @@ from aseme_dsl.diagnostics.problems.absences import (
 )
 from aseme_dsl.diagnostics.problems.control import ControlOfProtocol
 from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, RoleWithoutFormula
-from aseme_dsl.diagnostics.problems.missing import ParticipantNotUsed
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -117,9 +116,11 @@ def read_role(
     wrong = unsure.union(unsettled(formulas, found), played.keys() & formulas.named.keys())
     missing = undecided_formulas(formulas, {}, checked, written.span, wrong)
     unused = (
-        () if damaged else tuple(item for item in _unused(formulas, plays) if _stands_in(item.span, written))
+        ()
+        if damaged
+        else tuple(item for item in unused_plays(formulas, plays) if _stands_in(item.span, written))
     )
-    missing += tuple(_not_used(written, formulas, item) for item in unused)
+    missing += tuple(not_used(name, formulas, item, written.span) for item in unused)
     role = Role(written, typed, formulas, plays, parts, lines, labelled, outline, unused, missing)
     return role, tuple(found)
 
@@ -148,20 +149,6 @@ def _stands_in(span: Span, written: tree.Srm) -> bool:
 
 
 # ---- playing participants ------------------------------------------------------------------------
-
-
-def _unused(formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Plays]:
-    """What the role plays and no formula uses."""
-    used = {node.name for item in formulas.named.values() for node in names(item.formula)}
-    short = by_own_name(plays, {item.name: item for item in plays}, formulas)
-    used.update(item.name for name, item in short.items() if name in used)
-    return (item for item in plays if item.name not in used and item.name not in formulas.named)
-
-
-def _not_used(written: tree.Srm, formulas: Formulas, item: Plays) -> Missing:
-    problem = ParticipantNotUsed(written.name.text, item.protocol, item.participant, item.name, formulas.root)
-    note = Diagnostic(problem, item.span)
-    return Missing(note, f"// Let a formula use the participant {item.name}.", written.span)
 
 
 def _foreign_controls(

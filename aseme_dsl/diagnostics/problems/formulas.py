@@ -142,7 +142,7 @@ class ParticipantWithoutProcess(Problem):
 
 
 class ProcessRestated(Problem):
-    """A formula `name` of a role that plays the participant under this name."""
+    """A formula `name` of a role, or a participant, that plays the participant under this name."""
 
     code = "E306"
     name: str
@@ -151,7 +151,7 @@ class ProcessRestated(Problem):
 
     @property
     def message(self) -> str:
-        return f"the process of `{self.name}` is the protocol's: a role cannot state it again"
+        return f"the process of `{self.name}` is the protocol's: it cannot be stated again"
 
     @property
     def hint(self) -> str:

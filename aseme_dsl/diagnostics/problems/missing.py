@@ -112,7 +112,7 @@ class NotAParticipant(RoleIncomplete):
 
 
 class ParticipantNotUsed(RoleIncomplete):
-    """The role calls the participant `name`, and its first formula is `root`."""
+    """The role, or a participant, calls the participant `name`, and its first formula is `root`."""
 
     protocol: str
     participant: str

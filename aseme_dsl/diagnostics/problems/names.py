@@ -477,7 +477,7 @@ class FormulaAmbiguous(Problem):
 
 
 class ParticipantNameTaken(Problem):
-    """A role plays two participants by one `name`; the first is `participant` of `protocol`."""
+    """Two participants are played by one `name`; the first is `participant` of `protocol`."""
 
     code = "E213"
     name: str
@@ -486,7 +486,7 @@ class ParticipantNameTaken(Problem):
 
     @property
     def message(self) -> str:
-        return f"`{self.name}` already stands for {self.protocol}.{self.participant} in this role"
+        return f"`{self.name}` already stands for {self.protocol}.{self.participant} here"
 
     @property
     def hint(self) -> str:

@@ -110,9 +110,7 @@ def picture(waits: dict[str, tuple[Waiting, ...]], conversations: Conversations)
                     tuple(
                         item
                         for item in waits.get(agent, ())
-                        if branch is not None
-                        and item.conversation == name
-                        and f"{item.state}.".startswith(f"{branch}.")
+                        if branch is not None and f"{item.state}.".startswith(f"{branch}.")
                     ),
                     suspended,
                 )

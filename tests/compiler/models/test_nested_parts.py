@@ -55,6 +55,7 @@ aip delivery {
   control courier {
     enter Consider : request Parcel p from nurse / floor = p.floor
     enter HandOver : [there == floor]
+    enter HandOver : after(1min)
     leave HandOver : / send inform Parcel { floor = floor } to nurse
   }
   control nurse {
