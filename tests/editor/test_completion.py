@@ -565,3 +565,45 @@ srm robot {
     assert labels(text.replace("HERE", f"low = {CURSOR}"))[0] == "battery"
     assert "Consider" in labels(text.replace("HERE", f"Carry = {CURSOR}"))
     assert "low" in labels(text.replace("[!low]", f"[{CURSOR}]"))
+
+
+NESTED = """system House
+message Ride { int floor }
+aip ride {
+  participant passenger { given goal : int  result level : int  process = Call . Travel }
+  participant lift { process = Move }
+}
+aip delivery {
+  participant courier {
+    plays ride.passenger with goal = floor, Call = Ring
+    var floor : int
+    process = Consider . passenger . HandOver
+  }
+  control courier { leave HandOver : [floor == 1] }
+}
+srm porter {
+  plays delivery.courier
+  liveness { porter = courier }
+  activities { Move takes 1s }
+}
+"""
+
+
+def test_what_a_participant_plays_is_offered() -> None:
+    assert {"passenger", "lift"} <= set(
+        labels(instead(NESTED, "plays ride.passenger with", f"plays ride.{CURSOR} with"))
+    )
+    bound = labels(instead(NESTED, "with goal = floor, Call = Ring", f"with {CURSOR}"))
+    assert {"goal", "level", "Call", "Travel"} <= set(bound)
+    assert labels(instead(NESTED, "goal = floor,", f"goal = {CURSOR},"))[0] == "floor"
+    assert "passenger" in labels(instead(NESTED, "Consider . passenger", f"Consider . {CURSOR}"))
+    assert "plays" in labels(instead(NESTED, "    var floor", f"    {CURSOR}\n    var floor"))
+
+
+def test_what_stands_inside_is_offered_to_the_role() -> None:
+    """The activities to describe are those that are performed, under the names that they have got."""
+    offered_here = labels(instead(NESTED, "activities { Move takes 1s", f"activities {{ {CURSOR}"))
+    assert {"Consider", "HandOver", "Ring", "Travel"} <= set(offered_here)
+    assert "passenger" not in offered_here
+    bound = labels(instead(NESTED, "plays delivery.courier\n", f"plays delivery.courier with {CURSOR}\n"))
+    assert {"Consider", "HandOver", "Ring"} <= set(bound) and "passenger" not in bound

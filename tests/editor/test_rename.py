@@ -362,3 +362,42 @@ def test_a_formula_is_renamed_where_it_is_bound() -> None:
     )
     text = renamed(text, "^carry = Lift", "bring")
     assert "with Carry = bring, low" in text and "bring = Lift . Walk" in text
+
+
+NESTED = """system House
+aip ride {
+  participant passenger { given goal : int  result level : int  process = Call . Travel }
+}
+aip delivery {
+  participant courier {
+    plays ride.passenger as trip with goal = floor, level = there, Call = Ring
+    var floor : int
+    var there : int
+    process = Consider . trip . HandOver
+  }
+  control courier { enter trip : [floor > 1]  leave HandOver : [there == floor] }
+}
+srm porter {
+  plays delivery.courier with Ring = Phone
+  liveness { porter = courier }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("marked", "new", "expected"),
+    [
+        ("plays ride.passenger as ^trip", "way", ("as way with", ". way . HandOver", "enter way :")),
+        ("Consider . ^trip", "way", ("as way with", ". way . HandOver", "enter way :")),
+        ("participant ^passenger", "rider", ("participant rider", "plays ride.rider as trip")),
+        ("given ^goal", "aim", ("given aim", "with aim = floor")),
+        ("result ^level", "height", ("result height", "height = there")),
+        ("var ^floor", "storey", ("goal = storey", "[storey > 1]", "== storey]")),
+        ("var ^there", "now", ("level = now,", "[now == floor]")),
+        ("aip ^ride", "lift", ("aip lift", "plays lift.passenger as trip")),
+        ("Call = ^Ring", "Bell", ("Call = Bell", "with Bell = Phone")),
+    ],
+)
+def test_what_a_participant_plays_is_renamed(marked: str, new: str, expected: tuple[str, ...]) -> None:
+    text = renamed(NESTED, marked, new)
+    assert [part for part in expected if part not in text] == []

@@ -6,7 +6,7 @@ element of the picture stands for that place; `elements` lead from each element 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola.statechart import State, Statechart, StateType
@@ -226,8 +226,29 @@ def is_damaged(program: Program, model: str) -> bool:
     return False
 
 
+def _played(
+    item: tree.Aip | tree.Srm | tree.Statechart, declarations: Iterable[tree.Declaration]
+) -> Iterator[tree.Aip]:
+    """The protocols of which participants stand in a declaration, at any depth."""
+    protocols = {one.name.text: one for one in declarations if isinstance(one, tree.Aip)}
+    waiting: list[tree.Aip | tree.Srm | tree.Statechart] = [item]
+    seen: set[str] = set()
+    while waiting:
+        found = waiting.pop()
+        players: Iterable[tree.Srm | tree.Participant] = ()
+        if isinstance(found, tree.Aip):
+            players = found.participants
+        elif isinstance(found, tree.Srm):
+            players = (found,)
+        for name in (play.protocol.text for player in players for play in player.plays):
+            if name in protocols and name not in seen:
+                seen.add(name)
+                waiting.append(protocols[name])
+                yield protocols[name]
+
+
 def _made_from(program: Program, kind: str, owner: str) -> Iterator[tree.Declaration]:
-    """The declarations that a model is made from; of a role, also the protocols that it plays."""
+    """The declarations that a model is made from, with the protocols that are played in it."""
     declarations = [item for file in program.files.values() for item in file.declarations]
     for item in declarations:
         match item:
@@ -240,15 +261,11 @@ def _made_from(program: Program, kind: str, owner: str) -> Iterator[tree.Declara
             case tree.Aip():
                 if kind in ("aip", "eac") and item.name.text == owner:
                     yield item
+                    yield from _played(item, declarations)
             case tree.Statechart() | tree.Srm():
                 if kind in ("srm", "iac") and item.name.text == owner:
                     yield item
-                    played = [play.protocol.text for play in item.plays] if isinstance(item, tree.Srm) else []
-                    yield from (
-                        other
-                        for other in declarations
-                        if isinstance(other, tree.Aip) and other.name.text in played
-                    )
+                    yield from _played(item, declarations)
 
 
 # ---- which part of it -----------------------------------------------------------------------------

@@ -298,7 +298,7 @@ def _abstract(around: Around, name: tree.Name) -> Symbol | None:
 
 
 def _bound(around: Around, name: tree.Name) -> Symbol | None:
-    """What stands for it in the role."""
+    """What stands for it in the role, or in the participant around."""
     assert isinstance(around.node, tree.Binding)
     if (around.played, around.node.abstract.text) in around.world.supplied:
         return around.values.get(name.text)
@@ -781,6 +781,7 @@ def _in_participant(party: tree.Participant, around: Around) -> Around:
         for item in party.formulas
         if item.name.text != "process"
     }
+    terms = _played_terms(party.plays, owner) | terms
     terms.setdefault(party.name.text, around.parties[party.name.text])
     values = dict(around.values)
     for item in (*(one.name for one in party.variables), *supplied_names(party)):
@@ -807,15 +808,21 @@ def _in_role(role: tree.Srm | tree.Statechart, around: Around) -> Around:
 def _terms(role: tree.Srm) -> dict[str, Symbol]:
     """What formulas of a role name besides activities."""
     owner = role.name.text
-    terms: dict[str, Symbol] = {}
-    for item in role.plays:
-        played = Symbol(Kind.PARTICIPANT, item.participant.text, item.protocol.text)
-        terms.setdefault(item.participant.text, played)
-    for item in role.plays:
-        if item.alias is not None:
-            terms[item.alias.text] = Symbol(Kind.ALIAS, item.alias.text, owner)
+    terms = _played_terms(role.plays, owner)
     for formula in role.formulas:
         terms[formula.name.text] = Symbol(Kind.FORMULA, formula.name.text, owner)
+    return terms
+
+
+def _played_terms(plays: Iterable[tree.Plays], owner: str) -> dict[str, Symbol]:
+    """What the formulas of a role or participant call what it plays."""
+    terms: dict[str, Symbol] = {}
+    for item in plays:
+        played = Symbol(Kind.PARTICIPANT, item.participant.text, item.protocol.text)
+        terms.setdefault(item.participant.text, played)
+    for item in plays:
+        if item.alias is not None:
+            terms[item.alias.text] = Symbol(Kind.ALIAS, item.alias.text, owner)
     return terms
 
 

@@ -78,7 +78,7 @@ class Known:
             )
         for protocol in self.blocks.aips:
             for part in protocol.participants:
-                found |= dict.fromkeys(used_names(part.formulas))
+                found |= dict.fromkeys(bindable(part))
         for block in self.blocks.roles:
             found |= {item.name.text: item.name for item in block.activities}
         return found
@@ -145,6 +145,17 @@ def used_names(formulas: tuple[tree.NamedFormula, ...]) -> list[str]:
     own = {item.name.text for item in formulas}
     used = (node.name for item in formulas for node in names(item.formula))
     return [name for name in dict.fromkeys(used) if name not in own]
+
+
+def bindable(part: tree.Participant) -> list[str]:
+    """The activities of a participant, with the names that it gives to those of what it plays itself."""
+    played = {(item.alias or item.participant).text for item in part.plays}
+    declared = [item.name for item in part.formulas] + [item.name for item in part.inputs]
+    declared += (item.name for item in (*part.variables, *part.results))
+    others = {name.text for name in declared}
+    bound = [item.own.text for play in part.plays for item in play.bindings if item.own is not None]
+    found = [*used_names(part.formulas), *(name for name in bound if name not in others)]
+    return [name for name in dict.fromkeys(found) if name not in played]
 
 
 def nodes(part: object) -> Iterator[object]:

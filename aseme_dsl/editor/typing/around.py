@@ -15,7 +15,7 @@ from aseme_dsl.compiler.formula.terms import Terms, terms_of, way
 from aseme_dsl.compiler.names.inclusion import complete
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.types.scopes import protocol_scopes, role_scope
-from aseme_dsl.editor.files.known import Known, nodes, used_names
+from aseme_dsl.editor.files.known import Known, bindable, nodes, used_names
 from aseme_dsl.editor.files.place import Place, end_of_declaration
 from aseme_dsl.editor.reading.reading import at_once
 from aseme_dsl.grammar import parse
@@ -120,17 +120,31 @@ class Around:
         found.discard(None)
         return frozenset(item for item in found if item is not None)
 
-    @cached_property
-    def played(self) -> Mapping[str, tree.Participant | None]:
-        """The participants that a role plays, by the names that its formulas use."""
-        found: dict[str, tree.Participant | None] = {}
-        if isinstance(self.declaration, tree.Srm):
-            for item in self.declaration.plays:
-                protocol = self.known.protocols.get(item.protocol.text)
-                parts = protocol.participants if protocol is not None else ()
-                part = next((one for one in parts if one.name.text == item.participant.text), None)
-                found[(item.alias or item.participant).text] = part
-        return found
+    def played(self, participant: str | None = None) -> Mapping[str, tree.Participant | None]:
+        """What a role plays, or a participant of a protocol, by the names that its formulas use."""
+        player = self.participant(participant) if participant is not None else self.declaration
+        if not isinstance(player, (tree.Srm, tree.Participant)):
+            return {}
+        return {(item.alias or item.participant).text: self._part(item) for item in player.plays}
+
+    def _part(self, item: tree.Plays) -> tree.Participant | None:
+        protocol = self.known.protocols.get(item.protocol.text)
+        parts = protocol.participants if protocol is not None else ()
+        return next((one for one in parts if one.name.text == item.participant.text), None)
+
+    def performed(self) -> tuple[str, ...]:
+        """The activities of what a role plays, with those of what stands inside it, by their own names."""
+        found: list[str] = []
+        seen: set[tree.Participant] = set()
+        waiting = [part for part in self.played().values() if part is not None]
+        while waiting:
+            part = waiting.pop(0)
+            if part in seen:
+                continue
+            seen.add(part)
+            found += bindable(part)
+            waiting += [inner for item in part.plays if (inner := self._part(item)) is not None]
+        return tuple(dict.fromkeys(found))
 
 
 def around(place: Place, known: Known) -> Around:

@@ -242,7 +242,7 @@ def _expression(ask: Ask) -> Iterator[Item]:
 
 
 def _binding(ask: Ask) -> Iterator[Item]:
-    """What stands for an activity of the participant, or the value of an input."""
+    """What stands for an activity of the participant that is played, or the value of an input."""
     tokens = [str(item) for item in ask.tokens("Part")]
     protocol = ask.known.protocols.get(tokens[0]) if tokens else None
     parts = protocol.participants if protocol is not None else ()

@@ -15,7 +15,7 @@ from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.messages import AGENT, BYTES, Kind
 from aseme_dsl.compiler.chart.aip_to_eac import PROCESS
 from aseme_dsl.compiler.read.builtins import PERFORMATIVES
-from aseme_dsl.editor.files.known import Known, used_names
+from aseme_dsl.editor.files.known import Known, bindable, used_names
 from aseme_dsl.editor.typing.ask import Ask
 from aseme_dsl.editor.typing.items import Item, ItemKind
 from aseme_dsl.editor.typing.values import members, topics
@@ -293,13 +293,13 @@ def _played_participants(ask: Ask) -> Iterator[Item]:
 
 
 def _abstract_activities(ask: Ask) -> Iterator[Item]:
-    """The activities of the participant that a role plays, which it may do otherwise."""
+    """The activities of the participant that is played, which who plays it may do otherwise."""
     tokens = [str(item) for item in ask.tokens("Part")]
     protocol = ask.known.protocols.get(tokens[0]) if tokens else None
     parts = protocol.participants if protocol is not None else ()
     part = next((item for item in parts if item.name.text in tokens[2:3]), None)
     if part is not None:
-        for name in used_names(part.formulas):
+        for name in bindable(part):
             rank = 7 if name in tokens else 2
             yield Item(name, ItemKind.ACTIVITY, f"of {part.name}", "", f"{name} = ", rank=rank)
         supplied = [(item.name.text, f"given {item.type}") for item in part.inputs]
@@ -339,7 +339,8 @@ def formula_names(ask: Ask) -> Iterator[Item]:
         formulas = part.formulas if part is not None else ()
     used = {node.name for item in formulas for node in names(item.formula)}
     own = ask.said[0] if ask.expected.place[1] == "tokens" and ask.said else ""
-    for name, played in ask.around.played.items():
+    player = None if isinstance(declaration, tree.Srm) else ask.name("Participant") or ""
+    for name, played in ask.around.played(player).items():
         engage = " ".join(text.text for text in played.engage) if played is not None else ""
         yield Item(name, ItemKind.PARTICIPANT, engage, rank=3 if name in used else 1)
     written = {item.name.text for item in formulas}
@@ -383,7 +384,7 @@ def _formula_names(ask: Ask) -> Iterator[Item]:
             yield Item(name, ItemKind.FORMULA, "the role's own", "", f"{name} = ", rank=2)
         described = {item.name.text for item in declaration.activities}
         for item in _formulas_to_write(ask, declaration.formulas):
-            if item.label not in described and item.label not in ask.around.played:
+            if item.label not in described and item.label not in ask.around.played():
                 yield item
 
 
@@ -397,10 +398,9 @@ def _activities_to_describe(ask: Ask) -> Iterator[Item]:
     }
     used = used_names(declaration.formulas)
     used += [item.own.text for play in declaration.plays for item in play.bindings if item.own is not None]
-    for part in ask.around.played.values():
-        used += used_names(part.formulas) if part is not None else []
+    used += ask.around.performed()
     for name in dict.fromkeys(used):
-        if name not in described and name not in ask.around.played:
+        if name not in described and name not in ask.around.played():
             yield Item(name, ItemKind.ACTIVITY, "not described yet", rank=2)
 
 
