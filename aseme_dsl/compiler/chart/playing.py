@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
-
-import networkx as nx
+from itertools import pairwise
 
 from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.expression import Outcome, values_of
@@ -88,23 +87,41 @@ def in_order(
         }
         for name, item in known.items()
     }
-    graph = nx.DiGraph((name, other) for name, others in uses.items() for other in others)
-    graph.add_nodes_from(known)
+    order: list[tree.Aip] = []
+    circles: list[list[str]] = []
+    started: set[str] = set()
+    for name in known:
+        chain = {} if name in started else {name: iter(uses[name])}
+        started.add(name)
+        while chain:
+            inner = next(reversed(chain))
+            for use in chain[inner]:
+                if use in chain:
+                    around = list(chain)
+                    circles.append(around[around.index(use) :])
+                elif use not in started:
+                    started.add(use)
+                    chain[use] = iter(uses[use])
+                    break
+            else:
+                order.append(known[inner])
+                del chain[inner]
     in_circle: set[str] = set()
     found: list[Diagnostic] = []
-    for group in sorted(map(sorted, nx.strongly_connected_components(graph)), key=lambda names: names[0]):
-        first = group[0]
-        if len(group) == 1 and not graph.has_edge(first, first):
-            continue
-        in_circle.update(group)
-        circle = nx.find_cycle(graph.subgraph(group), first)
-        names = (*(name for name, _ in circle), circle[0][0])
-        places = [uses[name][other] for name, other in circle]
-        related = tuple(Related(place.span, "and here") for place in places[1:])
-        found.append(Diagnostic(ProtocolsInCircle(names), places[0].span, related))
-    graph.remove_edges_from([(a, b) for a, b in graph.edges if a in in_circle and b in in_circle])
-    order = [name for name in reversed(list(nx.lexicographical_topological_sort(graph)))]
-    return tuple(known[name] for name in order), frozenset(in_circle), tuple(found)
+    for circle in circles:
+        if in_circle.isdisjoint(circle):
+            found.append(_circle(circle, uses))
+        in_circle.update(circle)
+    return tuple(order), frozenset(in_circle), tuple(found)
+
+
+def _circle(circle: Sequence[str], uses: Mapping[str, Mapping[str, tree.Plays]]) -> Diagnostic:
+    """E594, told where the first protocol by name plays the next one."""
+    first = circle.index(min(circle))
+    names = (*circle[first:], *circle[:first], circle[first])
+    places = [uses[name][other].span for name, other in pairwise(names)]
+    related = tuple(Related(place, "and here") for place in places[1:])
+    return Diagnostic(ProtocolsInCircle(names), places[0], related)
 
 
 def with_inside(parts: Mapping[tuple[str, str], Part]) -> dict[tuple[str, str], Part]:

@@ -141,3 +141,21 @@ def test_a_formula_may_be_unfit_for_what_stands_inside(old: str, new: str, formu
     described = {"  activities { Fetch": "  activities { Call ends ok, bad  Fetch"} if "ok" in new else {}
     told = [item for item in found({old: new, **described}, **bound) if item.code == "E593"]
     assert [item.span.text for item in told if item.span is not None] == ["phone"]
+
+
+CIRCLES = """
+system T
+aip a { participant x { plays b.x as other  process = A . other } }
+aip b { participant x { plays c.x as other  process = B . other } }
+aip c { participant x { plays a.x as other  plays b.x as third  process = C . other . third } }
+aip d { participant x { plays a.x as other  process = D . other } }
+aip e { participant x { plays e.x as other  process = E . other } }
+srm r { plays d.x  liveness { r = x } }
+"""
+
+
+def test_each_circle_of_protocols_is_told_once() -> None:
+    told = [item for item in analysis(CIRCLES).diagnostics if item.code[0] == "E"]
+    assert [item.code for item in told] == ["E594", "E594"]
+    assert "b → c → b" in told[0].message
+    assert "e → e" in told[1].message
