@@ -13,8 +13,6 @@ from functools import cache
 from types import NoneType, UnionType
 from typing import TypeVar, Union, cast, get_args, get_origin, get_type_hints, overload
 
-from aseme_dsl.runtime.message.by_name import made
-
 _T = TypeVar("_T")
 
 _WORDS = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf}
@@ -22,12 +20,11 @@ _WORDS = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf}
 
 def to_json(value: object) -> object:
     """A value of a message as what `json` can write. Raises TypeError for what no message contains."""
-    kind: type = value.__class__
-    if kind is float:
-        number = cast(float, value)
-        if math.isfinite(number):
-            return number
-        return "NaN" if number != number else ("Infinity" if number > 0 else "-Infinity")
+    if type(value) is float:
+        if math.isfinite(value):
+            return value
+        return "NaN" if value != value else ("Infinity" if value > 0 else "-Infinity")
+    kind: type = type(value)
     if kind is bool or kind is int or kind is str or value is None:
         return value
     if hasattr(kind, "__dataclass_fields__"):
@@ -113,7 +110,7 @@ def _read_message(kind: type, data: object, place: str) -> object:
         known = ", ".join(types) or "none"
         raise ValueError(f"{place or kind.__name__} has no member {strangers[0]}; it has {known}")
     inside = place + "." if place else ""
-    return made(kind, **{name: _read(types[name], value, inside + name) for name, value in data.items()})
+    return kind(**{name: _read(types[name], value, inside + name) for name, value in data.items()})
 
 
 def _read_enum(kind: type[IntEnum], data: object, place: str) -> IntEnum:
