@@ -236,6 +236,8 @@ ANSWERED_ONCE = (
 
 RESPONSES = ("agree", "refuse", "not_understood", "propose", "accept_proposal", "reject_proposal")
 RESULTS = ("inform", "failure")
+NAMING = ("Match",)
+"""The types of an inform that is not a result: in recruiting, it names the agent that does the errand."""
 OFFERS = ("propose",)
 PAYMENTS = ("confirm", "refuse", "not_understood")
 
@@ -326,7 +328,8 @@ def _run(callback: Callback, behaviour: Participant, context: Context) -> Genera
         case "results":
             yield from _tell_responses(behaviour, callback)
             if method is not None:
-                yield from _nothing(method, _those(behaviour, RESULTS), callback, behaviour)
+                results = [item for item in _those(behaviour, RESULTS) if item.message not in NAMING]
+                yield from _nothing(method, results, callback, behaviour)
         case "collect":
             yield float(getattr(behaviour, "reply_within", REPLY_WITHIN))
         case "iterate":
