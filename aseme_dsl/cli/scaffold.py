@@ -25,8 +25,8 @@ from aseme_dsl.cli.shared import (
     short_help="Add skeletons for missing declarations.",
     help="Add skeletons for missing protocols, roles, formulas and control lines to a file, and change"
     " nothing else in it. In a project with a directory of activities, also create a stub for each activity"
-    " that has no file and is not `simulated`. A file with errors is skipped. Standard input is printed to"
-    f" standard output. {TARGETS_HELP}",
+    " that has no file and is not `simulated`. Renew the stubs that are not edited. A file with errors is"
+    f" skipped. Standard input is printed to standard output. {TARGETS_HELP}",
     epilog="Example: asemec scaffold --diff team.aseme   ·   asemec scaffold team.aseme",
 )
 @targets_argument
@@ -53,6 +53,7 @@ def command(targets: tuple[str, ...], activities: Path | None, diff: bool, as_js
                 "added": render_json(item.added),
                 "advised": render_json(item.advised),
                 "code": [str(path) for path in item.code],
+                "renewed": [str(path) for path in item.renewed],
                 "difference": item.difference,
             }
             for item in completed
@@ -78,4 +79,6 @@ def command(targets: tuple[str, ...], activities: Path | None, diff: bool, as_js
                 click.echo(f"{item.path}: activity stubs follow when no hole is left")
             for path in item.code:
                 click.echo(f"{path}: created", file=sys.stdout)
+            for path in item.renewed:
+                click.echo(f"{path}: renewed", file=sys.stdout)
     return int(has_errors(found))

@@ -143,3 +143,47 @@ def test_a_folder_that_cannot_be_written(here: Here, sketch: Path) -> None:
         assert sketch.read_text() == SKETCH
     finally:
         sketch.parent.chmod(0o755)
+
+
+MOVER = """\
+system T
+enum Place { BELT SHELF }
+srm robot {
+  liveness { robot = MoveTo(Place.BELT) . Grasp }
+  activities { MoveTo(goal : Place) takes 1s  Grasp ends held, slipped }
+}
+team X { r : robot }
+"""
+
+
+@pytest.fixture
+def mover(here: Here, folder: Path) -> Path:
+    (folder / "pyproject.toml").write_text('[tool.asemec]\nfiles = ["t.aseme"]\nactivities = "activities"\n')
+    (folder / "t.aseme").write_text(MOVER)
+    assert here("scaffold", "t.aseme").code == 0
+    changed = MOVER.replace("(Place.BELT)", "(Place.BELT, 2.0)").replace("Place)", "Place, speed : double)")
+    (folder / "t.aseme").write_text(changed)
+    return folder / "activities" / "move_to.py"
+
+
+def test_a_stub_that_nobody_has_edited_is_renewed(here: Here, mover: Path) -> None:
+    before = mover.read_text()
+    assert (
+        "+    def execute(self, context: Context, goal: Place, speed: float)"
+        in here("scaffold", "--diff").out
+    )
+    assert mover.read_text() == before
+    done = here("scaffold", "t.aseme")
+    assert f"{Path('activities', 'move_to.py')}: renewed" in done.out
+    assert "grasp.py" not in done.out
+    assert "goal: Place, speed: float) -> None:" in mover.read_text()
+    assert "renewed" not in here("scaffold", "t.aseme").out
+
+
+@pytest.mark.parametrize("edited", ["# mine\n", "        return None\n", "    speed = 3\n"])
+def test_an_edited_stub_stays_and_check_gives_its_new_signature(here: Here, mover: Path, edited: str) -> None:
+    mover.write_text(mover.read_text() + edited)
+    before = mover.read_text()
+    assert "renewed" not in here("scaffold", "t.aseme").out
+    assert mover.read_text() == before
+    assert "write `def execute(self, context, goal, speed)`" in here("check").out

@@ -481,14 +481,59 @@ def empty_classes(tree: ast.Module) -> frozenset[str]:
 
 def stubs(system: System, folder: Path, templates: Path | None = None) -> dict[Path, bytes]:
     """First versions of the files that are missing in `folder`, by their paths."""
+    wanted = _first_versions(system, folder, templates)
+    return {path: content for path, content in wanted.items() if stamp_of(path) is None}
+
+
+def renewed_stubs(
+    system: System, folder: Path, templates: Path | None = None
+) -> dict[Path, tuple[bytes, bytes]]:
+    """Files that nobody has edited since they were started and that would be started otherwise now.
+
+    Each is given as it is and as it would be.
+    """
+    found: dict[Path, tuple[bytes, bytes]] = {}
+    for path, content in _first_versions(system, folder, templates).items():
+        if path.is_symlink() or not path.is_file():
+            continue
+        try:
+            before = outside.read_bytes(path)
+        except OSError:
+            continue
+        if before != content and _is_as_started(before, content):
+            found[path] = (before, content)
+    return found
+
+
+def _first_versions(system: System, folder: Path, templates: Path | None) -> dict[Path, bytes]:
     from aseme_dsl.backends.backend import ACTIVITIES, AGENTS, BackendOptions, find_backend
 
     found: dict[Path, bytes] = {}
     for artefact in find_backend(AGENTS[0]).generate(system, BackendOptions(templates)):
         first, _, rest = artefact.path.partition("/")
-        if artefact.kept and first == ACTIVITIES and stamp_of(folder / rest) is None:
+        if artefact.kept and first == ACTIVITIES:
             found[folder / rest] = artefact.text.encode("utf-8", "backslashreplace")
     return found
+
+
+_DESCRIBES = re.compile(
+    r"""from\ (?:aseme_dsl|monas)\.[\w.]+\ import\ [\w, ]+
+    | \ {4}(?:Uses|Reads|Writes|Runs\ every|Is\ given)\ .*
+    | \ {4}(?:Is\ cancelled,\ and\ fails,|Returns\ how\ it\ has\ ended:)\ .*
+    | \ {4}def\ execute\(self,\ context:\ Context(?:,\ \w+:\ [\w.\[\]]+)*\)\ ->\ [\w |]+:""",
+    re.VERBOSE,
+)
+"""The lines of a first version that follow from what the file says of the activity."""
+
+
+def _is_as_started(before: bytes, now: bytes) -> bool:
+    """Whether a file has no line but those of a first version, whatever was said of its activity then."""
+    try:
+        lines = before.decode("utf-8").splitlines()
+    except UnicodeDecodeError:
+        return False
+    known = {"", *now.decode("utf-8", "replace").splitlines()}
+    return all(line in known or _DESCRIBES.fullmatch(line) for line in lines)
 
 
 __all__ = [
@@ -499,6 +544,7 @@ __all__ = [
     "empty_classes",
     "missing_folder",
     "needed_by",
+    "renewed_stubs",
     "stubs",
     "wanted_files",
     "without_code",

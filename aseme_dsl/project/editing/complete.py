@@ -9,10 +9,10 @@ from pathlib import Path
 from aseme_dsl.compiler import Options, analyse
 from aseme_dsl.compiler.read.load import read_source
 from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
-from aseme_dsl.project.code.activity_files import stubs
+from aseme_dsl.project.code.activity_files import renewed_stubs, stubs
 from aseme_dsl.project.editing.scaffold import scaffold
 from aseme_dsl.project.files.difference import unified
-from aseme_dsl.project.files.write import DISK, Disk, write_file, write_new
+from aseme_dsl.project.files.write import DISK, Disk, write_file, write_new, write_over
 from aseme_dsl.project.settings.configuration import find_configuration
 from aseme_dsl.source import Source
 
@@ -34,12 +34,15 @@ class Completed:
     code: Mapping[Path, str] = field(default_factory=dict)
     wait: bool = False
     advised: tuple[Diagnostic, ...] = ()
+    renewed: Mapping[Path, tuple[str, str]] = field(default_factory=dict)
+    """Files of activities that nobody has edited, as they were and as they are started now."""
 
     @property
     def difference(self) -> str:
         """What is added, as a unified diff."""
         differences = [unified(self.path, self.before, self.text)]
         differences += [unified(str(path), "", text) for path, text in self.code.items()]
+        differences += [unified(str(path), before, after) for path, (before, after) in self.renewed.items()]
         return "".join(differences)
 
 
@@ -50,7 +53,7 @@ def complete(
 
     Every character that is there stays, line ends and byte-order mark included; a file with errors stays as
     it is. Where the project has a folder for the code of activities, or `activities` is one, each that has no
-    file there gets its first version.
+    file there gets its first version. A first version that is not edited follows what the file says now.
     """
     path = Path(root.path) if isinstance(root, Source) else root
     configuration, problems = find_configuration(path.parent)
@@ -72,14 +75,22 @@ def complete(
             return Completed(source.path, source.text, source.text, (), written.diagnostics)
     folder = activities or configuration.activities
     code: dict[Path, bytes] = {}
+    changed: dict[Path, tuple[bytes, bytes]] = {}
     wait = False
     if folder is not None and not isinstance(root, Source):
         analysis = analyse(Source(source.path, result.text), options=options)
         wait = analysis.system is None or has_errors(analysis.diagnostics)
         if analysis.system is not None and not wait:
             code = stubs(analysis.system, folder, configuration.templates)
+            changed = renewed_stubs(analysis.system, folder, configuration.templates)
     if write and code:
         found = in_order((*found, *write_new(code, disk).diagnostics))
         code = {} if has_errors(found) else code
+    if write and changed:
+        found = in_order((*found, *write_over(changed, disk).diagnostics))
+        changed = {} if has_errors(found) else changed
     texts = {path: content.decode("utf-8") for path, content in code.items()}
-    return Completed(source.path, source.text, result.text, result.added, found, texts, wait, result.advised)
+    renewed = {path: (old.decode("utf-8"), new.decode("utf-8")) for path, (old, new) in changed.items()}
+    return Completed(
+        source.path, source.text, result.text, result.added, found, texts, wait, result.advised, renewed
+    )
