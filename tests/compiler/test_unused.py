@@ -100,3 +100,52 @@ def test_agent_messages_with_a_counterpart() -> None:
 def test_agent_messages_without_a_counterpart(old: str, new: str, said: str) -> None:
     [item] = found(EXCHANGE.replace(old, new))
     assert (item.code, item.message) == ("W524", said)
+
+
+SUPPLIED = """system S
+aip talk {
+  participant one {
+    given loud : bool
+    var heard : bool = false
+    result much : int = 0
+    process = Ask . [Shout]
+  }
+  participant other { process = Wait }
+  control one {
+    enter Shout : [loud && !heard] / heard = true; much = 3
+    skip  Shout : else / much = 1
+  }
+}
+srm r {
+  plays talk.one with loud = false, much = last
+  var last : int = 0
+  liveness { r = one . (Rest | Run) }
+  activities { Ask takes 1s  Shout takes 1s  Rest takes 1s  Run takes 1s }
+  control r {
+    enter Rest : [last == 0]
+    enter Run  : else
+  }
+}
+srm q {
+  plays talk.other
+  liveness { q = other }
+  activities { Wait takes 1s }
+}
+team T { a : r  b : q }
+"""
+
+
+def test_a_constant_input_is_no_fault_of_the_protocol() -> None:
+    assert found(SUPPLIED) == []
+
+
+def test_a_result_that_nobody_reads_is_reported_where_it_is_taken() -> None:
+    text = SUPPLIED.replace("[last == 0]", "[true]")
+    (problem,) = (item for item in found(text) if item.code == "N725")
+    assert problem.span is not None and problem.span.text == "talk.one with loud = false, much = last"
+
+
+def test_a_fault_of_the_protocol_is_one_also_where_it_is_played() -> None:
+    text = SUPPLIED.replace("var heard", "let mute = !heard && heard\n    var heard")
+    text = text.replace("[loud && !heard]", "[mute]")
+    assert [item.code for item in found(text) if item.code[0] == "W"] == ["W412"]

@@ -93,6 +93,7 @@ class Part:
             dict(plays.inputs) if plays is not None else {},
             dict(plays.results) if plays is not None else {},
             self.played,
+            plays.span if plays is not None else None,
         )
 
 
@@ -193,7 +194,10 @@ def waiting_states(nodes: Iterable[State], activities: Mapping[str, Activity]) -
 def _giving_results(
     outline: Outline, found: tuple[Transition, ...], types: Mapping[str, Type]
 ) -> tuple[Transition, ...]:
-    """The transitions: those to the END of a branch give its results to the variables around it."""
+    """The transitions: those to the END of a branch give its results to the variables around it.
+
+    The assignments have the place at which the participant is played: the role says where a result goes.
+    """
     ends = {f"{label}.": results for label, results in outline.results.items() if results}
     if not ends:
         return found
@@ -204,8 +208,9 @@ def _giving_results(
         results = ends.get(around + dot)
         if results is None or kinds[item.target] is not StateType.END:
             return item
+        span = outline.branches[around].played_at or item.span
         actions = tuple(
-            Assign(VariableValue(target, kind, item.span), VariableValue(own, kind, item.span), item.span)
+            Assign(VariableValue(target, kind, span), VariableValue(own, kind, span), span)
             for own, target in results.items()
             for kind in (types[own],)
         )

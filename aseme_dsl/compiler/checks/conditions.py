@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import chain
 
-from aseme_dsl.amola.expression import LOSS, LOSS_REASONS, Value
-from aseme_dsl.amola.statechart import Statechart, StateType, Transition
+from aseme_dsl.amola.expression import LOSS, LOSS_REASONS, Named, Value, walk
+from aseme_dsl.amola.statechart import OriginKind, Statechart, StateType, Transition
 from aseme_dsl.compiler.chart.flow import Contradict
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.compiler.names.symbols import Symbols
@@ -112,7 +112,29 @@ def _situations(chart: Statechart, vocabulary: Vocabulary) -> tuple[tuple[object
 def _said(situation: Situation, prover: Prover) -> tuple[Diagnostic, ...]:
     from aseme_dsl.proofs.findings import findings  # costs time, and z3
 
-    return tuple(_diagnostic(situation.chart, finding) for finding in findings(situation, prover))
+    return tuple(
+        _diagnostic(situation.chart, finding)
+        for finding in findings(situation, prover)
+        if not (
+            isinstance(finding, Never | Always | Covered)
+            and situation.chart.kind == "IAC"
+            and _reads_input(finding.transition)
+        )
+    )
+
+
+def _reads_input(transition: Transition) -> bool:
+    """Whether a condition of a protocol may read an input, for which a role can supply a constant.
+
+    An input is a named value, as a `let` is. The protocol's own chart, in which inputs are variables, is
+    looked at first: it shows what is wrong with the condition itself.
+    """
+    condition = transition.expression.condition
+    return (
+        transition.origin.kind is OriginKind.PROTOCOL
+        and condition is not None
+        and any(isinstance(value, Named) for value in walk(condition))
+    )
 
 
 def _diagnostic(chart: Statechart, finding: Finding) -> Diagnostic:

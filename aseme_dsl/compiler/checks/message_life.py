@@ -13,6 +13,7 @@ from aseme_dsl.compiler.checks.message_use import MessageUse, Use, members_in
 from aseme_dsl.compiler.checks.presence import there_if_holds
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -87,14 +88,14 @@ def _unread(
     """W520 for a signal that nobody reads; W422 for a state or data that an action publishes in vain.
 
     What an activity publishes as a state or data may be for other programs; so may what goes by radio, or is
-    on a topic that another file declares.
+    on a topic that another file declares. A signal of the standard library is for a role of the library.
     """
     for channel, uses in writers.items():
         if channel in readers or str(channel) == SELECT_PLAN:
             continue
         topic = topics[channel.topic]
         if channel.comm is ChannelKind.SIGNAL:
-            if topic.radio is None:
+            if topic.radio is None and not is_of_library(topic.span.source):
                 declared = Related(_declared(topic, channel), "declared here")
                 others = _others(uses, "also published here")
                 yield Diagnostic(SignalNotRead(str(channel)), uses[0].span, (declared, *others))

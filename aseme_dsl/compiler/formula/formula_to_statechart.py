@@ -57,7 +57,7 @@ class Branch:
     """The process of one participant of a protocol, as it stands in every chart where it is played.
 
     `bindings` gives the protocol's abstract activities the names of the role's own, `supplied` the values of
-    its `inputs`, and `results` the variables that get its results.
+    its `inputs`, and `results` the variables that get its results. `played_at` is where a role plays it.
     """
 
     protocol: str
@@ -70,6 +70,7 @@ class Branch:
     results: Mapping[str, str] = field(default_factory=dict)
     played: Mapping[str, Branch] = field(default_factory=dict)
     """The participants of other protocols that it plays itself."""
+    played_at: Span | None = None
 
     @property
     def origin(self) -> Origin:

@@ -9,6 +9,7 @@ from typing import TypeVar
 from aseme_dsl.compiler.names.usecases import folded
 from aseme_dsl.compiler.read.blocks import Blocks
 from aseme_dsl.compiler.read.damage import Damaged
+from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Diagnostic, Related, Severity
 from aseme_dsl.diagnostics.problems import names as problems
@@ -113,7 +114,8 @@ def include(
     used = {part.name.text for parts in included.values() for part in parts}
     abstract = tuple(item for item in srms.values() if item.abstract)
     unused = tuple(complete[item.name.text] for item in abstract if item.name.text not in used)
-    found += map(_nobody_includes, unused if all_read else ())
+    of_users = (item for item in unused if not is_of_library(item.name.span.source))
+    found += map(_nobody_includes, of_users if all_read else ())
     roles = tuple(
         complete[item.name.text] if isinstance(item, tree.Srm) else item
         for item in blocks.roles
