@@ -92,7 +92,7 @@ def test_imports_are_libraries_and_neighbours(tmp_path: Path) -> None:
     (tmp_path / "notes.txt").write_text("")
     path = str(tmp_path / "team.aseme")
     assert labels("system T\nimport ‸", path) == [
-        *("math", "protocols", "runtime", "soccer", "time"),
+        *("math", "protocols", "resources", "runtime", "soccer", "time"),
         *('"body.proto"', '"field.aseme"'),
     ]
     assert labels('system T\nimport "fi‸"', path) == ["body.proto", "field.aseme"]

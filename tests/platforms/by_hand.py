@@ -26,6 +26,8 @@ SALE = {"lot": "fish", "winner": "me", "price": 10.0}
 ERRAND = {"id": "1", "what": "soup", "wanted": "cook"}
 MATCH = {"errand": "1", "provider": "cid"}
 """Our provider by the name that it has in the directory."""
+NEED = {"id": "1", "what": "the lift", "priority": 0, "lease": 10_000_000_000}
+LEASE = {"id": "1", "lasts": 10_000_000_000}
 
 
 @dataclass(frozen=True)
@@ -132,11 +134,22 @@ ROLES: dict[str, Role] = {
             Does("inform", DONE, "client", last=True),
         ]
     },
+    "resource.holder": {
+        ("", 1): [Does("request", NEED, "keeper")],
+        ("propose", 1): [Does("request", LEASE)],
+        ("inform", 1): [Does("cancel", NEED)],
+        ("inform", 2): [end()],
+    },
+    "resource.keeper": {
+        ("request", 1): [Does("agree", NEED), Does("propose", LEASE)],
+        ("request", 2): [Does("inform", LEASE)],
+        ("cancel", 1): [Does("inform", NEED, last=True)],
+    },
 }
 OPENERS = {"request", "query-ref", "request-when", "cfp", "propose", "subscribe", "proxy"}
 """What begins a conversation, so that who says it has one of its own."""
-NAMES = {"auction": "fipa-auction-english", "dutch_auction": "fipa-auction-dutch"}
-"""The registered names that are not `fipa-` and the protocol's."""
+NAMES = {"auction": "fipa-auction-english", "dutch_auction": "fipa-auction-dutch", "resource": "resource"}
+"""The names on the wire that are not `fipa-` and the protocol's."""
 
 
 @dataclass

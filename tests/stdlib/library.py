@@ -10,7 +10,15 @@ from typing import Any
 from aseme_dsl.runtime import Context
 from tests.support.generated import Generated, generate
 
-OPENERS = {"LearnOutcome", "LearnAnswer", "EndSubscription", "CloseAuction", "LearnReply", "LearnResult"}
+OPENERS = {
+    "CloseLease",
+    "LearnOutcome",
+    "LearnAnswer",
+    "EndSubscription",
+    "CloseAuction",
+    "LearnReply",
+    "LearnResult",
+}
 """The last activities of those who begin: they know how it ended."""
 CLOSERS = {
     "CloseOrder",
@@ -22,6 +30,7 @@ CLOSERS = {
     "CloseIdea",
     "CloseSearch",
     "CloseErrand",
+    "CloseNeed",
 }
 """The last activities of the others, which run again if what they were told was not the last word."""
 
@@ -80,6 +89,9 @@ class Protocol:
     name: str
     parts: Mapping[str, str]
     acts: Mapping[str, Act]
+    library: str = "protocols"
+    roles: Mapping[str, str] = field(default_factory=dict)
+    """The entries of a role that has more than two lines, by part."""
 
     def __str__(self) -> str:
         return self.name
@@ -91,11 +103,10 @@ class Protocol:
 
     def text(self) -> str:
         roles = dict.fromkeys(self.parts.values())
-        lines = [f"system {self.name.title().replace('_', '')}", "import protocols"]
-        lines += [
-            f"srm {part}_role {{\n  plays {self.name}.{part}\n  liveness {{ {part}_role = {part} }}\n}}"
-            for part in roles
-        ]
+        lines = [f"system {self.name.title().replace('_', '')}", f"import {self.library}"]
+        for part in roles:
+            entries = f"  plays {self.name}.{part}\n  liveness {{ {part}_role = {part} }}"
+            lines += [f"srm {part}_role {{\n{self.roles.get(part, entries)}\n}}"]
         team = " ".join(f"{agent} : {part}_role" for agent, part in self.parts.items())
         return "\n".join([*lines, f"team T {{ {team} }}", ""])
 
@@ -288,6 +299,31 @@ PROTOCOLS = (
             "CloseErrand": act(),
         },
     ),
+    Protocol(
+        "resource",
+        {"ann": "holder", "bob": "keeper"},
+        {
+            "ExpressNeed": act(),
+            "AwaitTurn": act(),
+            "UseResource": act(3),
+            "CloseLease": act(),
+            "OpenDesk": act(),
+            "ConsiderNeed": act(0.1),
+            "KeepInLine": act(),
+            "Lend": act(),
+            "CloseNeed": act(),
+        },
+        "resources",
+        {
+            "holder": """  plays resource.holder with whom = "", what = "the lift", urgency = 0, lease = 10s,
+                             patience = 1min, renewing = renewed
+  var renewed : bool = false
+  liveness { holder_role = holder }
+  activities { ExpressNeed writes renewed }""",
+            "keeper": """  includes resource_keeper
+  liveness { keeper_role = service  places = keeper }""",
+        },
+    ),
 )
 
 
@@ -311,6 +347,15 @@ def disagreement(item: Protocol, said: Mapping[str, str]) -> str:
     others = {
         ending for agent, ending in said.items() if agent != first and item.parts.get(agent) != "recruiter"
     }
+    if item.name == "resource":
+        allowed = {
+            "RETURNED": {"RETURNED"},
+            "REFUSED": {"REFUSED"},
+            "WITHDRAWN": {"WITHDRAWN", "NOT_TAKEN", "LOST"},
+            "EXPIRED": {"RETURNED", "EXPIRED", "NOT_TAKEN", "LOST"},
+        }
+        wrong = others - allowed.get(mine, others)
+        return f"{mine}, but {', '.join(sorted(wrong))}" if wrong else ""
     if item.name == "brokering" and mine == "DONE":  # the broker may have asked another provider before
         others = {said.get("bob", "")}
     match mine:
