@@ -50,6 +50,8 @@ PROGRAMS = (
         lines=45,
         lost=1,
     ),
+    Program("hospital", "parcels on the ward: 6", lines=160),
+    Program("meetings", "the meeting of bob was at 11", lines=110),
 )
 
 
@@ -136,6 +138,8 @@ MISTAKES = (
     Mistake("warehouse", "import protocols\n", "", "E205"),
     Mistake("warehouse", "CollectProposals takes", "CollectProposal takes", "E204"),
     Mistake("warehouse", "Status.free]", "Status.fre]", "E501"),
+    Mistake("hospital", "last != LeaseEnd.RETURNED", "last != LeaseEnd.BACK", "E508"),
+    Mistake("meetings", "plays meeting.attendee with begins = begins", "plays meeting.attendee", "E590"),
 )
 
 
