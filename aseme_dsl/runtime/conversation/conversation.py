@@ -44,7 +44,10 @@ from aseme_dsl.runtime.transport.port import LOCAL, Transport
 
 
 class Conversations:
-    """All conversations of a team: the lock, around what `exchange` does. May be used from any thread."""
+    """All conversations of a team, as a thin face: each method takes the lock and calls a part of `exchange`.
+
+    May be used from any thread.
+    """
 
     def __init__(
         self,
