@@ -324,6 +324,17 @@ class Negate:
 
 
 @dataclass(frozen=True, slots=True)
+class Conditional:
+    """`condition ? yes : no`. Only the one that is chosen is looked at."""
+
+    condition: Value
+    yes: Value
+    no: Value
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Named:
     """A use of `let NAME = expression`: stands for the expression, shown by its name."""
 
@@ -362,6 +373,7 @@ Value = (
     | Logic
     | Compare
     | Arithmetic
+    | Conditional
     | Negate
     | Named
 )
@@ -567,6 +579,8 @@ def operands(value: Value) -> tuple[Value, ...]:
             return parts
         case Compare(left=left, right=right) | Arithmetic(left=left, right=right):
             return (left, right)
+        case Conditional(condition=condition, yes=yes, no=no):
+            return (condition, yes, no)
         case At(message=message, offset=offset):
             return (message, offset)
         case Mean(message=message, window=window):
@@ -597,6 +611,8 @@ def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
             return replace(value, operand=parts[0])
         case Compare() | Arithmetic():
             return replace(value, left=parts[0], right=parts[1])
+        case Conditional():
+            return replace(value, condition=parts[0], yes=parts[1], no=parts[2])
         case Named():
             return replace(value, expression=parts[0])
         case At(message=message):
@@ -743,6 +759,8 @@ def _binding(value: Value) -> int:
             return _BINDING["=="]  # `!a == b` is not in the language: it could be read in two ways
         case Negate():
             return _UNARY
+        case Conditional():
+            return 0
     return _ATOM
 
 
@@ -842,6 +860,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
             case Arithmetic(operator=operator, left=left, right=right):
                 own = _BINDING[operator]
                 text = f"{show(left, own)} {operator} {show(right, own + 1)}"
+            case Conditional(condition=condition, yes=yes, no=no):
+                text = f"{show(condition, 1)} ? {show(yes, 1)} : {show(no)}"
             case Named(name=name, expression=expression):
                 return show(expression, least) if expand else name
         return f"({text})" if _binding(item) < least else text

@@ -97,6 +97,8 @@ def value_term(value: e.Value) -> Term:
             return (operator, value_term(left), value_term(right))
         case e.Arithmetic():
             return _arithmetic(value)
+        case e.Conditional(condition=condition, yes=yes, no=no):
+            return ("?", value_term(condition), value_term(yes), value_term(no))
         case e.Negate(operand=operand):
             return ("neg", value_term(operand))
 

@@ -231,6 +231,17 @@ class Encoder:
                 yes, no = self._is(True, value), self._is(False, value)
                 there = self.terms.or_(yes.yes, self.terms.and_(self.terms.not_(yes.fault), no.yes))
                 return there, self.terms.or_(yes.fault, self.terms.and_(self.terms.not_(yes.yes), no.fault))
+            case e.Conditional(condition=condition):
+                read = Truth(*self._look(condition))
+                test, raised = self._compute(condition)
+                (yes, one), (no, two) = self._look(value.yes), self._look(value.no)
+                terms = self.terms
+                held, failed = terms.and_(read.yes, test), terms.and_(read.yes, terms.not_(test))
+                there = terms.and_(
+                    terms.not_(raised), terms.or_(terms.and_(held, yes), terms.and_(failed, no))
+                )
+                missing = terms.or_(terms.and_(held, one), terms.and_(failed, two))
+                return there, terms.or_(read.fault, terms.and_(read.yes, raised), missing)
         parts = [Truth(*self._look(operand)) for operand in e.operands(value)]
         if isinstance(value, e.Has):
             return True, False
@@ -273,6 +284,14 @@ class Encoder:
                 return self.terms.compared(operator, left, right), self.terms.or_(one, two)
             case e.Arithmetic():
                 return self._arithmetic(value)
+            case e.Conditional():
+                test, raised = self._compute(value.condition)
+                (yes, one), (no, two) = self._compute(value.yes), self._compute(value.no)
+                if value.type == DOUBLE:
+                    yes, no = self.terms.to_real(yes), self.terms.to_real(no)
+                terms = self.terms
+                fault = terms.or_(raised, terms.and_(test, one), terms.and_(terms.not_(test), two))
+                return terms.chosen(test, yes, no), fault
             case e.Negate(operand=operand):
                 found, fault = self._compute(operand)
                 return -found, fault

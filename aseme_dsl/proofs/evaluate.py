@@ -144,6 +144,10 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
             if yes is not False:
                 return yes
             return _is(False, value, values, vocabulary)
+        case e.Conditional(condition=condition):
+            there = _is_there(condition, values, vocabulary)
+            chosen = _chosen(value, values, vocabulary) if there else None
+            return _is_there(chosen, values, vocabulary) if chosen is not None else there and None
     if isinstance(value, e.Call) and identity(value) in values:
         return True
     unsure = False
@@ -158,6 +162,12 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
             return None if unsure else False
         unsure = unsure or found is None
     return None if unsure else True
+
+
+def _chosen(value: e.Conditional, values: Values, vocabulary: Vocabulary) -> e.Value | None:
+    """What a condition chooses, if it is decided. Raises Fault where that is sure to."""
+    found = _value(value.condition, values, vocabulary)
+    return None if found is _UNKNOWN else value.yes if found else value.no
 
 
 def _is_known_there(key: Key, needs: Iterable[Key], values: Values) -> bool | None:
@@ -204,6 +214,9 @@ def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> object:
             return _UNKNOWN if _UNKNOWN in (left, right) else _COMPARE[word](_number(left), _number(right))
         case e.Arithmetic():
             return _arithmetic(value, values, vocabulary)
+        case e.Conditional():
+            chosen = _chosen(value, values, vocabulary)
+            return _UNKNOWN if chosen is None else _value(chosen, values, vocabulary)
         case e.Negate(operand=operand):
             negated = _value(operand, values, vocabulary)
             return _UNKNOWN if negated is _UNKNOWN else -_number(negated)

@@ -65,6 +65,13 @@ class Terms:
         left, right = self.same_sort(*arguments)
         return self._z3.If(left <= right if name == "min" else left >= right, left, right)
 
+    def chosen(self, test: Any, yes: Any, no: Any) -> Any:
+        """One of two values."""
+        if isinstance(test, bool):
+            return yes if test else no
+        yes, no = self.same_sort(self.boolean(yes), self.boolean(no))
+        return self._z3.If(test, yes, no)
+
     def to_real(self, value: Any) -> Any:
         """A term as a real number."""
         return self._z3.ToReal(value) if self.is_whole_number(value) else value

@@ -113,6 +113,8 @@ def identity(value: e.Value) -> Key:
             return (operator, identity(left), identity(right))
         case e.Arithmetic(operator=operator, left=left, right=right):
             return (operator, identity(left), identity(right))
+        case e.Conditional(condition=condition, yes=yes, no=no):
+            return ("?", identity(condition), identity(yes), identity(no))
         case e.Not(operand=operand):
             return ("!", identity(operand))
         case e.Holds(operand=operand):
@@ -234,6 +236,8 @@ def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 stack.extend(reversed(e.operands(item)))
             case e.Has() | e.Holds() | e.Logic() | e.Not():
                 pass  # may be there whatever is not
+            case e.Conditional(condition=condition):
+                stack.append(condition)
             case _:
                 stack.extend(reversed(e.operands(item)))
 

@@ -333,7 +333,7 @@ srm lamp {
   control lamp {
     enter Shine : touched [panel.state.Touch.x > 2 && even(level)] / level = level % level
     repeat (Dark . Shine) : [name == "lamp" && pace / pause > 1] / level = level % (level - 4)
-    leave Shine : off / pause = pause * share
+    leave Shine : off / pause = pause * share; level = level > 1 ? 1 : 2
   }
 }
 """
@@ -346,6 +346,7 @@ srm lamp {
         "functions that are written in Python",
         "division by what may be zero (by a number that is written there it can)",
         "a duration times what may be no number (times one that is written there it can)",
+        "a choice between two values, `c ? a : b` (two transitions it can)",
         "values that are neither Booleans nor numbers",
     }
     shown = render_text(refused.value.diagnostics)

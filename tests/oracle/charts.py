@@ -299,6 +299,11 @@ class Words:
         pick = self.choices
         if depth <= 0 or pick.one_in(3):
             return self._plain(kind, depth)
+        if pick.one_in(9):
+            other = "int" if kind == "double" and pick.one_in(2) else kind
+            return (
+                f"({self._bool(depth - 1)} ? {self.value(kind, depth - 1)} : {self.value(other, depth - 1)})"
+            )
         match kind:
             case "bool":
                 return self._bool(depth)

@@ -1309,6 +1309,10 @@ class Reference:
                 # "`expired(t)` is false before `start_timer`, true from the due time until it is started
                 # again"
                 return ("const", timer in region.timers and self.now >= region.timers[timer])
+            case ("?", condition, yes, no):
+                # "`c ? a : b` is absent if c is, else what it chooses; the other one is not looked at"
+                test = self.value(condition, region)
+                return ABSENT if test is ABSENT else self.look_up(yes if test else no, region)
             case ("outcome", activity):
                 found = self.outcome_of(activity)
             case ("index",):

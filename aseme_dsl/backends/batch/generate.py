@@ -11,6 +11,7 @@ from typing import TypeGuard
 from aseme_dsl.amola.expression import (
     Arithmetic,
     Call,
+    Conditional,
     Expired,
     Failed,
     Literal,
@@ -143,6 +144,8 @@ def _of_value(value: Value) -> SingleFeature | None:
             return SingleFeature.CHANCE
         case Call(function=function) if not function.target.startswith("builtin:"):
             return SingleFeature.FUNCTIONS
+        case Conditional():
+            return SingleFeature.CONDITIONALS
         case Arithmetic(operator="/" | "%", right=by) if not (_is_written(by) and by.value):
             return SingleFeature.DIVISION
         case Arithmetic(operator="*", left=one, right=other, type=kind) if kind == DURATION:

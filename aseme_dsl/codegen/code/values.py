@@ -17,6 +17,7 @@ from aseme_dsl.amola.expression import (
     Bound,
     Call,
     Compare,
+    Conditional,
     Contains,
     Element,
     EnumConstant,
@@ -52,6 +53,7 @@ from aseme_dsl.codegen.code.tree import (
     All,
     Bind,
     CallOf,
+    Choice,
     Compared,
     Const,
     EnumName,
@@ -336,8 +338,24 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
         case Negate(operand=operand):
             piece = evaluate(operand, names, known)
             return Piece(Group(Minus(piece.code)), piece.needs, piece.known)
+        case Conditional():
+            return _conditional(value, names, known)
         case Not() | Logic() | Has() | Holds():
             return _truth(value, names, known)
+
+
+def _conditional(value: Conditional, names: Names, known: Known) -> Piece:
+    """One of two values: what the other one needs does not matter."""
+    test = _in_parentheses(evaluate(value.condition, names, known), value.condition)
+    local = names.local()
+    yes = evaluate(value.yes, names, test.known)
+    no = evaluate(value.no, names, test.known)
+    codes = [converted(piece, part.type, value.type) for piece, part in ((yes, value.yes), (no, value.no))]
+    is_sure = not test.needs and not any(may_fail(part) for part in walk(value.condition))
+    if is_sure and not yes.needs and not no.needs:
+        return Piece(Group(Choice(test.code, *map(Group, codes))), known=known)
+    chosen = Group(Choice(Group(Bind(local, test.code)), *(Group(all_of(part.needs)) for part in (yes, no))))
+    return Piece(Group(Choice(local, *map(Group, codes))), (*test.needs, chosen), test.known)
 
 
 def _pair(left: Value, right: Value, names: Names, known: Known) -> tuple[Piece, Piece]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from aseme_dsl.amola.expression import (
     Assign,
     Compare,
+    Conditional,
     Evaluate,
     Has,
     Holds,
@@ -98,6 +99,8 @@ def _read(value: Value) -> Channels:
         item = stack.pop()
         if isinstance(item, Member):
             found.add(item.channel)
+        elif isinstance(item, Conditional):
+            stack.append(item.condition)
         elif not isinstance(item, (Has, Holds, Logic)):
             stack += operands(item)
     return frozenset(found)

@@ -47,6 +47,9 @@ def fold(value: Value) -> Constant:
         case amola.Logic(operator=operator, operands=parts):
             truths = [fold(part) for part in parts]
             return all(truths) if operator == "&&" else any(truths)
+        case amola.Conditional(condition=condition, yes=yes, no=no, type=kind):
+            chosen = fold(yes if fold(condition) else no)
+            return float(chosen) if kind == DOUBLE else chosen
         case amola.Compare(operator=operator, left=left, right=right):
             return _compare(operator, fold(left), fold(right))
         case amola.Arithmetic(operator=operator, left=left, right=right, type=kind):

@@ -57,6 +57,15 @@ def _result(operator: str, left: Type, right: Type) -> Type | None:
     return None
 
 
+def common_type(first: Type, second: Type) -> Type | None:
+    """The type of a value that is one of two: an int may be a double. Whole messages and lists are none."""
+    if first.kind in (Kind.MESSAGE, Kind.LIST) or second.kind in (Kind.MESSAGE, Kind.LIST):
+        return None
+    if first == second:
+        return first
+    return DOUBLE if is_number(first) and is_number(second) else None
+
+
 def negate(checker: Checker, written: tree.Unary, operand: Value) -> Value | None:
     """The sign of a number or duration (E500); that of a constant becomes a part of it."""
     kind = operand.type

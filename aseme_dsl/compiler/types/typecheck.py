@@ -22,7 +22,14 @@ from aseme_dsl.compiler.types.calls import (
     function_name,
     timer,
 )
-from aseme_dsl.compiler.types.operators import COMPARISONS, arithmetic, compare, is_condition, negate
+from aseme_dsl.compiler.types.operators import (
+    COMPARISONS,
+    arithmetic,
+    common_type,
+    compare,
+    is_condition,
+    negate,
+)
 from aseme_dsl.compiler.types.outcome_values import NAMED_RESULTS, alone, compare_outcome, is_about_outcome
 from aseme_dsl.compiler.types.round_values import round_value
 from aseme_dsl.compiler.types.state_values import state_value
@@ -257,12 +264,30 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
                 return None
             typed = compare if written.operator in COMPARISONS else arithmetic
             return typed(checker, written, left, right)
+        case tree.Conditional():
+            return _conditional(checker, written, depth)
         case tree.Logic(operator=operator):
             parts = [_value(checker, part, depth + 1) for part in written.operands]
             fits = [is_condition(checker, part, operator) and _is_drawn_once(checker, part) for part in parts]
             if not all(fits):
                 return None
             return amola.Logic(operator, tuple(part for part in parts if part is not None), written.span)
+
+
+def _conditional(checker: Checker, written: tree.Conditional, depth: int) -> Value | None:
+    condition = _value(checker, written.condition, depth + 1)
+    yes, no = (_value(checker, part, depth + 1) for part in (written.yes, written.no))
+    fits = (
+        is_condition(checker, condition, "?") and condition is not None and _is_drawn_once(checker, condition)
+    )
+    if condition is None or yes is None or no is None or not fits:
+        return None
+    kind = common_type(yes.type, no.type)
+    if kind is None:
+        problem = values.DifferentBranches(str(yes.type), str(no.type))
+        checker.report(problem, written.no.span, (Related(written.yes.span, str(yes.type)),))
+        return None
+    return amola.Conditional(condition, yes, no, kind, written.span)
 
 
 def _is_drawn_once(checker: Checker, value: Value | None) -> bool:

@@ -469,6 +469,7 @@ class SingleFeature(Enum):
     """What one statechart can do and a batch cannot; the value is what it is called."""
 
     CHANCE = "random numbers (draw the values of variables for all at once)"
+    CONDITIONALS = "a choice between two values, `c ? a : b` (two transitions it can)"
     DIVISION = "division by what may be zero (by a number that is written there it can)"
     FUNCTIONS = "functions that are written in Python"
     MESSAGES = "messages (what it sees are variables)"

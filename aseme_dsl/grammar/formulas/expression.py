@@ -103,6 +103,8 @@ def spelled(written: tree.Expression) -> str:
             return f"{spelled(left)} {operator} {spelled(right)}"
         case tree.Logic(operator=operator, operands=operands):
             return f" {operator} ".join(map(spelled, operands))
+        case tree.Conditional(condition=condition, yes=yes, no=no):
+            return f"{spelled(condition)} ? {spelled(yes)} : {spelled(no)}"
         case tree.Parenthesised(inner=inner):
             return f"({spelled(inner)})"
         case tree.List(elements=elements):
@@ -147,8 +149,22 @@ def operation(reader: Reader, loosest: int = 1) -> tree.Expression:
     if reader.depth > DEEPEST + 1:
         raise reader.too_deep(reader.tokens[min(reader.index, len(reader.tokens) - 1)])
     made = _operators(reader, loosest)
+    if loosest == 1 and reader.next == "?":
+        made = _conditional(reader, made)
     reader.depth -= 1
     return made
+
+
+def _conditional(reader: Reader, condition: tree.Expression) -> tree.Expression:
+    """`? yes : no` behind a condition; `no` may be another one."""
+    mark = reader.take()
+    yes = operation(reader)
+    if reader.next != ":":
+        raise reader.unexpected(":", related=(Related(reader.span(mark), "this '?'"),))
+    reader.take()
+    no = operation(reader)
+    made = tree.Conditional(condition, yes, no, condition.span.to(no.span))
+    return reader.grown(made, condition, yes, no)
 
 
 def _operators(reader: Reader, loosest: int) -> tree.Expression:

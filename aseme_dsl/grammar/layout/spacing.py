@@ -16,7 +16,7 @@ _POSTFIX = {parts(sign)[0]: len(parts(sign)) for sign in POSTFIX}
 
 _SLASH, _CONDITION, _EVENT, _COMMA = 0, 1, 2, 0
 _INFIX = (
-    {"||": 3, "or": 3, "&&": 4, "and": 4}
+    {"?": 3, ":": 3, "||": 3, "or": 3, "&&": 4, "and": 4}
     | dict.fromkeys(("<", "<=", ">", ">=", "==", "!="), 5)
     | dict.fromkeys(("+", "-"), 6)
     | dict.fromkeys(("*", "/", "%"), 7)

@@ -113,6 +113,16 @@ class Logic:
 
 
 @dataclass(frozen=True, slots=True)
+class Conditional:
+    """`condition ? yes : no`"""
+
+    condition: Expression
+    yes: Expression
+    no: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Parenthesised:
     inner: Expression
     span: Span
@@ -154,6 +164,7 @@ Expression = (
     | Binary
     | Logic
     | Parenthesised
+    | Conditional
     | List
     | Element
     | Hole

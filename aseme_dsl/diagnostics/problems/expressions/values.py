@@ -48,6 +48,22 @@ class NoTypeOfVariable(Problem):
     hint = "a variable is a bool, int, double, string, duration, agent or an enum"
 
 
+class DifferentBranches(Problem):
+    """`c ? a : b` with values of these types."""
+
+    code = "E500"
+    first: str
+    second: str
+
+    @property
+    def message(self) -> str:
+        if self.first == self.second:
+            return f"`?` gives a number, a text or an enum constant, and this is a whole {self.first}"
+        return f"`?` gives values of one type: this is {self.second}, and before the ':' stands {self.first}"
+
+    hint = "write two values of the same type, or two numbers"
+
+
 class OperandTypes(Problem):
     """`types` are those of the operands."""
 
