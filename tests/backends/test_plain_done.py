@@ -247,3 +247,12 @@ srm R {
     assert chart.names() == ("Work",)
     assert chart.done("Work")
     assert chart.names() == ("Idle",)
+
+
+@pytest.mark.parametrize("options", [BARE, WATCHED], ids=["bare", "watched"])
+def test_what_waits_in_vain_for_a_state_is_never_entered(options: PlainOptions) -> None:
+    chart = started(
+        "system S srm R { liveness { R = Idle . Work } activities { Idle waits  Work takes 1s } }", options
+    )
+    assert not chart.done("Idle")
+    assert chart.names() == ("Idle",)

@@ -16,6 +16,7 @@ from aseme_dsl.amola.expression import (
     Arithmetic,
     Assign,
     Call,
+    Conditional,
     Literal,
     Member,
     TransitionExpression,
@@ -37,7 +38,7 @@ from tests.oracle.playing import like
 from tests.support.batches import Together, made, without_compiling
 from tests.support.generated import system_of
 
-EXAMPLES = how_many(60)
+EXAMPLES = how_many(100)
 GROUPS = 4
 SIZE = 12
 STEPS = 12
@@ -80,7 +81,7 @@ def _speaks(expression: TransitionExpression) -> bool:
 
 def _number(value: Value) -> Value:
     match value:
-        case Member() | Call():
+        case Member() | Call() | Conditional():
             return _constant(value)
         case Arithmetic(operator="/" | "%", right=by):
             return replace(value, right=Literal(by.span.start % 5 - 2 or 3, by.type, by.span))

@@ -214,7 +214,7 @@ class Game:
 
     def follow(self, outcome: Outcome) -> None:
         for effect in outcome.effects:
-            if isinstance(effect, Start):
+            if isinstance(effect, Start) and effect.label not in _waiting(self.plan):
                 self.running[effect.label] = effect.token
             elif isinstance(effect, Cancel):
                 self.running.pop(effect.label, None)
@@ -231,14 +231,21 @@ def _seen(outcome: Outcome, plan: Any) -> Any:
     for taken in outcome.taken:
         regions.setdefault(_region(plan, plan.transitions[taken[0]].source), []).append(taken)
     effects: dict[str, list[Any]] = {}
+    waiting = _waiting(plan)
     for effect in outcome.effects:
-        if isinstance(effect, Start | Cancel):
+        if isinstance(effect, Start | Cancel) and effect.label not in waiting:
             effects.setdefault(_region(plan, effect.label), []).append((type(effect).__name__, effect.label))
     # how many steps follow that take nothing is not asked
     faults = sorted({effect.transition for effect in outcome.effects if isinstance(effect, Fault)})
     if outcome.failure is not None:
         return "failed"
     return regions, effects, faults, outcome.finished
+
+
+def _waiting(plan: Any) -> set[str]:
+    """The states that never complete by themselves: a plain class has nothing to start there."""
+    named = {item.name for item in plan.activities if item.waits}
+    return {state.label for state in plan.states if state.activity in named}
 
 
 def _region(plan: Any, label: str) -> str:

@@ -158,7 +158,7 @@ def _may_complete(chart: Statechart, label: str, reached: set[str]) -> bool:
     if node.type is StateType.AND:
         ends = [chart.end_of(region.label) for region in chart.children(label)]
         return all(end is not None and end.label in reached for end in ends)
-    return not node.waits
+    return True  # what waits for a state that never completes is numbered, too
 
 
 def _targets(chart: Statechart, transition: Transition) -> list[str]:

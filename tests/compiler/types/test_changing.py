@@ -5,7 +5,6 @@ from dataclasses import replace
 import pytest
 
 from aseme_dsl.amola.expression import Action, Assign, action_text
-from tests.runtime.playing import play
 from tests.support.compiling import analysis, codes, system
 
 TEXT = """
@@ -31,15 +30,6 @@ srm r {{
 def texts(actions: str) -> list[str]:
     (chart,) = system(TEXT.format(actions=actions)).iacs
     return [action_text(item) for way in chart.transitions for item in way.expression.actions]
-
-
-def values(actions: str) -> dict[str, object]:
-    text = TEXT.format(actions=actions).replace(" && t.state.M.n > -1", "")
-    return {str(item["variable"]): item["value"] for item in play(text).of("variable")}
-
-
-def test_it_is_shown_as_it_is_written() -> None:
-    assert texts("n += 1; n -= a - 2; d *= 2; p*=2") == ["n += 1", "n -= a - 2", "d *= 2", "p *= 2"]
 
 
 @pytest.mark.parametrize(
