@@ -240,11 +240,12 @@ class Hand:
             if role.partition(".")[0] == protocol and role != self.role
             for part in parts.values()
             for item in part
-            if item.act and item.act not in mine and item.act not in OPENERS
+            if item.act and item.act not in mine
         ]
         return [
             self._said(replace(item, to=to), "", "", conversation)
             for item in others
             for to in self.partners
             for conversation in ("", "of-nobody")
+            if item.act not in OPENERS or not conversation
         ]
