@@ -170,6 +170,7 @@ class Hand:
 
     def __post_init__(self) -> None:
         self._numbers = itertools.count(1)
+        self._has_said_all = False
         self._seen: dict[str, int] = {}
         self._conversation = f"by-hand-{self.role}"
         protocol = self.role.partition(".")[0]
@@ -211,7 +212,7 @@ class Hand:
         does = ROLES[self.role].get(when, [])
         if self.way == "early":
             does = [item for part in ROLES[self.role].values() for item in part] if does else []
-            does = does if sum(self._seen.values()) <= 1 else []
+            does, self._has_said_all = [] if self._has_said_all else does, bool(does) or self._has_said_all
         elif self.way == "twice":
             does = [item for item in does for _ in range(2)]
         said = [self._said(item, sender, reply_with) for item in does if item.act]
