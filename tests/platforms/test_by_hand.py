@@ -128,7 +128,7 @@ def completes(
     assert team.of("unexpected") == []
     assert [r for r in team.of("fault") if "code" not in r] == []
     # An agent by hand that has the last word has no message that says so.
-    assert endings(team) <= {"DONE", "CANCELLED", "UNCONFIRMED"}
+    assert endings(team) <= {"DONE", "CANCELLED", "RETURNED", "UNCONFIRMED"}
     heard = [act for act in found["heard"] if act not in ("agree", "inform")]
     awaited = [act for act, _ in ROLES[role] if act not in ("", "agree", "inform")]
     assert heard == awaited or set(awaited) <= set(heard)
@@ -205,7 +205,7 @@ def test_a_hostile_agent_in_spade(role: str, way: str, spade_server: Server) -> 
     assert ends and ends <= set(ENDINGS[1:])
     if way == "lying":
         counted = {"NOBODY"} if role.endswith((".contractor", ".bidder")) else set()
-        assert ends <= {"DONE", "CANCELLED", "UNCONFIRMED"} | counted
+        assert ends <= {"DONE", "CANCELLED", "RETURNED", "UNCONFIRMED"} | counted
         assert team.of("unexpected") != []
 
 
