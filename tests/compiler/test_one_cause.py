@@ -421,7 +421,8 @@ def test_a_verb_without_its_colon(line: str, after: str) -> None:
 @pytest.mark.parametrize("name", "enter skip repeat leave start finish on exit resume".split())
 def test_a_variable_may_be_called_like_a_verb(name: str) -> None:
     line = "enter work : [NAME < 2 && (1 == NAME) || !(2 > NAME)] / NAME = NAME + 1; NAME = 2"
-    assert found(CONTROL.replace("LINE", line).replace("NAME", name)) == []
+    codes = {item.code for item in found(CONTROL.replace("LINE", line).replace("NAME", name))}
+    assert codes <= {"W438"}  # where the variable is 0, nothing leads on
 
 
 TEAM = """system S
