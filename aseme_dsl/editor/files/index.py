@@ -400,6 +400,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
 UNNAMED: frozenset[tuple[type, str]] = frozenset(
     {
         (tree.Way, "verb"),  # a word of the language
+        (tree.Assign, "operator"),
         (tree.Roles, "type"),
         (tree.Activity, "kind"),
         (tree.StandingWay, "verb"),
