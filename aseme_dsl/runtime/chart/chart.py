@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
 from dataclasses import replace
 from random import Random
+from typing import Any
 
 from aseme_dsl.runtime.chart.board import NEVER, Board, built
 from aseme_dsl.runtime.chart.functions import checked, find_function, results_of
@@ -219,7 +220,7 @@ class Chart(ChartState):
             self.effects.append(Fault(transition, text))
         return False
 
-    def call(self, name: str, *arguments: object) -> object:
+    def call(self, name: str, *arguments: object) -> Any:
         """Call a function of the document and note its result.
 
         Raises:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from enum import IntEnum
 from functools import cache
+from operator import attrgetter
 from types import NoneType
 from typing import get_args, get_origin
 
@@ -25,16 +26,28 @@ def check(message: object) -> None:
         ValueError: An enum field has a number without a constant.
     """
     kind: type = type(message)
-    for name, exact, read in _fields(kind):
-        value = getattr(message, name)
+    values_of, types, fields = _rules(kind)
+    values = values_of(message)
+    if (*map(type, values),) == types:
+        return  # the usual case, in one comparison
+    for (name, exact, read), value in zip(fields, values, strict=True):
         if type(value) is not exact:
             object.__setattr__(message, name, read(value, f"{kind.__name__}.{name}"))
 
 
+_Field = tuple[str, type | None, _Reader]
+"""A field's name, the type whose values stay as they are (None: none), and how others are read."""
+
+
 @cache
-def _fields(kind: type) -> tuple[tuple[str, type | None, _Reader], ...]:
-    """Each field's name, the type whose values stay as they are (None: none), and how others are read."""
-    return tuple((name, *_rule(hint)) for name, hint in member_types(kind).items())
+def _rules(
+    kind: type,
+) -> tuple[Callable[[object], tuple[object, ...]], tuple[type | None, ...], tuple[_Field, ...]]:
+    """What gives the values of a message's fields, their types, and the fields."""
+    fields = tuple((name, *_rule(hint)) for name, hint in member_types(kind).items())
+    names = [name for name, _, _ in fields]
+    values_of = attrgetter(*names) if len(names) > 1 else lambda message: (getattr(message, names[0]),)
+    return values_of, tuple(exact for _, exact, _ in fields), fields
 
 
 def _rule(hint: object) -> tuple[type | None, _Reader]:

@@ -10,7 +10,8 @@ import logging
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from random import Random
-from typing import Any, ClassVar, TypeAlias
+from typing import Any, ClassVar
+from typing import TypeAlias as _TypeAlias
 
 ROUNDS = 1000
 """A step that has not settled after so many rounds never will."""
@@ -68,7 +69,7 @@ def leaves_of(labels: str) -> tuple[str, ...]:
     return tuple(labels.split())
 
 
-Write: TypeAlias = "tuple[int, str, object, Write | None]"
+_Write: _TypeAlias = "tuple[int, str, object, _Write | None]"
 """A write to a blackboard: its place among others, the slot, the value, and the write before it."""
 
 
@@ -86,7 +87,7 @@ class Plain:
     __slots__ = ()
 
     # Subclasses have those of these slots that they need: hence `setattr`, for mypy.
-    writes: Write | None
+    writes: _Write | None
     """What a region has written last that others see in the next step, and what was written before."""
     faulty: tuple[int, ...]
     """The transitions of which something could not be done in this step."""
@@ -272,7 +273,7 @@ class Plain:
     def spread(self, board: object) -> None:
         """Let all regions see what some have written: of several writes, the last in document order."""
         write = self.writes
-        found: list[Write] = []
+        found: list[_Write] = []
         while write is not None:
             found.append(write)
             write = write[3]
