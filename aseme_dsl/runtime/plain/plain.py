@@ -11,7 +11,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from random import Random
 from typing import Any, ClassVar
-from typing import TypeAlias as _TypeAlias
 
 ROUNDS = 1000
 """A step that has not settled after so many rounds never will."""
@@ -69,10 +68,6 @@ def leaves_of(labels: str) -> tuple[str, ...]:
     return tuple(labels.split())
 
 
-_Write: _TypeAlias = "tuple[int, str, object, _Write | None]"
-"""A write to a blackboard: its place among others, the slot, the value, and the write before it."""
-
-
 class Plain:
     """A running statechart. Subclasses are generated; `semantics.md` says what a step does.
 
@@ -87,7 +82,7 @@ class Plain:
     __slots__ = ()
 
     # Subclasses have those of these slots that they need: hence `setattr`, for mypy.
-    writes: _Write | None
+    writes: tuple[int, str, Any, Any] | None  # mypyc cannot compile a recursive type
     """What a region has written last that others see in the next step, and what was written before."""
     faulty: tuple[int, ...]
     """The transitions of which something could not be done in this step."""
@@ -273,7 +268,7 @@ class Plain:
     def spread(self, board: object) -> None:
         """Let all regions see what some have written: of several writes, the last in document order."""
         write = self.writes
-        found: list[_Write] = []
+        found = []
         while write is not None:
             found.append(write)
             write = write[3]
