@@ -15,22 +15,22 @@ from tests.support.generated import Generated, generate
 
 ROLES = """
 srm abandoning_{part} {{
-  plays {name}.{part}
+{entries}
   var stop : bool = false
-  liveness {{ abandoning_{part} = work || Clock  work = {part} [> Halt }}
+  liveness {{ abandoning_{part} = work || Clock  work = {term} [> Halt  {formulas} }}
   activities {{ Clock writes stop }}
   control work {{ enter Halt : when [stop] }}
 }}
 srm leaving_{part} {{
-  plays {name}.{part}
+{entries}
   var stop : bool = false
-  liveness {{ leaving_{part} = work || Clock  work = {part} . Halt }}
+  liveness {{ leaving_{part} = work || Clock  work = {term} . Halt  {formulas} }}
   activities {{ Clock writes stop }}
   control work {{ enter Halt : when [stop] }}
 }}
 srm erring_{part} {{
-  plays {name}.{part}
-  liveness {{ erring_{part} = {part} . Halt }}
+{entries}
+  liveness {{ erring_{part} = {term} . Halt  {formulas} }}
   control erring_{part} {{ enter Halt : error }}
 }}
 """
@@ -50,7 +50,10 @@ def with_roles(name: str, text: str) -> Generated:
 
 
 def of(item: Protocol) -> Generated:
-    roles = (ROLES.format(name=item.name, part=part) for part in dict.fromkeys(item.parts.values()))
+    roles = []
+    for part in dict.fromkeys(item.parts.values()):
+        said = item.said_of(part)
+        roles.append(ROLES.format(part=part, entries=said.entries, term=said.term, formulas=said.formulas))
     return with_roles(item.name, item.text() + "".join(roles))
 
 

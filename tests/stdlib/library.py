@@ -83,6 +83,15 @@ def kind_of(generated: Generated, name: str, what: Act) -> type[Any]:
 
 
 @dataclass(frozen=True)
+class Entries:
+    """What a role that plays a part says: entries, what stands for the part in its formula, more formulas."""
+
+    entries: str
+    term: str
+    formulas: str = ""
+
+
+@dataclass(frozen=True)
 class Protocol:
     """A protocol with those who play it, by agent, and what their activities do if all goes well."""
 
@@ -90,8 +99,8 @@ class Protocol:
     parts: Mapping[str, str]
     acts: Mapping[str, Act]
     library: str = "protocols"
-    roles: Mapping[str, str] = field(default_factory=dict)
-    """The entries of a role that has more than two lines, by part."""
+    roles: Mapping[str, Entries] = field(default_factory=dict)
+    """What a role says that does not only play its part, by part."""
 
     def __str__(self) -> str:
         return self.name
@@ -101,12 +110,17 @@ class Protocol:
         """The first activity of who begins."""
         return next(iter(self.acts))
 
+    def said_of(self, part: str) -> Entries:
+        """What a role that plays a part says, besides its own formula."""
+        return self.roles.get(part, Entries(f"  plays {self.name}.{part}", part))
+
     def text(self) -> str:
         roles = dict.fromkeys(self.parts.values())
         lines = [f"system {self.name.title().replace('_', '')}", f"import {self.library}"]
         for part in roles:
-            entries = f"  plays {self.name}.{part}\n  liveness {{ {part}_role = {part} }}"
-            lines += [f"srm {part}_role {{\n{self.roles.get(part, entries)}\n}}"]
+            said = self.said_of(part)
+            liveness = f"  liveness {{ {part}_role = {said.term}  {said.formulas} }}"
+            lines += [f"srm {part}_role {{\n{said.entries}\n{liveness}\n}}"]
         team = " ".join(f"{agent} : {part}_role" for agent, part in self.parts.items())
         return "\n".join([*lines, f"team T {{ {team} }}", ""])
 
@@ -315,13 +329,14 @@ PROTOCOLS = (
         },
         "resources",
         {
-            "holder": """  plays resource.holder with whom = "", what = "the lift", urgency = 0, lease = 10s,
+            "holder": Entries(
+                """  plays resource.holder with whom = "", what = "the lift", urgency = 0, lease = 10s,
                              patience = 1min, renewing = renewed
   var renewed : bool = false
-  liveness { holder_role = holder }
   activities { ExpressNeed writes renewed }""",
-            "keeper": """  includes resource_keeper
-  liveness { keeper_role = service  places = keeper }""",
+                "holder",
+            ),
+            "keeper": Entries("  includes resource_keeper", "service", "places = keeper"),
         },
     ),
 )

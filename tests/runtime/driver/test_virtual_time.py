@@ -414,7 +414,9 @@ def test_in_real_time_a_cycle_is_told_and_the_run_ends(text: str) -> None:
     run = play(text, clock="real", until=SECOND)
     assert run.result.reason == "time"
     told = [fault.reason for fault in run.result.faults]
-    assert any("has not come to rest for 1000 steps" in reason and "A (test.aseme:" in reason for reason in told)
+    assert any(
+        "has not come to rest for 1000 steps" in reason and "A (test.aseme:" in reason for reason in told
+    )
     assert run.result.left == ()
 
 
