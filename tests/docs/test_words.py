@@ -58,8 +58,8 @@ LOOSE = frozenset(
 )
 """What docstrings and comments may say: no term of the glossary takes their place."""
 STRICT = (
-    *("runtime/activity/", "runtime/agent/", "runtime/channel/", "runtime/conversation/", "runtime/driver/"),
-    *("runtime/team/", "runtime/world/", "runtime/ports.py"),
+    *("runtime/activity/", "runtime/agent/", "runtime/channel/", "runtime/chart/", "runtime/conversation/"),
+    *("runtime/driver/", "runtime/team/", "runtime/world/", "runtime/ports.py"),
 )
 """Where docstrings and comments have none of these words, and no long sentence: the beginnings of paths."""
 QUOTED = {

@@ -65,7 +65,7 @@ class Chart(ChartState):
     # ---- the step --------------------------------------------------------------------------
 
     def step(self, now: int, inputs: Iterable[Input]) -> Outcome:
-        """Take the inputs together, go on until nothing is enabled, and say what happened.
+        """Take the inputs together, continue until nothing is enabled, and return what happened.
 
         `now` is in ns and never goes back. A finished or failed chart does nothing.
         """
@@ -167,7 +167,7 @@ class Chart(ChartState):
             self.held.update(branch for branch in self.mail if is_in(branch, label))
 
     def proceed(self, branch: str) -> bool:
-        """A branch that was suspended goes on, and the time that stood still in it; whether it was."""
+        """Resume a branch that was suspended, and the time that stood still in it; False if it was not."""
         if branch not in self.suspended:
             return False
         passed = self._resume(branch)
@@ -181,7 +181,7 @@ class Chart(ChartState):
         return True
 
     def proceed_inside(self, branch: str) -> None:
-        """A branch inside one that goes on was suspended with it: its time stood still with that."""
+        """Resume a branch inside a resumed one: its time stood still together with that."""
         if branch in self.suspended:
             self._resume(branch)
 
@@ -195,7 +195,7 @@ class Chart(ChartState):
         return passed
 
     def discard(self, label: str, but: str = "") -> None:
-        """What was suspended in a state goes on no more, but for what is held or in the state `but`."""
+        """Discard the branches suspended in a state, except those held or in the state `but`."""
         for branch in [item for item in self.suspended if is_in(item, label) and item not in self.held]:
             if not but or not is_in(branch, but):
                 del self.suspended[branch]

@@ -119,7 +119,7 @@ class Following:
     """Of states that may be resumed, and were left before they were complete: what was active in them."""
 
     suspended: set[str] = field(default_factory=set)
-    """The branches of participants that were left and may go on."""
+    """The branches of participants that were left and may be resumed."""
 
     def begin(self) -> Change:
         """The root is entered."""

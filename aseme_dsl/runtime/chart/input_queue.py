@@ -3,11 +3,11 @@
 All that waits is taken together, into one snapshot. So of several states of one sender on one channel only
 the newest can be seen, and of signals that do not queue as well. As long as little waits, everything is taken
 all the same, and is in the trace. When more waits than `CROWD`, a newer message takes the place of the one of
-the same sender and channel that waits: however fast messages come, so many wait at the most, and one of each
-sender and channel, and an event or the value of a variable that of the one that the same activity has raised
-or written: all are taken together. Of data this leaves out samples. Of signals that queue, so many wait
-besides as the run permits; what comes then is left out, and told. Agent messages are bounded where they are
-delivered, and what activities say of themselves by their number.
+the same sender and channel that waits. An event or the value of a variable takes the place of the one that
+the same activity has raised or written. So however fast messages come, the queue holds at most `CROWD` of
+them, plus one of each sender and channel. All are taken together. Of data this leaves out samples. Of signals
+that queue, so many wait besides as the run permits; what comes then is left out, and reported. Agent messages
+are bounded where they are delivered, and what activities say of themselves by their number.
 """
 
 from __future__ import annotations
@@ -77,14 +77,14 @@ class Intake:
         self._signals = 0
         """How many signals that queue have come since much waits."""
         self.refused: dict[str, int] = {}
-        """How many of those were left out, by channel, since somebody emptied it."""
+        """How many of those were left out, by channel, since it was last emptied."""
         self.queued = queued
         self._bounded = bounded
         self._lock = threading.Lock()
         self.left_out = 0
-        """How many messages newer ones have replaced, since somebody set it to 0."""
+        """How many messages newer ones have replaced, since it was last set to 0."""
         self.most = 0
-        """The most that were taken together, since somebody set it to 0."""
+        """The most that were taken together, since it was last set to 0."""
 
     def append(self, item: Posted | Errand) -> None:
         """Have something wait."""

@@ -12,7 +12,7 @@ _EffectT = TypeVar("_EffectT")
 
 @dataclass_transform(frozen_default=True)
 def _made_often(kind: type[_T]) -> type[_T]:
-    """A dataclass that nobody changes: type checkers see to it, for a frozen one takes four times as long."""
+    """An immutable dataclass: type checkers enforce it, since a frozen one takes four times as long."""
     return dataclass(slots=True, unsafe_hash=True)(kind)
 
 
@@ -89,7 +89,7 @@ class Written:
 class AgentMessage:
     """An agent message for the protocol branch at `branch`, to wait there until something takes it.
 
-    That an agent's part is over is told as one whose performative is `LOST`, without a message, from that
+    When an agent's part is over, one with the performative `LOST` and without a message comes from that
     agent; its content is a `Reason`.
     """
 
@@ -107,7 +107,7 @@ class AgentMessage:
     in_reply_to: str = ""
     """What the message that it answers is called, if its sender says so."""
     sent: int | None = None
-    """When it was sent, in ns of the run, never later than it has come; None for one of an external agent, or
+    """When it was sent, in ns of the run, never later than it has come. None for one of an external agent, or
     while the clock of another machine is not known."""
 
 
@@ -226,7 +226,7 @@ class Suspended:
 
 @_made_often
 class Resumed:
-    """The protocol branch at `branch`, which was suspended, goes on."""
+    """The protocol branch at `branch`, which was suspended, is resumed."""
 
     branch: str
 

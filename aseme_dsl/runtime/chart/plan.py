@@ -4,6 +4,7 @@ Nothing in the product interprets a plan; the class in `step.py` beside it is wh
 
 Conditions and values are nested tuples whose first item says what they are:
 
+    ```text
     ("const", value)  ("enum", "PlayerState", "PLAYING", 3)  ("variable", name)
     ("member", sender or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
     ("taken", path)  ("sender",)  ("reason",)       (of the agent message that the transition takes)
@@ -15,14 +16,34 @@ Conditions and values are nested tuples whose first item says what they are:
     ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)  ("holds", value)
     ("==" | "!=" | "<" | "<=" | ">" | ">=", value, value)
     ("+" | "-" | "*" | "/" | "//" | "%", value, value)
+    ```
 
-Events are ("after", ns), ("received", performative, message, participant), ("lost", participant),
-("raised", name), ("error",); actions ("assign", name, value), ("fill", member, value), ("publish", channel),
-("read_messages",), ("start_timer", name, value), ("evaluate", value), ("send", performative, message,
-participant) and, where more is said, three more items: what is filled as ((path, value), …) or None, the
-value that is the one receiver or None, and the values that it does not go to; and three more again: (message
-value, the members that are taken of it) or None, the duration within which an answer is wanted or None, and
-whether it goes to one agent of the participant.
+Events are:
+
+    ```text
+    ("after", ns)  ("received", performative, message, participant)  ("lost", participant)
+    ("raised", name)  ("error",)
+    ```
+
+Actions are:
+
+    ```text
+    ("assign", name, value)  ("fill", member, value)  ("publish", channel)  ("read_messages",)
+    ("start_timer", name, value)  ("evaluate", value)  ("send", performative, message, participant)
+    ```
+
+Where more is said, `send` has three more items:
+
+- what is filled, as ((path, value), …) or None;
+- the value that is the one receiver, or None;
+- the values that it does not go to.
+
+And three more again:
+
+- (message value, the members that are taken of it) or None;
+- the duration within which an answer is wanted, or None;
+- whether it goes to one agent of the participant.
+
 Durations are in ns; ("duration", value) cuts a computed one to whole ns.
 """
 
@@ -72,7 +93,7 @@ class Transition:
     kind: str = "external"
     """`on` and `exit` do not change the state: they are done while it is active, or when it is exited."""
     resume: bool = False
-    """Whether the target goes on where it was last left before it was complete."""
+    """Whether the target is resumed where it was last left before it was complete."""
     text: str = ""
     at: str = ""
 
@@ -201,7 +222,7 @@ class Plan:
     settings: tuple[tuple[str, str, object], ...] = ()
     """What variables hold at first in some agents, as (agent, variable, value)."""
     numbers: tuple[tuple[str, int], ...] = ()
-    """The numbers of agents that are not 1, as far as somebody asks for them."""
+    """The numbers of agents that are not 1, as far as a program asks for them."""
 
     @cached_property
     def by_label(self) -> dict[str, State]:

@@ -18,9 +18,9 @@ Key = tuple[str, str]
 class Round:
     """One send to a participant.
 
-    An agent has answered if a message of it was `taken`. It also counts if it is `settled` (it is lost, or
-    what it has sent was refused or unexpected) and no message of it waits: else the last bid would be left
-    behind.
+    An agent has answered if a message of it was `taken`. It also counts if it is `settled` and no message
+    of it waits: else the last bid would be left behind. An agent is settled if it is lost, or what it
+    has sent was refused or unexpected.
     """
 
     agents: tuple[str, ...] = ()
@@ -47,7 +47,7 @@ class Rounds:
         self._rounds: dict[Key, Round] = {}
 
     def sent(self, branch: str, participant: str) -> None:
-        """A transition sends to a participant: nobody has been addressed yet, nobody has answered."""
+        """A transition sends to a participant: no agent has been addressed yet, none has answered."""
         before = self._rounds.get((branch, participant))
         earlier = () if before is None else (*before.earlier, before.name)[-REMEMBERED:]
         self._rounds[branch, participant] = Round(earlier=tuple(filter(None, earlier)))

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class ChartState:
     """Where a running statechart is, what waits in it, and what its present step has done so far.
 
-    A region is an integer slot with the number of its active leaf; a BASIC state has two numbers, one while
+    A region is an integer slot with the number of its active leaf. A BASIC state has two numbers, one while
     its activity runs and the next one when it is complete.
     """
 
@@ -73,12 +73,12 @@ class ChartState:
     COUNTS: ClassVar[Mapping[str, str]] = {}
     """The slots that hold how often a state was entered, for those states that a condition counts."""
     WAKES: ClassVar[Mapping[str, tuple[tuple[str, str, tuple[tuple[int, int], ...]], ...]]] = {}
-    """Of each variable that wakes another region than the one that writes it: the copy that is read there,
-    the slot of that region's leaf, and the first and last numbers of the leaves at which a condition reads
-    it."""
+    """Of each variable that wakes another region than the one that writes it: the copy that is read there.
+    The slot of that region's leaf follows, and the first and last numbers of the leaves at which a condition
+    reads it."""
     MISSED: ClassVar[Mapping[str, tuple[tuple[int, str, tuple[tuple[int, int], ...]], ...]]] = {}
-    """Of each signal that a condition may miss: the number of a region, the slot of its leaf, and the first
-    and last numbers of the leaves at which such a condition reads it."""
+    """Of each signal that a condition may miss: the number of a region and the slot of its leaf.
+    The first and last numbers of the leaves at which such a condition reads it follow."""
     WITHIN: ClassVar[Mapping[str, int]] = {}
     """The deadlines of BASIC states: how long their activities have from the entry, in ns."""
     KEPT: ClassVar[Mapping[str, str]] = {}
@@ -115,12 +115,12 @@ class ChartState:
         self.held: set[str] = set()
         """The branches that are suspended where they are left now, while a state is being left."""
         self.suspended: dict[str, tuple[int, dict[str, int]]] = {}
-        """The branches that may go on: when each was left, and its timers then."""
+        """The branches that may be resumed: when each was left, and its timers then."""
         self.writes: list[tuple[int, str, object]] = []
         self.drains = False
         """Whether a step has dropped a signal behind which another one waits; reset like `woken`."""
         self.woken = False
-        """Whether a step has written what another region reads; whoever makes the next one resets it."""
+        """Whether a step has written what another region reads; the caller of the next step resets it."""
         self.pending: Callable[[], Iterable[Sample]] = tuple
         self.queue = QUEUE
         """How many signals of a queued channel may wait in a region."""

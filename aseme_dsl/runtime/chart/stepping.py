@@ -67,7 +67,7 @@ def _mailed(chart: ChartState, item: AgentMessage) -> None:
 
 
 def put(chart: ChartState, region: int, board: Board, item: Sample) -> None:
-    """Put a message on a region's board, unless too many wait there that nobody takes."""
+    """Put a message on a region's board, unless too many wait there that no transition takes."""
     if item.channel in board.QUEUED and board.waits(item.channel) >= chart.queue:
         chart.effects.append(LeftOut(chart.REGIONS[region], item.channel))
     else:
