@@ -5,7 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types as lsp
 
@@ -162,7 +162,7 @@ def _act(server: Server) -> None:
         return params
 
     @server.command(CARRY_OUT)
-    async def carry(data: object) -> None:
+    async def carry(data: Any) -> None:
         edit = _carried_out(server, data)
         if edit is not None:
             server.workspace_apply_edit(lsp.ApplyWorkspaceEditParams(edit))

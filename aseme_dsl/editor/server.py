@@ -6,6 +6,7 @@ import asyncio
 import contextlib
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException, JsonRpcInvalidParams
@@ -582,7 +583,7 @@ def _drawings(server: Server, publishing: Publishing) -> None:
         return None if found is None else (view, found)
 
     @server.feature(DIAGRAM)
-    async def diagram(params: object) -> dict[str, object] | None:
+    async def diagram(params: Any) -> dict[str, object] | None:
         """The picture for a place, or null: docs/howto/editors/language-server.md has the messages."""
         try:
             found = await drawn(*_asked_place(params))
@@ -607,7 +608,7 @@ def _drawings(server: Server, publishing: Publishing) -> None:
         }
 
     @server.feature(CURSOR)
-    def cursor(params: object) -> None:
+    def cursor(params: Any) -> None:
         """The cursor is somewhere else."""
         server.moved(*_asked_place(params))
 

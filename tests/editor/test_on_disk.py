@@ -39,6 +39,7 @@ message Mark { int32 size = 1; }
 SCAN = """\
 class Scan:
     def execute(self, context):
+        context.wait(1)
         return context.read("board.state.Note")
 """
 NO_SUCH_CHANNEL = SCAN.replace("return context", "context.read('board.state.Nott')\n        return context")
