@@ -148,7 +148,7 @@ async def test_the_python_of_an_activity_changes(project: Project) -> None:
     changed(project, "act/scan.py", NO_SUCH_CHANNEL)
     await says(project, "act/scan.py", "W530")
     (problem,) = project.client.diagnostics[project.uri("act/scan.py")]
-    assert problem.range.start == lsp.Position(2, 21)
+    assert problem.range.start == lsp.Position(3, 21)
     changed(project, "act/scan.py", None)
     await says(project, "act/scan.py")
     changed(project, "act/scan.py", NO_SUCH_CHANNEL)
