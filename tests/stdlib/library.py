@@ -119,7 +119,8 @@ class Protocol:
         lines = [f"system {self.name.title().replace('_', '')}", f"import {self.library}"]
         for part in roles:
             said = self.said_of(part)
-            liveness = f"  liveness {{ {part}_role = {said.term}  {said.formulas} }}"
+            formulas = "  ".join(filter(None, (said.term, said.formulas)))
+            liveness = f"  liveness {{ {part}_role = {formulas} }}"
             lines += [f"srm {part}_role {{\n{said.entries}\n{liveness}\n}}"]
         team = " ".join(f"{agent} : {part}_role" for agent, part in self.parts.items())
         return "\n".join([*lines, f"team T {{ {team} }}", ""])
