@@ -1,7 +1,7 @@
 """What comes from outside is bounded: files must be regular files, and JSON has a largest size and depth.
 
-Whoever may write a file or send a request decides what is in it. A pipe would stop its reader for ever, and a
-hundred thousand nested brackets would end it.
+The writer of a file and the sender of a request decide what is in it. A pipe would stop its reader for ever,
+and a hundred thousand nested brackets would end it.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ DEEPEST = 100
 
 _AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
-# A text is taken as a whole, closed or not: what follows an open one is no structure, and each character is
-# looked at once.
+# A text is matched as a whole, closed or not. The rest behind an open text has no structure, and each
+# character is looked at once.
 _STRUCTURE = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"?|[\[\]{}]', re.DOTALL)
 
 
@@ -91,10 +91,10 @@ def lines(file: BufferedReader, longest: int = LARGEST) -> Iterator[bytes]:
 def new_file(path: str | os.PathLike[str]) -> BufferedWriter:
     """A file, opened for writing; it is made, or emptied, and links are followed.
 
-    A device takes all, too, and so does a pipe that somebody reads.
+    A device takes all, too, and so does a pipe that has a reader.
 
     Raises:
-        OSError: it cannot be written, or it is a pipe that nobody reads, which is not waited for.
+        OSError: it cannot be written, or it is a pipe without a reader, which is not waited for.
     """
     try:
         descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | _AT_ONCE, 0o666)
@@ -110,7 +110,7 @@ def read_text(path: str | os.PathLike[str], largest: int = LARGEST, encoding: st
 
     Raises:
         OSError: as `read_bytes`.
-        UnicodeDecodeError: it is no text of this encoding.
+        UnicodeDecodeError: it is not a text of this encoding.
     """
     text = read_bytes(path, largest).decode(encoding)
     return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text

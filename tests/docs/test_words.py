@@ -58,12 +58,14 @@ LOOSE = frozenset(
 )
 """What docstrings and comments may say: no term of the glossary takes their place."""
 STRICT = (
-    *("runtime/activity/", "runtime/agent/", "runtime/channel/", "runtime/chart/", "runtime/conversation/"),
-    *("runtime/driver/", "runtime/team/", "runtime/world/", "runtime/ports.py"),
+    *("runtime/activity/", "runtime/agent/", "runtime/channel/", "runtime/chart/", "runtime/control/"),
+    *("runtime/conversation/", "runtime/driver/", "runtime/library/", "runtime/message/"),
+    *("runtime/plain/batch.py", "runtime/plain/machine.py", "runtime/ports.py", "runtime/team/"),
+    *("runtime/time/", "runtime/trace/", "runtime/version/", "runtime/workers/", "runtime/world/"),
+    *("worlds/", "outside.py"),
 )
 """Where docstrings and comments have none of these words, and no long sentence: the beginnings of paths."""
 QUOTED = {
-    "runtime/control/operator_gate.py": {"life"},
     "runtime/transport/envelope.py": {"mail"},
 }
 """Names in formats that a docstring shows."""

@@ -1,6 +1,6 @@
 """Connections: what others may open at once, and how slowly they may ask.
 
-Whoever opens many connections and says nothing, or says it byte by byte, keeps nobody else out.
+A client that opens many connections and sends nothing, or sends it byte by byte, keeps no other client out.
 """
 
 from __future__ import annotations

@@ -3,23 +3,25 @@
 A request is an object with `version` (1), `request`, and what it needs; a reply has `version`, `ok`, and
 either what was asked for or `reasons`. How they travel is not known here.
 
-    {"version": 1, "request": "status"}
-        system, model, time (ns), agents: name, role, model, over, failure, steps, configuration, activities
-    {"version": 1, "request": "select", "agent": "robot2", "plan": "goalie"}
-    {"version": 1, "request": "stop"}
-    {"version": 1, "request": "swap", "phase": "ready", "hash": "9f2c…"}
-        `hash` names a version in the run's own folder of versions, by all that is in it. `agents` (names) may
-        be given, else it is all of them.
-        state: "ready", or "busy" with the reasons
-    {… "phase": "prepare", "within": 0.3, "hold": 2.0}
-        waits `within` s for a moment at which all agents here can change, and holds them there, `hold` s at
-        the most. state: "prepared", with an `id`; or "busy"
-    {… "phase": "commit", "id": 3}
-        it will be done: if nothing more is heard, when `hold` is over
-    {… "phase": "finish", "id": 3} · {… "phase": "rollback", "id": 3, "reason": "…"}
-        it is done; or everybody goes on as before, as also if nothing is heard before a commit
-    {… "phase": "refuse", "reasons": […]}
-        it could not be prepared everywhere: this is traced here
+- `{"version": 1, "request": "status"}`
+  The reply has system, model, time (ns) and the agents. Each agent has name, role, model, over, failure,
+  steps, configuration and activities.
+- `{"version": 1, "request": "select", "agent": "robot2", "plan": "goalie"}`
+- `{"version": 1, "request": "stop"}`
+- `{"version": 1, "request": "swap", "phase": "ready", "hash": "9f2c…"}`
+  `hash` names a version in the run's own folder of versions, by all that is in it. The names in `agents`
+  limit the swap to these agents. The state is "ready", or "busy" with the reasons.
+- `{… "phase": "prepare", "within": 0.3, "hold": 2.0}`
+  The team waits up to `within` s for a moment at which all agents here can change. It holds them there, for
+  `hold` s at the most. The state is "prepared", with an `id`; or "busy".
+- `{… "phase": "commit", "id": 3}`
+  The swap will be done: if no further request arrives, when `hold` is over.
+- `{… "phase": "finish", "id": 3}`
+  The swap is done.
+- `{… "phase": "rollback", "id": 3, "reason": "…"}`
+  All agents continue as before. They do so, too, if no request arrives before a commit.
+- `{… "phase": "refuse", "reasons": […]}`
+  The swap could not be prepared everywhere. The trace here records this.
 
 So a team in several processes changes as one: prepare everywhere, commit everywhere, finish everywhere; and
 roll back everywhere if one of them does not confirm.
@@ -89,7 +91,7 @@ class Control:
         """`activities` is the folder of the team's activities; `store` the folder of the versions to which it
         may be changed.
 
-        `changed` is told of each swap that is done.
+        `changed` is called with each swap that is done.
         """
         self._team = team
         self._activities = activities
@@ -118,7 +120,7 @@ class Control:
         return {"version": FORMAT, "ok": False, "reasons": list(reasons)}
 
     def not_over_the_bus(self, agent: str, data: bytes) -> Reply:
-        """The reply to whatever comes over the bus where operators' keys are not configured."""
+        """The reply to each request over the bus where operators' keys are not configured."""
         return self.refuse(Origin("bus", agent=agent), None, "control over the bus is off")
 
     def handle(self, request: dict[str, object], origin: Origin = PROGRAM) -> Reply:
@@ -130,7 +132,7 @@ class Control:
             reply = self._fulfil(request)
         except Refused as problem:
             return self.refuse(origin, known, *map(str, problem.args))
-        except Exception as error:  # whoever asks must get an answer, and no traceback
+        except Exception as error:  # the operator must get an answer, and no traceback
             return self.refuse(origin, known, f"internal error: {type(error).__name__}: {error}")
         self.log.note(origin, known, ())
         return reply
@@ -381,7 +383,7 @@ class _Held(threading.Thread):
                 self._obey()
         finally:
             self.prepared.set()
-            while True:  # nobody waits for ever
+            while True:  # no request waits for ever
                 try:
                     late = self._said.get_nowait()
                 except Empty:

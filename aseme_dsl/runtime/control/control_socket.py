@@ -37,7 +37,7 @@ class ControlError(Exception):
 
 
 def folder_for(output: Path) -> Path:
-    """Where the sockets are of what runs from an output folder: of places, the first that nobody has taken.
+    """The folder with the sockets of the runs from an output folder: of the places, the first that is free.
 
     Raises:
         ControlError: there is none.
@@ -58,7 +58,7 @@ def listening(control: Control, output: Path, name: str) -> Iterator[Path]:
     folder = folder_for(output)
     path = folder / f"{_safe(name)}-{os.getpid()}.sock"
     try:
-        # Under its name it is found, and removed if nobody listens: it gets that when somebody does.
+        # Under its name others find it, and remove it if no process listens. It gets the name once one does.
         early = path.with_suffix(".new")
         early.unlink(missing_ok=True)  # of an earlier process of this number
         server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -86,7 +86,7 @@ def listening(control: Control, output: Path, name: str) -> Iterator[Path]:
 
 
 def endpoints(output: Path) -> list[Path]:
-    """The sockets of what runs from an output folder; those that nobody listens on any more are removed."""
+    """The sockets of the runs from an output folder; sockets without a listening process are removed."""
     found: list[Path] = []
     try:
         folder = folder_for(output)
@@ -104,7 +104,7 @@ def endpoints(output: Path) -> list[Path]:
             except FileNotFoundError:
                 continue
             except OSError:
-                pass  # somebody is there who takes no more connections
+                pass  # a process is there that accepts no more connections
         found.append(path)
     return found
 
@@ -113,7 +113,7 @@ def ask(path: Path, request: dict[str, object], timeout: float = 5.0) -> Reply:
     """The reply to a request (without its `version`, which is put in).
 
     Raises:
-        ControlError: nobody answers, or not in time.
+        ControlError: there is no answer, or not in time.
     """
     try:
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:

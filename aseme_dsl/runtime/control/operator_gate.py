@@ -2,12 +2,12 @@
 
 The operator asks a robot for a challenge, and uses it for one request:
 
-    {"version": 1, "control": "challenge"}
-        system, agent, incarnation and nonce of the robot
-    {"version": 1, "control": "request", "life": "…", "nonce": "…", "own": "…", "key": "k3f9a2c81",
-     "request": "{…}", "proof": "…"}
-        `own` is a nonce of the operator, `request` a request as `control` knows it, as a text.
-        answer, as a text, and proof
+- `{"version": 1, "control": "challenge"}`
+  The answer has system, agent, incarnation and nonce of the robot.
+- `{"version": 1, "control": "request", "life": "…", "nonce": "…", "own": "…", "key": "k3f9a2c81",
+  "request": "{…}", "proof": "…"}`
+  `own` is a nonce of the operator, `request` a request as `control` knows it, as a text. The reply has the
+  answer, as a text, and its proof.
 
 A proof is the HMAC-SHA256, under the key, of all that it is about: system, agent, incarnation and both
 nonces, the request, and for the answer that, too. So what is sent to one agent, in one incarnation, once, is
@@ -97,7 +97,7 @@ class Gate:
         return is_ours and nonce not in self._spent
 
     def _request(self, agent: str, said: object) -> Reply:
-        """Raises ValueError for what is no such request."""
+        """Raises ValueError if it is not such a request."""
         origin = Origin("bus", agent=agent)
         if not isinstance(said, dict) or set(said) != _REQUEST or said["control"] != "request":
             raise ValueError("it has other members")
@@ -145,10 +145,10 @@ def ask(
 ) -> Reply:
     """The proven reply of an agent to a request (without its `version`, which is put in).
 
-    `send` brings something to the agent, and gives what is answered, by whomever.
+    `send` brings data to the agent, and gives the answers, which may come from any sender.
 
     Raises:
-        GateError: nobody answers who has the key.
+        GateError: no answer comes from an agent with the key.
     """
     question = json.dumps({"version": FORMAT, "control": "challenge"}).encode()
     refusals: list[str] = []
@@ -194,7 +194,7 @@ def _objects(answers: Iterable[bytes]) -> Iterable[dict[str, object]]:
 
 
 def _reasons(answer: dict[str, object]) -> list[str]:
-    """Why somebody says to refuse, who has proven nothing: safe to print."""
+    """The reasons for a refusal, from a sender that has proven nothing: safe to print."""
     given = answer.get("reasons", [answer.get("error")])
     texts = [text for text in given if isinstance(text, str)] if isinstance(given, list) else []
     return ["".join(letter for letter in text[:200] if letter.isprintable()) for text in texts[:3]]

@@ -35,7 +35,7 @@ def sqrt(number: float) -> float:
 
 
 def power(base: float, exponent: float) -> float:
-    """Raises ValueError where the result is no real number, OverflowError where it is too large."""
+    """Raises ValueError where the result is not a real number, OverflowError where it is too large."""
     return math.pow(base, exponent)
 
 

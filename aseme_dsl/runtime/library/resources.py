@@ -44,7 +44,7 @@ def waiting_for(line: str) -> int:
 
 
 def keeper_called(name: str) -> str | None:
-    """The agent of this name; nobody without one."""
+    """The agent of this name; None if the name is empty."""
     return name or None
 
 

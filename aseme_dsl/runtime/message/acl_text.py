@@ -45,7 +45,7 @@ _LETTERS = {hours: letter for letter, hours in _ZONES.items()}
 
 
 class AclTextError(ValueError):
-    """A text that is no message, or a message that has no text; `position` is the place in bytes, from 0."""
+    """A text that is not a message, or a message without a text; `position` is the place in bytes, from 0."""
 
     def __init__(self, reason: str, position: int = 0, line: int = 1, column: int = 1) -> None:
         super().__init__(f"line {line}, column {column}: {reason}")
@@ -375,7 +375,7 @@ def dumps(message: FipaMessage) -> bytes:
     Moments are cut to the millisecond; those of a zone that FIPA has no letter for are written in UTC.
 
     Raises:
-        AclTextError: it has no text: a name that is no word, or an address with blanks or parentheses.
+        AclTextError: it has no text: a name that is not a word, or an address with blanks or parentheses.
     """
     lines = [b"(" + _as_word(message.performative, "act")]
 

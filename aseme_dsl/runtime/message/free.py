@@ -43,7 +43,7 @@ class ACLMessage:
     sender: str = ""
 
     def __post_init__(self) -> None:
-        """Raises TypeError or ValueError for what is no message."""
+        """Raises TypeError or ValueError if the members do not make a message."""
         found = performative_of(self.performative) if isinstance(self.performative, str) else None
         if found is None:
             raise ValueError(f"FIPA has no performative {self.performative!r}")
@@ -59,7 +59,7 @@ class ACLMessage:
         texts = [self.content, *self.receivers, *(getattr(self, name) for name in _TEXTS)]
         for text in texts:
             if isinstance(text, str):
-                text.encode()  # half a character is no text
+                text.encode()  # half a character is not a text
         is_message = is_dataclass(self.content) and not isinstance(self.content, type)
         if not (isinstance(self.content, str) or is_message):
             raise TypeError(

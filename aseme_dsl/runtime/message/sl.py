@@ -60,7 +60,7 @@ def loads(text: str) -> tuple[Term, ...]:
     """The expressions of a content.
 
     Raises:
-        AclTextError: it is no content in SL; the error says why, and where.
+        AclTextError: it is not a content in SL; the error says why, and where.
     """
     data = text.encode("utf-8", "surrogatepass")
     if len(data) > LONGEST:
@@ -191,7 +191,8 @@ def dumps(*expressions: Term) -> str:
     """The text of a content.
 
     Raises:
-        AclTextError: it has none: a name is no word, a text no UTF-8, a number not finite, or it is too deep.
+        AclTextError: it has none: a name is not a word, a text not UTF-8, a number not finite, or it is
+                nested too deep.
     """
     return "(" + " ".join(_text(item, 1) for item in expressions) + ")"
 

@@ -1,7 +1,7 @@
 """Wire: messages as bytes: Protocol Buffers between processes, and the compact form of a small radio.
 
 A generated module `messages` has a `SCHEMA` of its own, whose descriptors are in a private pool: two systems
-with messages of one name do not disturb each other. protobuf is imported with the first message.
+with messages of one name do not disturb each other. The first message imports protobuf.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class _Entry(Protocol):
 
 
 class WireError(ValueError):
-    """A message that cannot become bytes, or bytes that are no message; it says which member and why."""
+    """A message that cannot become bytes, or bytes that are not a message; it says which member and why."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,8 +59,8 @@ class Schema:
 
     `descriptors` is a FileDescriptorSet in base64, `classes` gives each message's class its full name there,
     `channels` each channel's text (`team.state.Assignment`) its class. `radio` has the channels that travel
-    by radio, in the order of their numbers, with letters for the members: `?` bool, `e` enum, `i` int,
-    `f` double, `m` duration; an `o` before the letter of an optional one.
+    by radio, in the order of their numbers. Letters stand for the members: `?` bool, `e` enum, `i` int,
+    `f` double, `m` duration. An `o` stands before the letter of an optional member.
     """
 
     descriptors: str

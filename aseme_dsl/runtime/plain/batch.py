@@ -54,7 +54,7 @@ class BatchBoard:
         np = _numpy()
         try:
             given = np.asarray(value)
-            with np.errstate(invalid="ignore"):  # what is not a number is told below
+            with np.errstate(invalid="ignore"):  # the check below reports values that are not numbers
                 fitting = given.astype(array.dtype, copy=False)
             fits = np.can_cast(given.dtype, array.dtype, "same_kind") or bool((fitting == given).all())
         except (ValueError, TypeError, OverflowError) as error:
@@ -108,7 +108,7 @@ class Batch:
 
         Raises:
             BatchError: the engine is not installed, or there is none of that name.
-            TypeError: `size` is no whole number.
+            TypeError: `size` is not a whole number.
             ValueError: `size` is negative.
         """
         np = _numpy()
@@ -188,7 +188,7 @@ class Batch:
     # ---- steps -----------------------------------------------------------------------------
 
     def start(self) -> None:
-        """Enter the root of every instance, and go on until nothing is enabled."""
+        """Enter the root of every instance, and take transitions until none is enabled."""
         self._is_started = True
         self._run("start")
 

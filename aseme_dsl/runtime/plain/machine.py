@@ -26,8 +26,9 @@ T = TypeVar("T")
 class Machine(Generic[C]):
     """A running plain chart that any method and any thread may give events.
 
-    One token stands for the right to run the chart: whoever can take it runs his step and what has been
-    queued meanwhile (post-and-help); whoever cannot queues his and goes on. Nobody waits.
+    One token stands for the right to run the chart. A caller that gets it runs its own step and the steps
+    that are queued meanwhile (post-and-help). A caller that does not get it queues its step and returns: no
+    caller waits.
 
     What a step raises goes to the caller whose thread runs it; what is queued waits for the next caller, who
     makes these steps before his own.
@@ -65,15 +66,15 @@ class Machine(Generic[C]):
         return _machine, (type(self), self.chart, self._trace, self._strict)
 
     def start(self) -> bool:
-        """Enter the root, and go on until nothing is enabled."""
+        """Enter the root, and take transitions until none is enabled."""
         chart = self.chart
         return self._run("start", "", lambda _: chart.start())
 
     def step(self, before: Callable[[C], object] | None = None) -> bool:
         """One step without an event, for what the blackboard says; whether anything was taken.
 
-        `before` is given the chart when it is its turn, so that it may write to the blackboard: what a thread
-        writes on its own, a step of another may see half way through.
+        `before` gets the chart when its turn comes, so that it may write to the blackboard. If a thread
+        writes there at another time, a step of another thread may see only a part of the values.
         """
         chart = self.chart
         if before is None:
@@ -156,7 +157,7 @@ def _stepping(
         return bool(taken)
 
     def drain() -> None:
-        """Make the steps that are queued, unless somebody else does."""
+        """Make the steps that are queued, unless another thread does."""
         nonlocal free
         while queue:
             try:
@@ -198,7 +199,7 @@ def _known(call: Callable[[str], T], chart: Plain) -> Callable[[str], T]:
 
 
 def _queued(queue: Waiting, drain: Callable[[], None], call: Call, argument: str) -> bool:
-    """Queue a step, and make all that waits unless somebody does; whether that took anything of this one."""
+    """Queue a step, and make all queued steps unless another thread does; whether this step took anything."""
     taken: list[object] = []
     queue.append((lambda argument: taken.append(call(argument)), argument))
     drain()
@@ -206,7 +207,7 @@ def _queued(queue: Waiting, drain: Callable[[], None], call: Call, argument: str
 
 
 def _traced(call: Call, trace: Trace, what: str) -> Callable[[str], bool]:
-    """A step that is told of."""
+    """The step, with a call of `trace` after it."""
 
     def traced(argument: str) -> bool:
         taken = bool(call(argument))

@@ -41,7 +41,7 @@ class NotStarted(RuntimeError):
 
 
 class _Unstarted:
-    """What a region has for a number before `start`: whoever looks at it is told.
+    """Stands for the number of a region before `start`: its use raises `NotStarted`.
 
     So it costs a step nothing to look whether there is a number.
     """

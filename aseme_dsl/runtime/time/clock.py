@@ -40,7 +40,7 @@ class RealClock:
 
 
 class VirtualClock:
-    """A clock that stands still until it is told to jump to the next moment at which something is due."""
+    """A clock that stands still until its driver sets it to the next moment at which something is due."""
 
     __slots__ = ("_now",)
 

@@ -20,7 +20,7 @@ class Timekeeper:
     """The timers of a run in real time, and their thread. May be used from any thread."""
 
     def __init__(self, clock: Clock, failed: Callable[[BaseException], None]) -> None:
-        """`failed` is told what a call has raised; no call is made after that."""
+        """`failed` gets the exception of a call; no call is made after that."""
         self._clock = clock
         self._failed = failed
         self._timers = Timers()
@@ -44,7 +44,7 @@ class Timekeeper:
     def start(
         self, until: int | None, priority: int | None = None, refused: Callable[[str], None] | None = None
     ) -> None:
-        """Begin; nothing is called after `until`. `refused` is told why there is no real-time `priority`."""
+        """Begin; nothing is called after `until`. `refused` gets the reason if `priority` cannot be set."""
         self._until = until
         work = self._work
 
@@ -69,7 +69,7 @@ class Timekeeper:
         return not thread.is_alive()
 
     def _ring(self) -> None:
-        """Wake the thread. Called with the lock held, so that nobody else rings."""
+        """Wake the thread. Called with the lock held, so that no other thread rings."""
         self._sleeps_until = _AWAKE
         if self._bell.locked():
             self._bell.release()

@@ -5,8 +5,8 @@ tells how it came to be; the line of the step that took it cites it. Under the v
 gives the same bytes.
 
 In real time a thread of its own writes them, so that no step waits for a disk. If the disk is so slow that
-`trace_files.MOST_LINES` wait for it, further lines are dropped until half of them are written; a line `gap`
-stands where they would, and says how many they were.
+`trace_files.MOST_LINES` wait for it, further lines are dropped until half of them are written. A line `gap`
+stands in their place, and has their number.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ _MOST_REMARKS = 1000
 class Trace:
     """Writes the lines of a run, and shows each to those who listen. May be used from any thread.
 
-    A trace that cannot be written any more ends with `error`; the run goes on.
+    A trace that cannot be written any more ends with `error`; the run continues.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class Trace:
         self._ways: dict[tuple[str, str, tuple[int, ...]], str] = {}
         self._remarks: set[str] = set()
         self.faults = FaultCounts()
-        """The faults so far; counted also where nobody reads the trace."""
+        """The faults so far; counted also where the trace has no reader."""
         self._lock = threading.Lock()
         self._output: Output | None = None
         self._dropped = 0
@@ -86,7 +86,7 @@ class Trace:
         self.begun = False
         """Whether the header has been written, before which there is no other line."""
         self.active = self._output is not None or bool(self._listeners)
-        """Whether anybody reads what is written: who has a costly line to write asks first."""
+        """Whether the trace has a reader: to be asked before a costly line is made."""
 
     def write(self, kind: str, moment: int, **members: object) -> None:
         """Write a line. Members that are None or empty tuples are left out."""
@@ -189,9 +189,12 @@ class Trace:
     ) -> None:
         """The first line: which agents run which models, under which clock, and who runs elsewhere.
 
-        With `schema`, it also says what the messages are; with `queue`, how many signals that queue wait in a
-        region, if it is not the usual number; with `network`, the words of the simulated network;
-        with `machine`, which clock the machine has, and when the run began by it.
+        Each of these adds a member:
+
+        - `schema`: the types of the messages;
+        - `queue`: how many signals that queue wait in a region, if it is not the usual number;
+        - `network`: the words of the simulated network;
+        - `machine`: which clock the machine has, and when the run began by it.
         """
         messages = None
         if schema is not None:
@@ -231,7 +234,7 @@ class Trace:
         sender: str | None = None,
         via: str | None = None,
     ) -> None:
-        """A message was published and goes to the agents `to` (by radio: to whoever hears it)."""
+        """A message was published and goes to the agents `to` (by radio: to each agent that hears it)."""
         if self._is_only_written("message"):
             line = (
                 f'{{"kind":"message","time":{moment},"agent":{_text(identity[0])},"sequence":{identity[1]}'
@@ -356,7 +359,7 @@ class Trace:
             )
 
     def remark(self, moment: int, agent: str, reason: str, **members: object) -> None:
-        """A fault that is the same for every agent: it is told once in a run."""
+        """A fault that is the same for every agent: recorded once in a run."""
         with self._lock:
             known = reason in self._remarks
             if len(self._remarks) >= _MOST_REMARKS:
@@ -366,7 +369,7 @@ class Trace:
             self.fault(moment, agent, reason, "", **members)
 
     def fault(self, moment: int, agent: str, reason: str, at: str = "", **members: object) -> None:
-        """Something could not be done; the agent goes on."""
+        """Something could not be done; the agent continues."""
         self.count_fault(moment, agent, reason, at, str(members.get("activity") or ""))
         self._write_fault(moment, agent, reason, at, **members)
 

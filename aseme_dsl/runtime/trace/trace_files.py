@@ -1,7 +1,7 @@
 """Trace files: the lines of a run on disk, as JSON lines or, by the suffix `.mcap`, in an MCAP file.
 
-A trace has its own name only when it is complete: until then it is `NAME.part`, so that an earlier trace of
-that name is not lost to a full disk or a broken run.
+A trace has its own name only when it is complete; until then it is `NAME.part`. So a full disk or a broken
+run does not destroy an earlier trace of that name.
 """
 
 from __future__ import annotations
@@ -133,7 +133,7 @@ class Output(Protocol):
 
 
 class Direct:
-    """Lines are written by who writes them: in virtual time nobody waits for that."""
+    """The thread that records a line writes it: in virtual time this delays no agent."""
 
     def __init__(self, file: Format) -> None:
         self._file = file
@@ -159,7 +159,7 @@ class Background:
     """Lines wait for a thread that writes them: in real time no step waits for a disk."""
 
     def __init__(self, file: Format, failed: Callable[[Exception], None]) -> None:
-        """`failed` is told, in that thread, why nothing can be written any more."""
+        """`failed` gets the reason, in that thread, when nothing can be written any more."""
         self._file = file
         self._failed = failed
         self._waiting: deque[str] = deque()
@@ -206,7 +206,7 @@ class Background:
                     self._file.sync()
                     synced = time.monotonic()
             self._file.finish()
-        except Exception as error:  # whatever it is, the run must hear of it
+        except Exception as error:  # the run must hear of each error
             self._error = error
             self._file.abandon()
             if not self._closing.is_set():

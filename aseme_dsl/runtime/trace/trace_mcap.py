@@ -309,7 +309,7 @@ def lines_in(file: IO[bytes], path: Path) -> Iterator[str]:
                 whole = True
     except GeneratorExit:
         raise
-    except Exception as problem:  # of several libraries, for what is no MCAP any more
+    except Exception as problem:  # of several libraries, where the data is not MCAP any more
         if not whole:
             what = str(problem) if isinstance(problem, McapError | _Damaged) else ""
             raise Torn(number, what or "it breaks off") from problem
@@ -350,7 +350,7 @@ def _unpacked(record: Any) -> Iterator[Any]:
 
 
 class _Bounded:
-    """A file of which nobody takes too much at once, whatever length stands in it."""
+    """A file with a limit for each read: a length that stands in the file may be wrong."""
 
     def __init__(self, file: IO[bytes]) -> None:
         self._file = file

@@ -46,7 +46,7 @@ class TraceReader:
         """The lines in their order.
 
         Raises:
-            TraceError: a line that is not the last is none of a trace, or the first is no header we know.
+            TraceError: a line that is not the last is none of a trace, or the first is not a known header.
         """
         number = 0
         with self._file:

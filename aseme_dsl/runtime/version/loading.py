@@ -2,9 +2,9 @@
 
 A generated package is imported as `FOLDER.SYSTEM` (`monas.Kouretes`), so that activities may import its
 messages: `from monas.Kouretes.messages import Ball`. Packages that different backends have generated from one
-system have the same messages, under each of their names, and the roles of a team may be taken from several of
-them (`RoleBackends`). What functions and activities import besides is looked
-for in the folders given as `path`. These folders are on `sys.path` only inside `importing`.
+system have the same messages, under each of their names. The roles of a team may come from several of these
+packages (`RoleBackends`). Other imports of functions and activities are looked for in the folders given as
+`path`. These folders are on `sys.path` only inside `importing`.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ class LoadError(Exception):
 class RoleBackends:
     """What a team has of packages that stand beside the one that is loaded, in folders of other names.
 
-    `roles` are taken from the folder that is their value, instead; `names` are those of further folders under
-    which activities may import the messages, whether there is such a folder or not.
+    Each of `roles` comes from the folder that is its value, instead. `names` are further names of folders:
+    under them activities may import the messages, whether there is such a folder or not.
     """
 
     roles: Mapping[str, str] = field(default_factory=dict)

@@ -1,7 +1,7 @@
 """Versions on disk: folders of generated packages and activities, named by the hash of all that is in them.
 
-A robot loads a version only from its own folder of versions, and runs the very bytes that it has hashed:
-what is exchanged on the disk afterwards is not read again. Nobody but its user may be able to write there.
+A robot loads a version only from its own folder of versions, and runs the very bytes that it has hashed. It
+does not read files again that are exchanged on the disk afterwards. Only its user may be able to write there.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def read_version(store: Path, name: str) -> VersionFiles:
     """The version of this hash in a folder of versions.
 
     Raises:
-        VersionError: it is not there, is not of that hash, or somebody else may have written it.
+        VersionError: it is not there, is not of that hash, or another user may have written it.
     """
     if not HASH.fullmatch(name):
         raise VersionError("a version is named by the 64 digits of its hash")
@@ -105,7 +105,7 @@ def read_version(store: Path, name: str) -> VersionFiles:
 
 @contextmanager
 def _opened(name: str | Path, around: int | None, path: Path) -> Iterator[int]:
-    """A file or folder, opened without following a link; it is the user's, and nobody else may write it."""
+    """A file or folder, opened without following a link; it is the user's, and no other user may write it."""
     descriptor = os.open(name, _OPEN, dir_fd=around)
     try:
         found = os.fstat(descriptor)
@@ -160,8 +160,8 @@ def _read(
 def check_place(folder: Path) -> None:
     """See that no other user can put another folder in the place of this one.
 
-    Every folder around it must be the user's or root's. Others may write in one only where they cannot rename
-    what is not theirs (the sticky bit of `/tmp`), or if it is the group that only the user is in.
+    Every folder around it must be the user's or root's. Other users may write in one only where they cannot
+    rename files of others (the sticky bit of `/tmp`). A group may write if only the user is in it.
 
     Raises:
         VersionError: one is not like that.

@@ -20,8 +20,8 @@ _PATIENCE = 2.0
 def ending_descendants(tell: Callable[[str], None]) -> Iterator[None]:
     """At the end, kill each process that was started meanwhile by this one or its children, and tell which.
 
-    It makes this process the parent of its orphaned descendants, which is how it finds them; what ran before
-    is left alone. It is for programs of our own, since whoever embeds a run may start processes meanwhile.
+    It makes this process the parent of its orphaned descendants, and so finds them. It leaves processes alone
+    that ran before. It is for programs of our own: a program that embeds a run may start processes meanwhile.
     Systems other than Linux know no such parent: there nothing is killed.
     """
     if sys.platform != "linux":
@@ -63,7 +63,7 @@ def _kill(spared: Set[int], tell: Callable[[str], None]) -> None:
             with suppress(ProcessLookupError, PermissionError):
                 os.kill(child, signal.SIGKILL)
             if command and child not in told:
-                with suppress(OSError):  # nobody reads any more: all the more reason to go on
+                with suppress(OSError):  # the output has no reader: all the more reason to continue
                     tell(f"process {child} was left behind by the run and has been killed: {command}")
             told.add(child)
             with suppress(ChildProcessError):
@@ -74,7 +74,7 @@ def _kill(spared: Set[int], tell: Callable[[str], None]) -> None:
 
 
 def _children() -> Iterator[int]:
-    """The processes whose parent is this one, dead ones that nobody has asked about included."""
+    """The processes whose parent is this one, dead ones that were not waited for included."""
     me = os.getpid()
     for entry in Path("/proc").iterdir():
         if not entry.name.isdigit():

@@ -1,6 +1,6 @@
 """Settings of the whole process that a piece of work needs: put back when the last that needs them has ended.
 
-Several may need one at once, in threads of one process, and they end in any order. Where somebody else has
+Several may need one at once, in threads of one process, and they end in any order. Where other code has
 changed the setting meanwhile, it stays as it is.
 """
 
@@ -52,7 +52,7 @@ def _apply() -> None:
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Inside, nobody looks for cycles of objects (`gc.disable`), so that times can be measured."""
+    """Inside, Python does not look for cycles of objects (`gc.disable`), so that times can be measured."""
     global _quiet, _was_on
     with _lock:
         if not _quiet:

@@ -87,7 +87,7 @@ class _Process:
     def cancel(self, execution: Execution) -> None:
         """Tell an activity, if it is the one that runs, that it is cancelled.
 
-        Who sends just now looks for that afterwards; nobody waits for a worker that does not listen.
+        A thread that sends just now looks for that afterwards; none waits for a worker that does not listen.
         """
         if self._sending.acquire(blocking=False):
             with contextlib.suppress(OSError):  # the worker has ended, which its thread will see
@@ -114,7 +114,7 @@ class _Process:
                 self.killed = ""
                 self.execution = execution
             error = self._run(execution, snapshot)
-            with self._sending, self._turning:  # whoever cancels or kills it now is too late
+            with self._sending, self._turning:  # from here on it is too late to cancel or kill it
                 self.execution = None
             # A worker that was killed may take a moment to die.
             if self.child is not None and (self.killed or self.child.poll() is not None or _is_spent(error)):

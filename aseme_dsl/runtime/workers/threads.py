@@ -1,8 +1,9 @@
 """Threads: the resident threads in which activities of kind `thread` run.
 
 An activity may begin while the thread of the one before it has not ended yet, and takes another one.
-How often that coincides is random, so the threads that may be needed are made beforehand; and when all are
-taken, one that is about to be free is preferred to a new one. So their number does not grow in a long run.
+How often that coincides is random, so the threads that may be needed are made beforehand. When all of them
+are in use, one that is about to be free is preferred to a new one. So their number does not grow in a
+long run.
 """
 
 from __future__ import annotations

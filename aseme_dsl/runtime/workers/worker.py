@@ -52,12 +52,12 @@ class _Worker:
                 self.jobs.put(data)
         self.cancelled.set()
         self.jobs.put(None)
-        time.sleep(_ORPHAN)  # what still runs then runs for nobody
+        time.sleep(_ORPHAN)  # no agent waits for an activity that still runs then
         self.end_descendants()
         os._exit(1)
 
     def end_descendants(self) -> None:
-        """Kill what activities have left, if whoever started us has ended and does so no more.
+        """Kill the processes that activities have left, if our parent has ended and does so no more.
 
         Its pipes end before we have another parent: the parent alone does not tell.
         """
@@ -75,7 +75,7 @@ class _Worker:
                 result = self._run(code, snapshot)
                 if keep:
                     self.kept = {keep: code}
-            except BaseException as error:  # whatever it is, the agent must hear of it
+            except BaseException as error:  # the agent must hear of each error
                 kind, reason, frames = type(error).__name__, reason_of(error), frames_of(error)
             put(self.answers, ("end", kind, reason, frames, result))
 
@@ -100,7 +100,7 @@ class _Worker:
 
 
 _ORPHAN = 2.0
-"""How long, in seconds, an activity may go on whose agent process has ended."""
+"""How long, in seconds, an activity may still run after its agent process has ended."""
 _CANCEL = pickle.dumps(("cancel",))
 _CLOSE = pickle.dumps(("close",))
 
@@ -154,11 +154,13 @@ def _loaded(module: str, file: str) -> ModuleType:
 def main() -> None:
     """Serve the process at the other end of standard input and output; what is printed goes to its errors.
 
-    The first argument is how many bytes of address space there are, if it is not 0; the second the folder of
-    the version whose packages are imported, if it is not empty; the others are other names of packages with
-    messages (`monas=jade_like`).
+    The arguments are:
+
+    1. how many bytes of address space there are, or 0;
+    2. the folder of the version whose packages are imported, or an empty text;
+    3. other names of packages with messages (`monas=jade_like`), any number of them.
     """
-    for number in (signal.SIGINT, signal.SIGTERM):  # the team is told, and tells us
+    for number in (signal.SIGINT, signal.SIGTERM):  # the team gets the signal, and tells us
         signal.signal(number, signal.SIG_IGN)
     memory, version, *names = sys.argv[1:]
     if int(memory):
@@ -179,7 +181,7 @@ def main() -> None:
     adopt_descendants()
     threading.Thread(target=worker.listen, daemon=True).start()
     put(answers, ("begun",))
-    with contextlib.suppress(BrokenPipeError):  # nobody listens any more
+    with contextlib.suppress(BrokenPipeError):  # the agent process does not listen any more
         worker.work()
     worker.end_descendants()
 

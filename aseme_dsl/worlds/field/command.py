@@ -15,7 +15,7 @@ def _check(number: float, what: str) -> None:
 class Walk:
     """Walk with a speed in cm/s forwards and to the left, and turn left with degrees/s.
 
-    Goes on until another motion is told. What is beyond the robot's strength is walked as fast as it can.
+    Continues until the next motion. A robot that is too weak for the speed walks as fast as it can.
     """
 
     forward: float = 0.0
@@ -69,7 +69,7 @@ Motion = Walk | Kick | Stand | Sit | Dive
 class Command:
     """A motion, and a direction to turn the head to (degrees from straight ahead); None leaves that as it is.
 
-    So one activity can drive the head while another walks. A walk goes on; a kick, a dive, sitting down and
+    So one activity can drive the head while another walks. A walk continues. A kick, a dive, sitting down and
     getting up are done once per command, as soon as the robot can: a motion that has begun is ended first.
     """
 

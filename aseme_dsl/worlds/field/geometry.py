@@ -24,7 +24,7 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """A place, and the direction in degrees in which somebody looks there (0: at the opponents' goal)."""
+    """A place, and the direction in degrees in which a robot looks there (0: at the opponents' goal)."""
 
     x: float
     y: float

@@ -1,7 +1,7 @@
 """A match: the world in which two teams of robots play, step by step.
 
-Everything random is drawn from one ``random.Random(seed)``, in the same order whatever the
-machine and however the time is cut into calls: one seed and the same commands give the same match to the bit.
+Everything random is drawn from one ``random.Random(seed)``. The order does not depend on the machine, nor on
+how the time is cut into calls: one seed and the same commands give the same match to the bit.
 A robot is driven only through its body; :meth:`Match.truth` is for tests and pictures.
 """
 
@@ -146,7 +146,7 @@ class FieldBody:
         return self._percept
 
     def act(self, command: Command) -> None:
-        """Put a command in force from the next step on. Raises TypeError for what is no command."""
+        """Put a command in force from the next step on. Raises TypeError if it is not a command."""
         if not isinstance(command, Command):
             raise TypeError(f"a robot of the field obeys a Command, not {command!r}")
         self._commands.append(command)
@@ -222,7 +222,7 @@ class Match:
 
     @property
     def over(self) -> bool:
-        """Whether the final whistle has gone. Time may pass on, but nobody walks any more."""
+        """Whether the final whistle has gone. Time may pass on, but no robot walks any more."""
         return self._referee.state is PlayerState.FINISHED
 
     @property
@@ -267,7 +267,7 @@ class Match:
     def put_ball(self, place: Point, vx: float = 0.0, vy: float = 0.0) -> None:
         """Lay the ball somewhere, or let it roll from there with (vx, vy) cm/s: for training and tests.
 
-        It counts as touched by nobody, and a set play ends.
+        It counts as touched by no robot, and a set play ends.
         """
         self._referee.touched_by = self._referee.touched_before_by = None
         self._referee.straight_from_kick_off = False
@@ -280,7 +280,7 @@ class Match:
     def put_robot(self, name: str, pose: Pose, posture: Posture = Posture.STANDING) -> None:
         """Set a robot down somewhere, as the home team sees the field: for training and tests.
 
-        Raises KeyError if nobody has that name.
+        Raises KeyError if no robot has that name.
         """
         robot = next((robot for robot in self._robots if robot.name == name), None)
         if robot is None:

@@ -1,4 +1,4 @@
-"""The other team, if nobody drives it: a modest game of one chaser, supporters and a keeper.
+"""The other team, if no program drives it: a modest game of one chaser, supporters and a keeper.
 
 It knows where the ball is without looking, but walks slowly, shoots at the middle of the goal and never
 passes.

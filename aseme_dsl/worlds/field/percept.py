@@ -17,7 +17,7 @@ class PlayerState(IntEnum):
     """The state of the game, as it concerns one player."""
 
     INITIAL = 0
-    """Before a half: nobody moves from the spot."""
+    """Before a half: no player moves from the spot."""
     READY = 1
     """The players walk to their places for the kick-off."""
     SET = 2

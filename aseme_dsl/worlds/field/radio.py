@@ -61,8 +61,8 @@ class _Station:
 class Radio:
     """The radio of one team.
 
-    ``say`` and ``hear`` may be called from any thread. Nothing is drawn in them: what was said is sent on its
-    way by :meth:`carry`, in the order of the team, so that the moment within a step does not matter.
+    ``say`` and ``hear`` may be called from any thread. Nothing is drawn in them. :meth:`carry` sends the
+    messages on their way, in the order of the team, so that the moment within a step does not matter.
     """
 
     def __init__(self, robots: Iterable[str], settings: RadioSettings) -> None:

@@ -40,7 +40,7 @@ STUCK_MOVE = 30.0
 SCRUM = 50.0
 """A robot this near to the ball is in the fight for it, cm."""
 PUT_CLEARANCE = 3.0
-"""Nobody stands nearer than this to a ball that is laid down, cm."""
+"""No robot stands nearer than this to a ball that is laid down, cm."""
 PUSH_SPEED = 8.0
 """Who walks into an opponent faster than this pushes, cm/s."""
 
@@ -103,7 +103,7 @@ class Referee:
     set_play_team: int = 0
     set_play_since_ns: int = 0
     straight_from_kick_off: bool = False
-    """Nobody but who took the kick-off, within the centre circle, has touched the ball."""
+    """Only the robot of the kick-off, within the centre circle, has touched the ball."""
     touched_by: Robot | None = None
     """Who touched the ball last since it was put down …"""
     touched_before_by: Robot | None = None
@@ -304,7 +304,7 @@ def _ball_out(
     else:
         who = {} if last is None else {"team": referee.sheets[last.team].name, "robot": last.name}
         referee.note(now_ns, EventKind.OUT, ball, detail=over, **who)
-    # Nobody touched it since it was put down: it was lying there for the team of the set play.
+    # No robot touched it since it was put down: it was lying there for the team of the set play.
     taker = referee.set_play_team if last is None else 1 - last.team
     y_side = 1.0 if y > 0.0 else -1.0
     if over == "side line":
@@ -428,7 +428,7 @@ def _bring_back(referee: Referee, now_ns: int, robot: Robot, robots: Sequence[Ro
 
 
 def _line_up_outside(robots: Sequence[Robot]) -> None:
-    """Put everybody beside the own half, looking at the field, the teams on opposite sides."""
+    """Put each robot beside its own half, looking at the field, the teams on opposite sides."""
     for robot in robots:
         robot.raise_up()
         robot.put(_outside(robot, robots, 20.0))
@@ -441,7 +441,7 @@ def _outside(robot: Robot, robots: Sequence[Robot], beyond: float) -> Pose:
 
 
 def _place_all(referee: Referee, now_ns: int, robots: Sequence[Robot]) -> None:
-    """Put everybody who does not stand in a legal place for the kick-off into one."""
+    """Put each robot that does not stand in a legal place for the kick-off into one."""
     in_play = [robot for robot in robots if not robot.penalised]
     astray = [robot for robot in in_play if not _legal(robot, referee.kicking)]
     standing = [robot for robot in in_play if robot not in astray]

@@ -1,4 +1,4 @@
-"""Pictures of a match: a line of text while it goes on, and a drawing of how the goals came about."""
+"""Pictures of a match: a line of text while it is played, and a drawing of how the goals came about."""
 
 from __future__ import annotations
 

@@ -84,11 +84,11 @@ class Robot:
     fresh: bool = False
     """It has not begun yet."""
     action: Motion | None = None
-    """What is done once and goes on: a kick, a dive, sitting down, getting up."""
+    """The motion that is done once and has not ended: a kick, a dive, sitting down, getting up."""
     action_began_ns: int = 0
     action_ends_ns: int = 0
     swung: bool = False
-    """The foot of the kick that goes on has been where the ball should be."""
+    """In the present kick, the foot has been where the ball should be."""
     penalised_until_ns: int | None = None
 
     @property

@@ -31,7 +31,7 @@ class TeamSheet:
     name: str
     players: tuple[Player, ...]
     scripted: bool = False
-    """True: nobody drives these robots through a body; they play the simple game of ``opponent``."""
+    """True: no program drives these robots through a body; they play the simple game of ``opponent``."""
 
     def __post_init__(self) -> None:
         if len({player.name for player in self.players}) < len(self.players):
