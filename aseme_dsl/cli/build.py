@@ -201,14 +201,17 @@ def _built(
 
 
 def _left_behind(system: str, folder: Path, other: Path) -> Iterator[str]:
-    """What is to be said if there is a build of a system where it is written when it is built with others,
-    or alone, which this one leaves as it is: programs may still import it."""
+    """The note about an older build of the system in the other folder, if there is one.
+
+    A system built alone and a system built with others go to different folders. This build leaves the other
+    folder unchanged, as programs may still import it.
+    """
     from aseme_dsl.project.files.manifest import DamagedManifest, read_manifest
 
     try:
         before = read_manifest(other).system
     except (DamagedManifest, OSError):
-        return  # whoever builds into it is told
+        return  # a build into that folder reports it
     if before == system:
         yield f"{other} has an older build of {system}, which is unchanged; the new one is in {folder}"
 

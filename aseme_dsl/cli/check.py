@@ -147,7 +147,7 @@ def _summary(checked: Checked) -> str:
 
 
 def _tip(checked: Checked) -> str:
-    """What somebody at a terminal may do next."""
+    """A hint at the next command, for a user at a terminal."""
     from aseme_dsl.project.editing.fix import is_mendable
 
     worst = min(checked.diagnostics, key=lambda item: list(Severity).index(item.severity))

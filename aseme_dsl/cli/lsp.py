@@ -45,7 +45,7 @@ def command(port: int | None, stdio: bool) -> int:
     from aseme_dsl import __version__
     from aseme_dsl.editor.server import make_server
 
-    gc.disable()  # the server does it when nobody waits
+    gc.disable()  # the server collects when no request waits
     server = make_server(__version__, project(), _python_folders)
     server.tidying.tidies = True
     if port is None:

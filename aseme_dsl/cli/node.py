@@ -69,7 +69,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.version.loading import Loaded
 
 GRACE = 2.0
-"""After so many seconds without its supervisor a robot ends, whatever it does."""
+"""After so many seconds without its supervisor a robot ends, even if it is busy."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -344,7 +344,7 @@ def _tell_end(end: dict[str, object]) -> None:
 def _end_with_supervisor() -> None:
     from aseme_dsl.runtime.workers.descendants import kill_descendants
 
-    # The file descriptor, not the stream: at the interpreter's end nobody must hold the stream's lock.
+    # The file descriptor, not the stream: at the interpreter's end no thread must hold the stream's lock.
     while os.read(0, 4096):
         pass
     os.kill(os.getpid(), signal.SIGTERM)

@@ -219,7 +219,7 @@ def _in_the_way(folder: Path) -> tuple[Diagnostic, ...]:
 
 
 def _measures(system: System) -> str:
-    """What may be measured, for whoever has not said it."""
+    """The error text for a missing `--measure`: it lists the possible measures."""
     from aseme_dsl.project.studying.optimise import activities_of
 
     names = ", ".join(activities_of(system))

@@ -199,7 +199,7 @@ def telling_of(
     progress: bool,
     stream: TextIO,
 ) -> Telling:
-    """What a run tells while it goes on; what the project tells by itself is enough."""
+    """The output of a run in progress; the project's own output is enough."""
     from aseme_dsl.cli.telling import Telling
 
     told_by_project = configuration.run is not None and configuration.run.progress is not None

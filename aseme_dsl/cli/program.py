@@ -1,4 +1,4 @@
-"""The program around the commands: which there are, and what happens when one cannot go on."""
+"""The program around the commands: which there are, and what happens when one cannot continue."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ def _stopping_on_termination() -> Iterator[None]:
         raise _Terminated
 
     if threading.current_thread() is not threading.main_thread():
-        yield  # whoever started us sees to signals
+        yield  # the program that started this thread handles signals
         return
     before = signal.signal(signal.SIGTERM, terminate)
     try:
@@ -194,16 +194,16 @@ def _prepare_streams(arguments: Sequence[str]) -> None:
 
 
 def _ignore_output() -> None:
-    """Nobody reads any more: what is still in the buffers goes nowhere."""
+    """Discard the output that is still in the buffers: its reader has closed the pipe."""
     try:
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, sys.stdout.fileno())
     except (OSError, ValueError):
-        pass  # standard output is closed, or is no file
+        pass  # standard output is closed, or is not a file
 
 
 def _say(text: str) -> None:
-    with suppress(OSError):  # nobody listens
+    with suppress(OSError):  # standard error has no reader
         print(text, file=sys.stderr, flush=True)
 
 

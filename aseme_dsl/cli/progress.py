@@ -12,12 +12,12 @@ import click
 
 
 def shows_progress(stream: IO[str]) -> bool:
-    """Whether somebody watches: a terminal that can write over a line, and not the log of a CI service."""
+    """Whether a user watches: a terminal that can write over a line, and not the log of a CI service."""
     return stream.isatty() and os.environ.get("TERM") != "dumb" and not os.environ.get("CI")
 
 
 class Progress:
-    """One line on standard error; nothing where nobody watches, or if it is to be `quiet`."""
+    """One line on standard error; nothing where no user watches, or if it is to be `quiet`."""
 
     def __init__(self, quiet: bool = False) -> None:
         self._quiet = quiet
@@ -38,7 +38,7 @@ class Progress:
 
 @contextmanager
 def progress_of(name: str) -> Iterator[Callable[[str], None]]:
-    """Shows what a build of a system is at while it goes on."""
+    """Shows the current step of a build while it runs."""
     progress = Progress()
     try:
         yield lambda text: progress.say(f"{name}: {text}")

@@ -40,7 +40,7 @@ FORMAT = 1
 
 
 class FilePath(click.Path):
-    """A path that need not exist. The empty one is refused: it would mean this folder, which nobody meant."""
+    """A path that need not exist. The empty path is refused: it would mean this folder, by mistake."""
 
     def convert(
         self, value: str | os.PathLike[str], param: click.Parameter | None, ctx: click.Context | None
@@ -407,8 +407,10 @@ def play_backend_option(command: CommandT) -> CommandT:
 
 
 def check_choice(choice: Choice, asked: Iterable[str], roles: Iterable[str], *, plays: bool = True) -> None:
-    """Refuse, as wrong use, backends that there are not, and of those `asked` for (`ROLE=NAME`) roles that
-    are not in the system and, for what `plays` agents, backends that make none."""
+    """Refuse unknown backends as wrong use, and check the backends `asked` for (`ROLE=NAME`).
+
+    Their roles must be in the system. If the command `plays` agents, their backends must make agents.
+    """
     from aseme_dsl.backends.backend import AGENTS
 
     check_backends(choice.generated)

@@ -134,7 +134,7 @@ def _format(given: str | None, output: Path | None) -> str:
 
 
 def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -> int:
-    """Until all runs have ended, or somebody ends it."""
+    """Until all runs have ended, or the user interrupts."""
     from aseme_dsl.project.playing.following import TraceFollower
     from aseme_dsl.project.playing.merging import Beginning, shifts
     from aseme_dsl.project.playing.sniff import Sniffer, line_of
@@ -149,7 +149,7 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -
     try:
         while not all(item.finished for item in followers):
             for number, item in enumerate(followers):
-                if item.path.is_dir():  # whoever begins before the first run cannot know it
+                if item.path.is_dir():  # before the first run the name of its trace is not known
                     item = followers[number] = TraceFollower(*traces_of(item.path, following=True)[0])
                 for record in item.poll():
                     if record["kind"] in ("header", "peer"):

@@ -29,13 +29,16 @@ _SAME = 3
 
 
 class Telling:
-    """Prints lines while a run goes on, from its trace and from what the project tells.
+    """Prints lines during a run, from its trace and from the output of the project.
 
-    `alone` is the plan that plays instead of the team, if one does. `activities`: when an agent starts
-    another activity than before in a region, and what activities log; `transitions`: every transition and
-    every start; `progress`: the project's own lines, and on a terminal the time. Faults, failures and
-    passed deadlines are always shown, on standard error; what several agents have in common for the first. Of
-    agent messages that nobody took there is the number, at the end.
+    `alone` is the plan that plays instead of the team, if one does. The other parameters turn lines on:
+
+    - `activities`: when an agent starts another activity than before in a region, and what activities log;
+    - `transitions`: every transition and every start;
+    - `progress`: the project's own lines, and on a terminal the time.
+
+    Faults, failures and passed deadlines are always shown, on standard error. A line that several agents have
+    in common is shown for the first. At the end stands the number of agent messages that no agent took.
     """
 
     def __init__(
@@ -65,7 +68,7 @@ class Telling:
         self.untaken = 0
         """How many agent messages were there for a participant that left without having taken them."""
         self.unexpected = 0
-        """How many agent messages nobody expected."""
+        """How many agent messages no agent expected."""
         self._followed: dict[str, Plan] = {}
         """The plans of agents that have changed to another one."""
         self._shown_at = 0.0

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 @click.option("--open", "opens", is_flag=True, help="Open the page in the browser.")
 @colour_option
 def command(target: str, model: str | None, port: int, opens: bool, colour: str) -> int:
-    """Serve until somebody ends it; 1 if there is nothing to show."""
+    """Serve until the user interrupts; 1 if there is nothing to show."""
     from aseme_dsl.cli.lsp import project
     from aseme_dsl.editor.answers.diagram import Diagrams
     from aseme_dsl.editor.files.workspace import Workspace
@@ -111,7 +111,7 @@ class Watched:
         self._program = self._compiled()
 
     def act(self, said: Mapping[str, object]) -> str:
-        """What somebody does on the page; gives the tab."""
+        """Carry out an action of the user on the page; gives the tab."""
         named = said.get("tab")
         tab = named if isinstance(named, str) else ""
         selection = self._selection(tab)

@@ -121,7 +121,7 @@ class AsemePlugin(BasePlugin[AsemeConfig]):  # type: ignore[no-untyped-call]
 
 
 def _word(page: Page, number: int) -> str:
-    """What stands for a figure in the text of a page: nothing that Markdown changes or anybody writes."""
+    """The placeholder of a figure in the text of a page: Markdown keeps it, and no author writes it."""
     return f"asemediagram{number}of{zlib.crc32(page.file.src_uri.encode()):08x}"
 
 

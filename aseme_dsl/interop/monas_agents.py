@@ -1,9 +1,12 @@
 """Monas' `agents.xml`: the modules of the original robot software, as a `modules` block.
 
-What is known of the format (Monas, `config/agents.xml`): `<agent>` is a thread with a frequency in Hz that
-executes its `<activity>` children in order; `<provider>` is one for hardware, its text is its name;
-`<statechart>` names a statechart. `Enable` switches each of them off. Attributes may be written as child
-elements, and names in any case.
+The format (Monas, `config/agents.xml`), as far as it is known:
+
+- `<agent>` is a thread with a frequency in Hz that executes its `<activity>` children in order.
+- `<provider>` is a thread for hardware; its text is its name.
+- `<statechart>` names a statechart.
+
+`Enable` switches each of them off. Attributes may be written as child elements, and names in any case.
 
 The file is not XML, and XML libraries refuse it: its elements stand side by side without a root, and in most
 versions the values of attributes have no quotes. Both is read here, and so is proper XML, except document
@@ -54,7 +57,7 @@ class _Element:
         return "".join(self.parts)
 
     def said(self, name: str) -> str | None:
-        """An attribute, or the text of a child element of that name; whatever the case."""
+        """An attribute, or the text of a child element of that name, in upper or lower case."""
         for key, value in self.attributes.items():
             if key.lower() == name:
                 return value.strip()

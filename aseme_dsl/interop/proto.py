@@ -51,8 +51,8 @@ class ProtoImport:
 
     Types are called by their full names with underscores (`moveit_Pose`) until `join` gives them the names
     that a document uses. A member that cannot be an attribute in Python (`from`) has an underscore behind its
-    name. What conditions cannot use is kept all the same: repeated members, maps (repeated entries with
-    `key` and `value`) and members of a `oneof` or without a value (`optional`: absent until they are set).
+    name. Members that conditions cannot use are kept all the same. They are repeated members, maps (repeated
+    entries with `key` and `value`), members of a `oneof`, and `optional` members, absent until they are set.
     """
 
     name: str
@@ -69,8 +69,9 @@ def join(
 ) -> tuple[tuple[EnumType, ...], tuple[Message, ...], tuple[ProtoFile, ...]]:
     """All types and files of several imports, each once, under the names that a document uses.
 
-    That is the name without its package; the full name where two imported types would have the same, and for
-    a type of a file that is only imported by another one where `own` (the document's types) has that name.
+    That is the name without its package. Two imported types that would have the same name keep their full
+    names. So does a type with a name of `own` (the document's types) if only another imported file imports
+    its file.
     """
     direct = {item.name for item in imports}
     enums = {item.name: item for one in imports for item in one.enums}

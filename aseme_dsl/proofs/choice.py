@@ -2,12 +2,12 @@
 
 What is worth saying is decided here, once:
 
-- Two branches that can both hold are an overlap, unless the author has shown that their order is meant: a
-  choice that ends in a branch without a condition (`else`) is read as "if … else if … else", and a special
-  case before the general one cannot be meant otherwise. Of `when`, only what shares something it reads.
-- A gap is a snapshot in which nothing opens however long one waits: all messages are there but those of
-  which the choice asks `has(…)`, timers have run out, ages are old. An event, a timeout, a signal, or a state
-  around it that may be left, ends the wait. One condition alone is a wait that was meant.
+- Two branches that can both hold are an overlap, unless the author has shown that their order is meant. A
+  choice that ends in a branch without a condition (`else`) is read as "if … else if … else". A special case
+  before the general one cannot be meant otherwise. Of `when`, only what shares something it reads.
+- A gap is a snapshot in which no branch opens after any wait. All messages are there but those of which the
+  choice asks `has(…)`, timers have run out, ages are old. An event, a timeout, a signal, or a state around it
+  that may be left, ends the wait. One condition alone is a wait that was meant.
 - A condition that reads nothing, like `true`, is as its author wants it: it counts as none.
 - What a list holds is not known but for its size: a choice that asks for its elements is not looked at.
 - What a declared function returns is not known. If a finding depends on it together with what the function
@@ -48,7 +48,7 @@ class Overlap:
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """None of the branches of a fork holds, whatever time passes; `waits`: only while a message is absent."""
+    """No branch of a fork holds, however long it waits; `waits`: only while a message is absent."""
 
     fork: Fork
     witness: Witness

@@ -62,7 +62,7 @@ class Encoder:
         self.unknowns: dict[Key, Unknown] = {}
         self.symbols: dict[Key, Any] = {}
         self.facts: list[Formula] = []
-        """What holds of the unknowns whatever the conditions say."""
+        """What holds of the unknowns independently of the conditions."""
         self.functions = z3.Bool("functions", context)
         """Whether what declared functions return may decide; if not, their values count as absent."""
         self.texts = _texts(conditions)

@@ -85,7 +85,7 @@ def _decided(
 ) -> bool | None:
     """Whether all (or any) of the operands are so, from the left.
 
-    What comes behind something unknown decides only if that is no fault.
+    An operand behind an unknown one decides only if the unknown one cannot fail.
     """
     unsure = doubtful = False
     for operand in operands:

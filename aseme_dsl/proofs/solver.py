@@ -1,7 +1,7 @@
 """Solver: whether conditions can hold and fail together, and the simplest values that make them.
 
-The answer is the same on every run: z3 has fixed seeds and a budget that is counted, not timed, and of all
-values the first of a list (0, what the conditions mention, its neighbours) are taken, unknown by unknown.
+The answer is the same on every run: z3 has fixed seeds and a budget that is counted, not timed. Each unknown
+in turn gets the first possible value of a list: 0, the values that the conditions mention, their neighbours.
 """
 
 from __future__ import annotations

@@ -25,8 +25,12 @@ PRESENCES = (HAS, SET, THERE)
 class Unknown:
     """Something with a value of `type`; `text` is how it is written.
 
-    Keys begin with a word: `has` (a message is there), `set` (an optional member is, or an agent in its
-    variable), `there` (a history has a value), `raises` (a function does), and else what has the value.
+    Keys begin with a word. It names the element that has the value, or is one of:
+
+    - `has`: a message is there;
+    - `set`: an optional member is there, or an agent in its variable;
+    - `there`: a history has a value;
+    - `raises`: a function raises an exception.
     """
 
     key: Key
@@ -235,7 +239,7 @@ def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 yield Unknown((SET, *identity(item)), e.value_text(item), BOOL)
                 stack.extend(reversed(e.operands(item)))
             case e.Has() | e.Holds() | e.Logic() | e.Not():
-                pass  # may be there whatever is not
+                pass  # may be there when its operands are not
             case e.Conditional(condition=condition):
                 stack.append(condition)
             case _:

@@ -120,7 +120,7 @@ def interruptions(chart: Statechart, state: str) -> tuple[Path, ...]:
 
 
 def _event(event: e.Event) -> str:
-    """An event as it is written, whatever the line calls what it takes."""
+    """An event as it is written, without the name that the line gives to the message it takes."""
     return e.event_text(replace(event, name="") if isinstance(event, e.Received | e.Lost) else event)
 
 
