@@ -1,4 +1,4 @@
-"""Authoring: the requests of an editor while somebody types; what there is to say is decided elsewhere."""
+"""Authoring: the requests of an editor while the author types; other modules make the answers."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ CARRY_OUT = "aseme.carryOut"
 EXPLAIN = "aseme.explain"
 """The command that shows the page of a code, and answers with its text."""
 GO_ON = "aseme.goOn"
-"""The command that puts the cursor where the author has to go on writing after an action."""
+"""The command that puts the cursor where the author has to continue writing after an action."""
 
 _ACTION_KINDS = {
     ActionKind.QUICK_FIX: lsp.CodeActionKind.QuickFix,
@@ -306,7 +306,7 @@ class _Ranges:
 def _item(ranges: _Ranges, number: int, item: Item, with_snippets: bool) -> lsp.CompletionItem:
     text = item.insert
     if item.is_snippet and not with_snippets:
-        text = text.partition("$")[0].rstrip()  # as far as it is the same whatever is filled in
+        text = text.partition("$")[0].rstrip()  # up to the first place to fill in
     return lsp.CompletionItem(
         item.label,
         kind=_KINDS[item.kind],

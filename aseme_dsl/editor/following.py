@@ -56,7 +56,7 @@ class Page(Generic[Place]):
         self._soon = asyncio.get_running_loop().call_later(PAUSE, lambda: self._run(self._show()))
 
     def act(self, said: Mapping[str, object]) -> None:
-        """Somebody has clicked: go to the place in the text."""
+        """Carry out a click of the user: go to the place in the text."""
         match said:
             case {"act": "click", "id": str(element)} if self._shown is not None:
                 view, picture = self._shown

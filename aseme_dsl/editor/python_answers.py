@@ -1,4 +1,4 @@
-"""Python answers: what an editor is told of the Python of activities."""
+"""Python answers: answers to an editor about the Python of activities."""
 
 from __future__ import annotations
 

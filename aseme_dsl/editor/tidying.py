@@ -1,4 +1,4 @@
-"""Tidying: Python's collector of cycles works when nobody waits for an answer."""
+"""Tidying: Python's collector of cycles works when no request waits for an answer."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Tidying:
         """Free what only cycles hold, of what has come since the last time (cli/lsp.py turns off all else).
 
         Models are many objects that live long: to look for cycles among all of them takes longer than to make
-        them anew. So it is done when nobody waits, or when they have become many more.
+        them anew. So it is done when no request waits, or when they have become many more.
         """
         if not self.tidies:
             return
@@ -47,7 +47,7 @@ class Tidying:
             self.later()
 
     def tidy_all(self) -> None:
-        """Free whatever only cycles hold."""
+        """Free all objects that only cycles hold."""
         if not self.tidies:
             return
         gc.unfreeze()

@@ -1,7 +1,7 @@
 """Viewer: a page in a browser of this machine that shows a picture, and another one as soon as there is one.
 
-What it shows is a JSON document that the page understands (`page_state`, `viewer.html`); what people do there
-it hands to whoever has opened it.
+It shows a JSON document that the page understands (`page_state`, `viewer.html`). It hands the actions of
+users there to the program that has opened it.
 """
 
 from __future__ import annotations
@@ -34,16 +34,16 @@ _POLICY = "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'"
 MOST_TABS = 32
 """So many tabs may show something of their own; one that asks for more takes the place of the oldest."""
 NO_TAB = ""
-"""What a tab shows that nobody has selected anything in."""
+"""Stands for a tab in which nothing has been selected."""
 
 _LARGEST = 10_000
 """The most bytes that a page may send at once."""
 
 
 class Viewer:
-    """A page at `url`. `on_act` gets what people do there, in a thread of its own.
+    """A page at `url`. `on_act` gets the actions of users there, in a thread of its own.
 
-    Nobody on another machine can reach it, nor a page from elsewhere: the address has a secret in it.
+    No other machine can reach it, and no page from elsewhere: the address has a secret in it.
     """
 
     def __init__(self, on_act: Callable[[Mapping[str, object]], None], port: int = 0) -> None:
@@ -101,7 +101,7 @@ class Viewer:
         self._on_act(said)
 
     def is_asked(self, host: str, path: str) -> str | None:
-        """What a request to this page asks for; None where it is for nobody."""
+        """The part of the page that a request asks for; None where it is not for this page."""
         start = f"/{self._secret}/"
         hosts = (f"{LOOPBACK}:{self.port}", f"localhost:{self.port}")
         return path.removeprefix(start) if host in hosts and path.startswith(start) else None
@@ -243,7 +243,7 @@ class _Handler(BaseHTTPRequestHandler):
         self._answer(HTTPStatus.NO_CONTENT)
 
     def log_message(self, format: str, *args: object) -> None:
-        """Nobody wants to know which page has asked for what."""
+        """Log nothing: requests of pages are of no interest."""
 
     def _answer(
         self,

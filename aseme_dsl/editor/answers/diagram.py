@@ -1,7 +1,7 @@
 """Diagram: the drawing that belongs to a place in a file, and the places that belong to what it shows.
 
-A picture follows the cursor: `Diagrams.at` says which model the cursor is in, draws it, and says which
-element of the picture stands for that place; `elements` lead from each element back into the text.
+A picture follows the cursor. `Diagrams.at` finds the model that the cursor is in, draws it, and finds the
+element of the picture for that place. `elements` lead from each element back into the text.
 """
 
 from __future__ import annotations

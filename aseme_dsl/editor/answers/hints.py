@@ -26,8 +26,8 @@ class Hint:
 def hints(view: View, start: int, end: int) -> tuple[Hint, ...]:
     """The inferred types of lets and the labels of states, between two offsets.
 
-    A name in a formula shows the label of its state where exactly one statechart has it exactly once; an
-    activity that is played in several places is told by hovering.
+    A name in a formula shows the label of its state where exactly one statechart has it exactly once. For an
+    activity that is played in several places, hovering shows the labels.
     """
     labels = _labels(view)
     found: list[Hint] = []

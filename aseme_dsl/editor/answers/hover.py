@@ -70,7 +70,7 @@ def hover(view: View, offset: int) -> Hover | None:
 
 
 def _is_abandon(view: View, found: Occurrence) -> bool:
-    """Whether a name is that of `on abandon`, which is no term."""
+    """Whether a name is that of `on abandon`, which is not a term."""
     span = view.whole(found.span)
     line = view.source.text[: span.start].rpartition("\n")[2]
     return span.text == ABANDON and line.split()[-1:] == ["on"]

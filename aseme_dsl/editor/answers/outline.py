@@ -97,7 +97,7 @@ def _entries(nodes: tuple[object, ...], kinds: dict[Span, Kind]) -> Iterator[Ent
 
 
 def _span(node: object) -> Span:
-    span: Span = getattr(node, "span")  # noqa: B009  every node has one, of whatever class
+    span: Span = getattr(node, "span")  # noqa: B009  nodes of all classes have one
     return span
 
 

@@ -46,7 +46,7 @@ class Action:
     """Something to do. Without `edits`, `carry_out` makes them: `name` says what, from `start` to `end`.
 
     `mends` are the problems that are fixed then. `explains` is a code whose page is shown instead.
-    `cursor` is where the author has to go on writing, in the text that the edits make.
+    `cursor` is where the author has to continue writing, in the text that the edits make.
     """
 
     title: str

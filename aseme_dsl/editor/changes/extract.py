@@ -41,7 +41,7 @@ def extract(view: View, start: int, end: int) -> tuple[Edit, ...]:
     """The edits that make a formula of what is selected.
 
     Raises:
-        Refused: The selection is no part of a formula that can stand alone, or the model would change.
+        Refused: The selection is not a part of a formula that can stand alone, or the model would change.
     """
     piece = piece_at(view.source, start)
     owner, named, selected = _selection(piece, start - piece.first, end - piece.first)

@@ -1,7 +1,7 @@
 """Layout: the changes that lay a file, or some lines of it, out in the canonical way.
 
-What stands between two blank lines at the margin is laid out alone, and remembered: of a file that is being
-edited only that is laid out again which has changed.
+Each part between two blank lines at the margin is laid out alone, and remembered. While a file is edited,
+only the changed parts are laid out again.
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ def name_expression(view: View, start: int, end: int) -> tuple[Edit, ...]:
     variable of it, else in the protocol.
 
     Raises:
-        Refused: The selection is no whole expression with a value, or the model would change.
+        Refused: The selection is not a whole expression with a value, or the model would change.
     """
     piece = piece_at(view.source, start)
     text = piece.text

@@ -19,7 +19,7 @@ from aseme_dsl.source import Span
 class Fix:
     """`is_the_one`: nothing else can have been meant. `mends`: the problem is fixed then.
 
-    `cursor` is where the author has to go on writing: an offset in the text that the edits make.
+    `cursor` is where the author has to continue writing: an offset in the text that the edits make.
     """
 
     title: str

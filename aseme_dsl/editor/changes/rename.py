@@ -109,7 +109,7 @@ def renaming(
 
 
 def _fixed(workspace: Workspace, view: View, found: Occurrence) -> str | None:
-    """Why a name cannot be changed, whatever the new one."""
+    """Why a name cannot be changed to any new one."""
     symbol = found.symbol
     if symbol.kind in _FIXED:
         return f"`{symbol.name}` cannot be renamed: {_FIXED[symbol.kind]}"

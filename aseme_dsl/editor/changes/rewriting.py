@@ -212,9 +212,9 @@ def same_meaning(
 ) -> None:
     """Make sure that a new text of the file says nothing else than the one that is open.
 
-    Every chart has the same transitions between the same states: with the same labels or (not `exactly`) up
-    to the states that hold others, and whatever the expressions are called (`let`). There is nothing new to
-    complain of but `allowed` codes.
+    With `exactly`, every chart has the same labels of states, and the same transitions between them. Without
+    it, states that hold others may differ. The names of expressions (`let`) may differ in both cases. New
+    diagnostics have only `allowed` codes.
 
     Raises:
         Refused: It does not, or that cannot be said because there are errors.

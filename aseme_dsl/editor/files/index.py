@@ -157,7 +157,7 @@ Block = tree.Enum | tree.Message | tree.Function | tree.Aip | tree.Srm | tree.St
 class Around:
     """What a name stands in: the names that are visible there, by kind, and the blocks around it.
 
-    `owner` is the role or participant, `terms` what a name in a formula means if it is no activity.
+    `owner` is the role or participant, `terms` what a name in a formula means if it is not an activity.
     """
 
     world: World

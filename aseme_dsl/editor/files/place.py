@@ -1,7 +1,7 @@
 """Place: where in a text the cursor stands, and what the grammar would take there.
 
-Only the declaration around the cursor is read, and of it only what is still open: a place is found in a file
-of any length, however broken the rest of it is.
+Only the declaration around the cursor is read, and of it only the blocks that are still open. So a place is
+found in a file of any length, however broken the rest of it is.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ _LONG = 12_000
 class Place:
     """The cursor at `offset`, in or beside the word `start … end`; in a text in quotes, that is what it says.
 
-    `inside` is "code", "comment" or "text". `first` is where the declaration begins; `read` is the text from
-    there to `start`, in which comments and closed blocks are blank; `block` is where its innermost open
-    block begins in it (-1 outside). `expected` is what may follow; a dotted name whose begin, the `path`,
+    `inside` is "code", "comment" or "text". `first` is where the declaration begins. `read` is the text from
+    there to `start`, in which comments and closed blocks are blank. `block` is where its innermost open
+    block begins in it (-1 outside). `expected` is what may follow. A dotted name whose begin, the `path`,
     stands there already, counts as still to come.
     """
 

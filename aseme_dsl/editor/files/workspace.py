@@ -37,16 +37,16 @@ MOST_FILES = 2000
 """How many files of a folder are looked at for what imports what."""
 
 MOST_EDITS = 100
-"""How many edits are told apart until the compiler has seen them."""
+"""How many edits are kept one by one until the compiler has seen them."""
 
 
 @dataclass(frozen=True, slots=True)
 class Project:
     """What a project on disk says, as an editor needs it; the command line knows where to find it.
 
-    `options` gives the options for a root and what is wrong with the configuration; `code` what the Python of
-    the activities gets wrong, and what comments there allow; `without_read` leaves out what is said of
-    a variable that only this code reads.
+    - `options` gives the options for a root, and the diagnostics of the configuration.
+    - `code` gives the diagnostics of the Python of the activities, and those that comments there allow.
+    - `without_read` leaves out the diagnostics of a variable that only this code reads.
     """
 
     options: Callable[[Path], tuple[Options, tuple[Diagnostic, ...]]] = lambda root: (Options(), ())
@@ -192,7 +192,7 @@ class Workspace:
                 yield
 
     def recent(self, path: str) -> View | None:
-        """The file as it is now, with what was known when all was last compiled: nobody waits for this.
+        """The file as it is now, at once: with what was known when all was last compiled.
 
         Only a file that was never looked at is compiled for it.
         """

@@ -14,17 +14,17 @@ LARGEST = 64 << 20
 _LONGEST_HEADER = 1000
 _LENGTH = re.compile(rb"Content-Length: *(\d+)\s*", re.IGNORECASE)
 _NOTHING = b'{"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":"refused"}}'
-"""Stands for a message that was refused: it takes back a request that nobody has made."""
+"""Stands for a message that was refused: it takes back a request that was never made."""
 
 
 class Limits:
-    """Looks at what an editor sends. What is no message is told, and left out."""
+    """Looks at the input from an editor. Invalid messages are reported, and left out."""
 
     def __init__(self, tell: Callable[[str], None]) -> None:
         self._tell = tell
 
     def line(self, line: bytes) -> bytes:
-        """A line of a header; nothing where it cannot be known how to go on."""
+        """A line of a header; nothing where the input behind it cannot be read."""
         length = _LENGTH.fullmatch(line)
         digits = len(length[1].lstrip(b"0")) if length is not None else 0
         if digits > 20 or (length is not None and int(length[1]) > LARGEST):

@@ -1,9 +1,9 @@
-"""Reading: each parse has a budget, and one that takes long goes on in a process of its own.
+"""Reading: each parse has a budget, and a long one is done in a process of its own.
 
 A parse begins in the server, where it nearly always ends within milliseconds. If it does not, it is given
-up and `NotYet` is raised: the request that needs it waits for another process to do it, and is then answered
-from the beginning. Meanwhile all others are answered. What is not read within `MOST` counts as unreadable
-until it is edited (`TooSlow`); the process is ended by the operating system.
+up and `NotYet` is raised. The request that needs it waits for another process to do it, and is then answered
+from the beginning. Meanwhile all others are answered. A text that is not read within `MOST` counts as
+unreadable until it is edited (`TooSlow`); the operating system ends the process.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _V = TypeVar("_V")
 _P = ParamSpec("_P")
 
 QUICK = 0.25
-"""Seconds of computing after which a parse in the server is given up: nobody is answered meanwhile."""
+"""Seconds of computing after which a parse in the server is given up: all requests wait meanwhile."""
 
 MOST = 5.0
 """Seconds of computing after which a parse is given up for good."""
@@ -215,7 +215,7 @@ def _read(work: str, source: Source) -> object:
 
 
 def at_once(function: Callable[_P, _T], *arguments: _P.args, **named: _P.kwargs) -> _T:
-    """`function(*arguments)`, for an answer that nobody wants late; may raise `TooSlow`."""
+    """`function(*arguments)`, for an answer that is useless when late; may raise `TooSlow`."""
     own = reader.get()
     if own is None:
         return function(*arguments, **named)

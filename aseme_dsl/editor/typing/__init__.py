@@ -1,1 +1,1 @@
-"""Typing: what may come next where somebody types."""
+"""Typing: what may come next where the author types."""

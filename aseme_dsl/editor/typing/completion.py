@@ -41,10 +41,10 @@ from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Source
 
 MOST = 200
-"""How many items are offered at most. An editor takes long to read more, and nobody reads so many."""
+"""How many items are offered at most. An editor takes long to read more, and no author reads so many."""
 
 _LATER = 10
-"""By how much items are put behind those that go on with what stands on the line."""
+"""By how much items are put behind those that continue the line."""
 
 
 def complete(source: Source, offset: int, known: Known) -> tuple[Item, ...]:

@@ -1,4 +1,4 @@
-"""Items: what is offered to somebody who types, independent of the protocol of any editor."""
+"""Items: what is offered to an author who types, independent of the protocol of any editor."""
 
 from __future__ import annotations
 

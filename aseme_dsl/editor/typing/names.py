@@ -1,7 +1,7 @@
 """Names: what may be named at each place of the grammar that wants a name.
 
-Every place at which the grammar wants a name, a path, a label or a text is in `PLACES`: with what is offered
-there, or among `NEW`, where the author makes up a name of his own.
+Every place at which the grammar wants a name, a path, a label or a text is in `PLACES`, with what is offered
+there. Where the author makes up a new name, the place is among `NEW`.
 """
 
 from __future__ import annotations

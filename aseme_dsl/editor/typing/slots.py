@@ -1,8 +1,7 @@
 """Slots: what may come next inside a transition expression, a value or a formula.
 
-These are flat lists of tokens for the grammar; their structure is read by hand
-(grammar/formulas/transition.py), and so it is here, from the tokens before the cursor, which need not make
-sense yet.
+These are flat lists of tokens for the grammar. Their structure is read by hand
+(grammar/formulas/transition.py), and so it is here. The tokens before the cursor need not make sense yet.
 """
 
 from __future__ import annotations

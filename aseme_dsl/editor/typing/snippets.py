@@ -104,7 +104,7 @@ def singular(attribute: str) -> str:
 
 
 def filled(snippet: str) -> str:
-    """The snippet as it stands when nobody has filled in anything."""
+    """The snippet as it stands before the author fills in anything."""
     import re
 
     text = re.sub(r"\$\{\d+\|([^,|]*)[^|]*\|\}", r"\1", snippet)
