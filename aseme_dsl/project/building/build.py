@@ -40,8 +40,8 @@ PARTS = (MODELS, DIAGRAMS, PROTO)
 class Choice:
     """What a build is asked to do.
 
-    `only` are the parts and backends to renew, all if it is empty; `activities` is the folder of the
-    project's activities, else each backend has its own, in its output folder.
+    `only` are the parts and backends to renew, all if it is empty. `activities` is the folder of the
+    project's activities. Without it, each backend has its own, in its output folder.
     """
 
     only: frozenset[str] = frozenset()
@@ -441,7 +441,7 @@ def _helpers(folders: Iterable[Path]) -> list[Path]:
 
 
 def _bytes(text: str) -> bytes:
-    """UTF-8; what is no text (a file's name may be any bytes) is escaped."""
+    """UTF-8; bytes that are not text are escaped (a file's name may be any bytes)."""
     return text.encode("utf-8", "backslashreplace")
 
 

@@ -72,7 +72,7 @@ class Checked:
     suppressed: tuple[Suppressed, ...]
     unchecked: int = 0
     compiled: tuple[Compiled, ...] = ()
-    """What each root has become, for whoever watches."""
+    """The compiled roots, for a command that watches."""
 
 
 def inputs_of(targets: Sequence[str], read_standard_input: Callable[[], bytes]) -> Inputs:
@@ -236,11 +236,11 @@ def without_read(
 def check(
     inputs: Inputs, sources: Mapping[str, str] | None = None, workshop: Workshop | None = None
 ) -> Checked:
-    """Everything that there is to say of all inputs.
+    """All diagnostics of all inputs.
 
-    A file of a folder that declares no system is looked at through those that import it, or else by itself,
-    and need not declare one; nor does a file that declares only what other files import. Holes are notes:
-    nothing is generated. Texts in `sources` (by path) are taken instead of the files on disk.
+    A file of a folder that declares no system is checked through the files that import it, or else by itself.
+    It need not declare a system. Nor need a file with nothing but declarations for other files. Holes are
+    notes: nothing is generated. Texts in `sources` (by path) are taken instead of the files on disk.
     """
     found = list(inputs.diagnostics)
     compiled = [

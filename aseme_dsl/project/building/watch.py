@@ -1,9 +1,9 @@
 """Watch: which files a command depends on, and which of them have changed since it looked at them last.
 
-Files are asked for their time, size and number, again and again: that sees what any editor does (also one
-that writes a new file and gives it the old one's name), on any file system and in any container. What it
-costs is measured, and no more of them are asked for at a time than takes a hundredth of a processor: always
-those that are edited most, of the others some each time.
+The watch looks at the time, size and number of files, again and again. So it sees the changes of any editor,
+on any file system and in any container. An editor may even write a new file with the old one's name.
+It measures the cost, and takes no more than a hundredth of a processor. It always looks at the files that are
+edited most, and each time at some of the others.
 """
 
 # watchfiles sees a change 40 ms sooner where inotify works. It refuses files that do not exist yet, sees
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from aseme_dsl.project.building.workshop import Workshop
 
 _INTERVAL = 0.04
-"""How long to wait at least between two looks, in s: nobody notices it."""
+"""How long to wait at least between two looks, in s: too short for a user to notice."""
 _SHARE = 100
 """Looking may take one part in so many of the time."""
 _FEWEST = 8
@@ -88,8 +88,8 @@ class Watch:
     ) -> None:
         """The command has read these; all others are left out. Those that change `rarely` may wait a second.
 
-        What it has written itself (and the folders around that) counts as it is now, and so does what is new
-        among them, unless somebody may have changed it since it was read.
+        The files that it has written itself (and the folders around them) count as they are now. So do new
+        paths, unless they may have changed since the command read them.
         """
         own = {str(item) for path in written for item in (path, path.parent)}
         known, self._stamps = self._stamps, {}
@@ -168,11 +168,11 @@ def watched(
     templates: Path | None,
     workshop: Workshop,
 ) -> tuple[set[str], set[str]]:
-    """The paths on which it depends what a command says or writes, whether there is anything or not; second,
-    which of them are the code of activities: many, of which few are ever edited.
+    """The paths on which the output of a command depends; second, those of them with code of activities.
 
-    Of files: what was read or looked for, the configuration, the Python of activities and modules, .proto
-    files behind others, and templates. Of folders: where a file that is new would count.
+    A path need not exist. The files with code are many, of which few are ever edited. The files are: those
+    that were read or looked for, the configuration, the Python of activities and modules, .proto files behind
+    others, and templates. The folders are those in which a new file would count.
     """
     found: set[str] = set()
     code_found: set[str] = set()

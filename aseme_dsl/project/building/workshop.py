@@ -39,7 +39,7 @@ class Workshop:
         self._roots: dict[str, KnownRoot] = {}
         self._parts: dict[str, Parts] = {}
         self.stamps: Mapping[str, Stamp | None] = {}
-        """What files were when somebody looked at them, before what is done now has begun."""
+        """The stamps of files as they were before the present work began."""
 
     def about(self, path: str) -> KnownRoot:
         """What is known of a root."""

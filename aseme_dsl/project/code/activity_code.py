@@ -88,14 +88,19 @@ def check_code(
     """What the Python in `folder` gets wrong of the system: E540, E546, W530, W532, W540, W547, W555,
     W556, N726.
 
-    What is not there is not asked for, unless it is `required`: then a missing folder is E544, and a missing
-    file E543; a file that nothing uses is W541, one of a simulated activity W542, one in which nothing is
-    written yet N740. Second comes what a comment on the line allows:
-    `# asemec: allow(CODE) reason`.
+    Missing files are allowed, unless there is `required`. Then these codes are added:
+
+    - E544: a missing folder;
+    - E543: a missing file;
+    - W541: a file that nothing uses;
+    - W542: a file of a simulated activity;
+    - N740: a file in which nothing is written yet.
+
+    The second value has the diagnostics that a comment on the line allows: `# asemec: allow(CODE) reason`.
+
     `alone`: the folder belongs to this system only. If other systems share it, a name that nothing here is
     like may be one of theirs. `project` is the folder from which the code of modules is imported that is not
-    found by their names. With a `memory`, what has not changed since is not looked at again: a file as long
-    as `look` says the same of it.
+    found by their names. With a `memory`, a file is not read again as long as `look` gives the same for it.
     """
     memory = memory or Memory()
     if not folder.is_dir():
@@ -267,7 +272,7 @@ def _problems_of(
 
 
 def _problems_of_words(code: _Code, types: System, *world: *_WorldInputs) -> tuple[Diagnostic, ...]:
-    """What is wrong with the code whatever is said of its activity."""
+    """The diagnostics of the code that do not depend on the description of its activity."""
     module = code.read
     return (
         *unknown_methods(module.tree, module.span, code.executes),
@@ -697,7 +702,7 @@ def _says_something(node: ast.ClassDef) -> bool:
 
 
 def _defines(node: ast.ClassDef, name: str) -> bool:
-    """Whether the body of a class gives `name` a meaning, by whatever statement."""
+    """Whether the body of a class gives `name` a meaning, by any statement."""
     return any(
         getattr(item, "name", None) == name or (isinstance(item, ast.Name) and item.id == name)
         for item in ast.walk(node)
@@ -711,7 +716,7 @@ def _named(module: _Module, node: ast.ClassDef) -> Span:
 
 
 def _brings(tree: ast.Module, name: str) -> bool:
-    """Whether the module imports the name, assigns it, or imports whatever there is."""
+    """Whether the module imports the name, assigns it, or imports all names (`*`)."""
     for node in tree.body:
         match node:
             case ast.ImportFrom(names=names) | ast.Import(names=names):

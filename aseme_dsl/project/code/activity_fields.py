@@ -1,7 +1,8 @@
 """Activity fields: whether the Python of activities makes and reads messages with the members that they have.
 
-Only what is certain is said: values that are written where a message is made, and members of what is known to
-be a message: by an annotation, by the call that makes it, or by what the context gives.
+Only certain errors are reported: in values that are written where a message is made, and in members of values
+that are surely messages. These are known by an annotation, by the call that makes them, or by the context's
+method that gives them.
 """
 
 from __future__ import annotations

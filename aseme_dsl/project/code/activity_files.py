@@ -147,7 +147,7 @@ def check_files(
     missing = [item for item in missing if item.unplayed is None]
     modules = {Path(path).stem: path for path in unused}
     found = [_missing(item, None, system, project) for item in to_play]
-    # One file too few and one too many: an activity has been renamed, whatever the names.
+    # One file too few and one too many: an activity has been renamed, even if the names are not alike.
     is_renamed = len(missing) == len(unused) == 1 and _is_of_class(unused[0])
     for item in missing:
         near = modules.get(closest(Path(item.path).stem, modules) or "")
@@ -468,7 +468,7 @@ def _parsed(path: str) -> ast.Module:
 
 
 def empty_classes(tree: ast.Module) -> frozenset[str]:
-    """The classes whose `execute` is a docstring, as they are started. `pass` is somebody's word."""
+    """The classes whose `execute` is a docstring, as they are started. A user has written `pass`."""
     return frozenset(
         node.name
         for node in tree.body
@@ -488,7 +488,7 @@ def stubs(system: System, folder: Path, templates: Path | None = None) -> dict[P
 def renewed_stubs(
     system: System, folder: Path, templates: Path | None = None
 ) -> dict[Path, tuple[bytes, bytes]]:
-    """Files that nobody has edited since they were started and that would be started otherwise now.
+    """Files that are as they were started, without an edit, and that would be started otherwise now.
 
     Each is given as it is and as it would be.
     """
@@ -527,7 +527,7 @@ _DESCRIBES = re.compile(
 
 
 def _is_as_started(before: bytes, now: bytes) -> bool:
-    """Whether a file has no line but those of a first version, whatever was said of its activity then."""
+    """Whether a file has no line but those of a first version, for any description of its activity."""
     try:
         lines = before.decode("utf-8").splitlines()
     except UnicodeDecodeError:

@@ -43,10 +43,10 @@ def systems_beside(system: System, neighbours: Iterable[Path]) -> frozenset[str]
 def wrong_imports(
     tree: ast.Module, system: System, systems: Collection[str], place: Place
 ) -> Iterator[Diagnostic]:
-    """E546 for an import of what is generated for a system that there is not, as before it was renamed, of a
-    module that is not generated, and of a module of `aseme_dsl` that there is not, as before it was moved.
+    """E546 for imports of modules that do not exist, generated or of `aseme_dsl`.
 
-    An import inside `try` may fail.
+    The system of a generated module may be unknown, as after it was renamed, or not have such a module. A
+    module of `aseme_dsl` may have been moved. An import inside `try` may fail.
     """
     tried = {id(inner) for node in ast.walk(tree) if isinstance(node, ast.Try) for inner in ast.walk(node)}
     told: set[Span | None] = set()

@@ -22,7 +22,7 @@ Published = tuple[str, ast.expr]
 """A channel that there is, and what is published on it."""
 
 _PLAIN = (ast.Constant, ast.JoinedStr, ast.List, ast.Tuple, ast.Dict, ast.Set)
-"""Values that are no message, whatever is in them."""
+"""Expressions whose values are never messages."""
 
 
 def unfit_messages(

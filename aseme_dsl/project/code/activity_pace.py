@@ -1,4 +1,4 @@
-"""Activity pace: whether the Python of an activity surely returns at once, whatever it is given."""
+"""Activity pace: whether the Python of an activity surely returns at once, with any arguments."""
 
 from __future__ import annotations
 

@@ -149,7 +149,7 @@ def _placed_in(chart: Statechart) -> tuple[tuple[str, tuple[str, str]], ...]:
     return tuple(dict.fromkeys(found))
 
 
-# ---- what nobody says ------------------------------------------------------------------------------
+# ---- unsaid ----------------------------------------------------------------------------------------
 
 
 def unsaid(

@@ -185,7 +185,7 @@ def _find_module(module: str, project: Path) -> str | _Missing | None:
         if depth == len(parts) - 1:
             return spec.origin if spec.origin is not None and spec.origin.endswith(".py") else None
         if inside is None:
-            return None  # a module that is no package may still put others into `sys.modules`
+            return None  # a module that is not a package may still put others into `sys.modules`
         if spec.origin is not None and "__path__" in _text(spec.origin):
             return None
         folders = list(inside)
@@ -216,7 +216,7 @@ def _otherwise(name: str) -> ModuleSpec | None:
     for finder in sys.meta_path:
         try:
             spec = finder.find_spec(name, None)
-        except Exception:  # somebody else's finder
+        except Exception:  # a finder of another package
             continue
         if spec is not None:
             return spec

@@ -35,7 +35,7 @@ class Completed:
     wait: bool = False
     advised: tuple[Diagnostic, ...] = ()
     renewed: Mapping[Path, tuple[str, str]] = field(default_factory=dict)
-    """Files of activities that nobody has edited, as they were and as they are started now."""
+    """Files of activities without an edit, as they were and as they are started now."""
 
     @property
     def difference(self) -> str:

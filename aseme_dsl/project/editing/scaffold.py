@@ -37,9 +37,9 @@ def scaffold(
 ) -> Scaffolded:
     """Complete a text with all that its notes say is missing; every character that it has stays.
 
-    Roles, protocols and control are written with holes (`?`, `[?]`) where somebody has to decide. What
-    another part would have to use first (formulas, participants) is written as a comment. What stands there
-    already is not written again.
+    Roles, protocols and control are written with holes (`?`, `[?]`) where the author has to decide. Parts
+    that another part would have to use first (formulas, participants) are written as comments. Parts that
+    stand there already are not written again.
     """
     mark = "\ufeff" if source.text.startswith("\ufeff") else ""
     text = source.text[len(mark) :]

@@ -142,7 +142,7 @@ def _is_trace(path: Path) -> bool:
 
 
 def _identity(path: Path) -> str:
-    """The file itself, whatever links lead to it."""
+    """The file itself, where links lead to it, too."""
     try:
         return os.path.realpath(path)
     except ValueError:  # a NUL character: reading it says so

@@ -35,9 +35,9 @@ class Manifest:
     """What the last builds wrote into a folder.
 
     `files` are keyed by their path in the folder, with `/`. `started` are files that became the user's when
-    they were written (templates of activities, say), keyed by a name that does not depend on where they are;
-    their hash tells whether anything was filled in since. `source` is the file that was built, as a path from
-    the folder with `/`, or `<stdin>`.
+    they were written (templates of activities, say). They are keyed by a name that does not depend on their
+    place. Their hash tells whether anything was filled in since. `source` is the file that was built, as a
+    path from the folder with `/`, or `<stdin>`.
     """
 
     system: str | None = None
@@ -84,7 +84,7 @@ def read_manifest(folder: Path) -> Manifest:
         system, source = _text(document["system"]), _text(document["source"])
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as problem:
         raise DamagedManifest(f"it is damaged ({type(problem).__name__})") from problem
-    # Somebody may have edited it: no path in it may lead out of the folder.
+    # A user may have edited it: no path in it may lead out of the folder.
     files = {path: entry for path, entry in files.items() if is_inside(path)}
     return Manifest(system, source, MappingProxyType(files), MappingProxyType(started))
 

@@ -12,8 +12,11 @@ from typing import Literal
 from aseme_dsl import outside
 
 Kind = Literal["bench", "drawing", "plot", "report", "study", "talk", "trace"]
-"""What a file is: the report of a bench, a drawing of a model, a plot, what was found in files, the report of
-a study or its data, what agents say to each other, a trace."""
+"""What a file is.
+
+In this order: the report of a bench, a drawing of a model, a plot, a report of diagnostics. Then the report
+of a study or its data, the messages between agents, a trace.
+"""
 
 _NAMES: Mapping[Kind, str] = {
     "bench": "the report of a bench",
@@ -67,7 +70,7 @@ class NotOurs(Exception):
 
 
 def check_outputs(outputs: Iterable[tuple[Path, Kind]], inputs: Iterable[Path | str] = ()) -> None:
-    """Refuse to write over what is no earlier output of that kind, or is among what is read, or twice.
+    """Refuse to write over a file that is not an earlier output of that kind, over an input, or twice.
 
     An empty file, a device and a pipe take everything.
 
@@ -106,7 +109,7 @@ def is_ours(path: Path, kind: Kind) -> bool:
 
 
 def marked(content: bytes, suffix: str, command: str) -> bytes:
-    """A picture or a diagram that says, where nobody sees it, which command of asemec wrote it.
+    """A picture or a diagram with an invisible mark that says which command of asemec wrote it.
 
     Only kinds of files are marked that cannot be told from another's by how asemec writes them.
     """

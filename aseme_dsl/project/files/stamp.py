@@ -10,7 +10,7 @@ Stamp = tuple[int, int, int]
 """The time, the size and the number of a file."""
 
 Look = Callable[[str], Stamp | None]
-"""What a file is, by its path: `stamp_of`, or what somebody has just been told by it."""
+"""Gives the stamp of a path: `stamp_of`, or a function that uses stamps taken just before."""
 
 CLOCK = 10_000_000
 """By how many ns the times of files may be behind the clock."""

@@ -44,8 +44,8 @@ STAGED = ".asemec-"
 class Planned:
     """A file to write.
 
-    `path` is relative to the output folder, with `/`. A file with a `home` is the user's once it is there:
-    it is written to `home` if there is nothing yet, and never again; `path` is then only its name in the
+    `path` is relative to the output folder, with `/`. A file with a `home` is the user's once it is there.
+    It is written to `home` if there is nothing yet, and never again. `path` is then only its name in the
     manifest.
     """
 
@@ -74,7 +74,7 @@ class Seen:
     """What a process has found of its own files when it wrote into a folder last, so as not to read it again.
 
     A file counts as seen as long as its stamp is the same: what `stat` says of its time, size and number.
-    `look` tells what a file of the user is, as far as somebody has just asked.
+    `look` gives the stamp of a file of the user; it may be one that was taken just before.
     """
 
     files: dict[str, tuple[Planned, Stamp, Path]] = field(default_factory=dict)
@@ -106,7 +106,7 @@ class Disk:
         path.unlink(missing_ok=True)
 
     def make_folder(self, path: Path) -> None:
-        """Make one folder; one that somebody else has just made is as good."""
+        """Make one folder; one that another process has just made is as good."""
         path.mkdir(exist_ok=True)
 
     def remove_folder(self, path: Path) -> None:
@@ -323,7 +323,7 @@ class _Plan:
         self.seen.manifest = None if stamp is None else (self.manifest, stamp)
 
     def _seen_at(self, file: Planned) -> Path | None:
-        """Where a file is that was written, or found to be the same, and that nobody has touched since."""
+        """The path of a file that was written, or found to be the same, and has not changed since."""
         known = self.seen.files.get(file.path)
         if known is None or known[0] is not file:
             return None
@@ -407,7 +407,7 @@ class _Plan:
                 self.warnings.append(Diagnostic(problem, None, path=str(target)))
 
     def _content(self, target: Path) -> bytes | None:
-        """What is in a file; None if there is none. What is no file, or cannot be read, is an error."""
+        """The content of a file; None if there is none. A path that is not a readable file is an error."""
         try:
             return outside.read_bytes(target)
         except FileNotFoundError:
@@ -579,7 +579,7 @@ def _uninterrupted() -> Iterator[None]:
     before = {}
     for number in (signal.SIGINT, signal.SIGTERM):
         handler = signal.getsignal(number)
-        if handler is not None:  # None: somebody set it who is not Python
+        if handler is not None:  # None: code outside Python has set it
             before[number] = handler
     try:
         for number in before:

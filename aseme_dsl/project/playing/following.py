@@ -21,8 +21,8 @@ _AT_ONCE = 1 << 20
 class TraceFollower:
     """A trace that a run writes, or will write: `NAME.part` until it is complete, `NAME` then.
 
-    Whoever begins before the run waits for it; one that begins anew in the same place is followed from its
-    begin. What is there already when it is looked at for the first time is told, too. A folder is no trace.
+    A follower that begins before the run waits for it. A run that begins anew in the same place is followed
+    from its begin. The first poll gives the records that are there already, too. A folder is not a trace.
     """
 
     def __init__(self, path: Path) -> None:
@@ -36,7 +36,7 @@ class TraceFollower:
         """The records that were written since it was looked at last; it waits for nothing.
 
         Raises:
-            TraceError: it cannot be read, or is an MCAP file, which is no text.
+            TraceError: it cannot be read, or is an MCAP file, which is not text.
         """
         try:
             if self._file is None or self._is_another(self._file):

@@ -1,7 +1,7 @@
 """Merging: the traces of the processes of a run, on one time line, though each counts from its own begin.
 
-Processes of one machine share its clock. The difference between two machines' clocks is what one of them has
-measured, which is in its trace; where nobody has, the dates on which the runs began have to do.
+Processes of one machine share its clock. The difference between two machines' clocks is in the trace of the
+machine that has measured it. Without a measurement, the dates on which the runs began have to do.
 """
 
 from __future__ import annotations

@@ -32,9 +32,9 @@ def operable(
 ) -> Iterator[None]:
     """Inside, operators reach the team over a socket, and over its transport if there is a file of `keys`.
 
-    `changed` is told of each swap that is done.
+    `changed` is called with each swap that is done.
 
-    A run to which no socket can be opened goes on without one, with a line in its trace.
+    A run to which no socket can be opened continues without one, with a line in its trace.
     """
     from aseme_dsl.runtime.control.control import Control
     from aseme_dsl.runtime.control.control_socket import ControlError, listening

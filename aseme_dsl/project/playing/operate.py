@@ -121,7 +121,7 @@ def generate_version(system: System, output: Path, choice: Choice) -> tuple[Path
 
 def write_version(system: System, output: Path, choice: Choice, activities: Path | None) -> tuple[str, str]:
     """Write a version that a running team can be changed to, with its activities; gives its hash and that of
-    its models. Nobody else can write there.
+    its models. No other user can write there.
 
     Raises:
         OperateError: it cannot be written.
@@ -213,7 +213,7 @@ def swap(
     Gives what the processes have said.
 
     Raises:
-        OperateError: one of them cannot, or did not confirm; they all go on as before.
+        OperateError: one of them cannot, or did not confirm; they all continue as before.
         PartlyDone: some have changed.
     """
     names = None if agents is None else list(agents)
@@ -241,7 +241,7 @@ def swap(
 
 
 def _prepare(sockets: list[Endpoint], request: Request) -> tuple[list[str], tuple[Reply, ...]]:
-    """One attempt; gives who is in the way, if somebody is."""
+    """One attempt; gives the reasons why processes are busy, if there are any, and the replies."""
     replies = _ask_all({path: {**request, "phase": "ready"} for path in sockets}, 30.0)
     busy = [reason for reply in replies.values() for reason in reply["reasons"]]
     if busy:
@@ -282,7 +282,7 @@ def _models(concerned: Iterable[Endpoint]) -> list[str]:
 
 
 def _roll_back(held: Mapping[Endpoint, int], reason: str) -> list[str]:
-    """Let everybody go on as before; gives who did not say that it does."""
+    """Let all processes continue as before; gives a line for each that did not confirm it."""
     requests: dict[Endpoint, Request] = {
         path: {"request": "swap", "phase": "rollback", "id": number, "reason": reason}
         for path, number in held.items()

@@ -239,8 +239,8 @@ def play(
 ) -> Played:
     """Run a system's team, or one plan, to the end.
 
-    `tell` is given each line that the project's `progress` has to tell; `tick` the time, at every instant at
-    which nothing is left to do; `listeners` every line of the trace.
+    `tell` is given each line of the project's `progress`. `tick` is given the time, at every instant at which
+    nothing is left to do. `listeners` are given every line of the trace.
 
     Raises:
         PlayError: it cannot be run like that; or the project's own functions fail.
@@ -529,7 +529,7 @@ def _duration(request: Request, configuration: Configuration, world: object) -> 
         return request.duration
     if configuration.run is not None and configuration.run.duration is not None:
         return configuration.run.duration
-    # On a robot the end is Ctrl-C; virtual time would go on for ever.
+    # On a robot the end is Ctrl-C; virtual time would never end.
     return None if request.real and world is None else USUAL_LENGTH
 
 
@@ -572,7 +572,7 @@ class _Watch:
 
 
 class Progress:
-    """What a project tells of its world while it goes on."""
+    """The lines that a project prints of its world during a run."""
 
     def __init__(self, world: object, progress: str | None, tell: Tell) -> None:
         """`progress` is the project's function. Raises PlayError if there is none of that name."""
@@ -602,8 +602,8 @@ def _lines_of(told: object) -> Iterable[object]:
 def doing(team: Team) -> dict[str, tuple[tuple[str, ...], ...]]:
     """The active states of each agent, region by region in document order, by name.
 
-    Of each region the names of the states that are active in one another: from the role's to the activity's,
-    or to the innermost that has a name of its own.
+    Of each region these are the names of the states that are active in one another. The first is the role's,
+    the last the activity's, or that of the innermost state that has a name of its own.
     """
     return {
         agent.name: tuple(_names(agent.plan.by_label, label) for label in agent.chart.configuration())

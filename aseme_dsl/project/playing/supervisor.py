@@ -1,9 +1,9 @@
 """Supervisor: a team in which every robot is a process, started, watched, restarted and ended together.
 
 Each process has a pipe from here as its standard input and ends when that does, so that none is left over,
-also if this process is killed. All begin at one moment, told over that pipe when everybody is ready. A robot
-that ends badly is started again after a while that doubles each time, until it has lived for some time.
-Robots tell to which version of their model they are changed while they play: in that they are started again.
+also if this process is killed. All begin at one moment, which they get over that pipe when all are ready. A
+robot that ends badly is started again after a while that doubles each time, until it has run for some time.
+A robot reports each version of its model that it is changed to while it plays, and is started again in that.
 """
 
 from __future__ import annotations
@@ -45,10 +45,13 @@ ENDED = "\x01ended "
 WORLD = "ASEMEC_WORLD"
 """The environment variable that has the key to the world."""
 FEW_ARENAS = {"MALLOC_ARENA_MAX": "2"}
-"""Unless the environment says otherwise: else the GNU C library keeps apart, for each of a robot's two dozen
-threads, what it was once given, and for an hour the process seems to grow."""
+"""The default of the environment variable for the number of arenas of the GNU C library.
+
+Without it, the library keeps memory apart for each of a robot's two dozen threads. Then the process seems to
+grow for an hour.
+"""
 START = 60.0
-"""How long, in seconds, everybody may take to get ready."""
+"""How long, in seconds, all processes may take to get ready."""
 END = 1.5
 """How long, in seconds, a process may take to end before it is killed."""
 SHORTEST, LONGEST = 0.2, 5.0
@@ -195,7 +198,7 @@ class _Run:
         self._pumps: list[threading.Thread] = []
 
     def run(self) -> Supervised:
-        """Start everybody, and watch them to the end."""
+        """Start all processes, and watch them to the end."""
         over = False
         with _signals(lambda: self._news.put(_News("", "stop", "interrupted"))):
             try:
@@ -302,7 +305,7 @@ class _Run:
         )
 
     def _await_all(self) -> None:
-        """Wait until everybody is ready, and begin."""
+        """Wait until all processes are ready, and begin."""
         waiting = set(self._robots)
         if waiting:
             for news in self._listen(START):
@@ -369,7 +372,7 @@ class _Run:
     # ---- ending ------------------------------------------------------------------------------
 
     def _end_all(self) -> None:
-        """Ask everybody to end, robots before the world; kill whoever does not."""
+        """Ask all processes to end, robots before the world; kill those that do not."""
         robots = [child.process for child in self._robots.values() if child.process is not None]
         world = [self._world.process] if self._world is not None and self._world.process is not None else []
         for group, patience in ((robots, END), (world, 0.3)):
@@ -503,7 +506,7 @@ def _signals(stop: Callable[[], None]) -> Iterator[None]:
         stop()
 
     for number in (int(signal.SIGINT), int(signal.SIGTERM)):
-        if signal.getsignal(number) is not None:  # None: somebody set it who is not Python
+        if signal.getsignal(number) is not None:  # None: code outside Python has set it
             before[number] = signal.signal(number, handle)
     try:
         yield

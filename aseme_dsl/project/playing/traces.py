@@ -18,7 +18,7 @@ from aseme_dsl.runtime.trace.trace_reading import Line
 _FRAME = ("header", "finish")
 """The lines that every trace has."""
 _DIFFERENT = 1000
-"""So many different faults are told apart; the rest is counted together."""
+"""So many different faults are counted one by one; the rest is counted together."""
 
 
 # ---- which lines -------------------------------------------------------------------------------

@@ -1,9 +1,9 @@
 """The process in which a project's simulated world passes, while its robots run in processes of their own.
 
 `python -m aseme_dsl.project.playing.world_process` is started by `supervisor`, which writes two lines of JSON
-to its standard input: what to simulate, and when everybody is there the moment at which time begins. When
-that input ends, so does the world. On standard output are lines of JSON, too: first where the bodies are,
-then what there is to tell.
+to its standard input: what to simulate, and when all processes are ready the moment at which time begins.
+When that input ends, so does the world. On standard output are lines of JSON, too: first the address of the
+bodies, then the lines to print.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ def _simulate(request: Simulated, configuration: Configuration, lines: IO[str], 
         tell("line", str(call(project.summary, world)))
     tell("over", f"{world.now_ns}")
     if not stopped():
-        # Whoever has a body ends it well before the bodies vanish.
+        # The robots have time to end the use of their bodies before the bodies vanish.
         deadline = time.monotonic() + 5
         while not stopped() and time.monotonic() < deadline:
             time.sleep(0.02)
@@ -105,7 +105,7 @@ def _simulate(request: Simulated, configuration: Configuration, lines: IO[str], 
 
 
 def _when_over(lines: IO[str]) -> Callable[[], bool]:
-    """Whether whoever started us wants us to end, or has ended."""
+    """Whether the supervisor wants this process to end, or has ended itself."""
     over = threading.Event()
 
     def watch() -> None:
@@ -125,4 +125,4 @@ if __name__ == "__main__":
     sys.stdout.flush()
     code = main()
     sys.stderr.flush()
-    os._exit(code)  # threads that serve bodies wait in calls that nobody ends
+    os._exit(code)  # threads that serve bodies wait in calls that never end

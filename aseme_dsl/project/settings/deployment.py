@@ -49,7 +49,7 @@ class Deployment:
     """A file with zenoh's access control, in JSON; ROBOT in its name stands for the robot's name."""
     control: Path | None = None
     """The file of the operators' keys (`runtime.operator_key`) that a robot accepts; ROBOT in its name stands
-    for the robot's name. Without it, nobody controls robots over the network."""
+    for the robot's name. Without it, no operator controls robots over the network."""
     tls: TlsFiles | None = None
 
 
@@ -95,7 +95,7 @@ def network_of(deployment: Deployment | None, robot: str, team: Iterable[str] = 
 
 
 def network_mistakes(deployment: Deployment) -> Iterator[tuple[str, Problem]]:
-    """What would let in whoever is on the network, or has no effect, each with the key that it is about."""
+    """Settings that would let any process on the network in, or have no effect, each with its key."""
     beyond = [key for key in ("hosts", "interface") if getattr(deployment, key)]
     if any(not end.startswith("tls/") for end in deployment.connect):
         beyond.append("connect")

@@ -30,10 +30,11 @@ def project_here() -> str:
 def sources_of(
     targets: Sequence[str], read_standard_input: Callable[[], bytes], *, all_files: bool = False
 ) -> Inputs:
-    """The files that targets mean: of a project's folder those that its pyproject.toml names (unless
-    `all_files`), of an output folder the one that was built into it, of any other folder all in it.
+    """The files that targets mean. Besides targets there may be patterns, and `-` for standard input.
 
-    Besides targets there may be patterns, and `-` for standard input.
+    - A project's folder means the files that its pyproject.toml names (unless `all_files`).
+    - An output folder means the file that was built into it.
+    - Any other folder means all files in it.
     """
     outputs: dict[Path, Path] = {}
     arguments: list[str] = []

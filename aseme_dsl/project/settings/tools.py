@@ -140,7 +140,7 @@ def _backends() -> tuple[Tool, ...]:
         try:
             point.load()
             state = f"{point.dist.name} {point.dist.version}" if point.dist is not None else "there"
-        except Exception as error:  # a package of somebody else may raise anything
+        except Exception as error:  # a foreign package may raise anything
             state = ""
             problem = f"{type(error).__name__}: {error}"
         if state:

@@ -1,8 +1,8 @@
 """Bench: what a step of a system's own statecharts costs, with inputs that they can take or once took.
 
 The inputs are drawn by a seed, or are those that agents got in a recorded run. They are played to fresh
-charts: to the agent's and, where a role has one, to the plain one, which must be in the same configuration
-after every step before it is timed.
+charts: to the agent's and, where a role has one, to the plain one. Before the plain chart is timed, it must
+be in the same configuration after every step.
 """
 
 from __future__ import annotations

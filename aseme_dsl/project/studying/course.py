@@ -241,7 +241,7 @@ def plain_player(chart: Plain, doing: Sequence[Doing]) -> Callable[[], None]:
 
 
 def _nothing() -> None:
-    """Nobody wants to know what has changed."""
+    """Ignores that something has changed."""
 
 
 def board_of(chart: Plain) -> object:

@@ -1,8 +1,8 @@
 """Drawn: inputs that a chart can take, by a seed.
 
-Events that transitions wait for, values for the messages that are read (near the constants that conditions
-compare them with), ends of activities, writes to variables, agent messages that branches wait for. They are
-drawn while a chart runs.
+The inputs are events that transitions wait for, values for the messages that are read, ends of activities,
+writes to variables, and agent messages that branches wait for. The values are near the constants that
+conditions compare them with. All are drawn while a chart runs.
 """
 
 from __future__ import annotations

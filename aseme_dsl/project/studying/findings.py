@@ -213,7 +213,7 @@ def worth(found: Sequence[Row], least: float, *, less_is_better: bool) -> Row | 
     """The last row up to which each step gained at least that share, beyond random variation.
 
     None if none can be judged. The rows are those of one parameter that says how many agents there are. Sizes
-    that give nothing are no end while a later one gives something.
+    that give nothing do not end the search while a later one gives something.
     """
     usable = judged(found)
     if not usable:

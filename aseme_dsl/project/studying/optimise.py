@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 class Question:
     """What a study is to find out.
 
-    `least` is the share that a further step must gain to be worth it; `times`, how much quicker each
-    activity is tried for the bottleneck, which is not looked for if it is 1.
+    `least` is the share that a further step must gain to be worth it. `times` is how much quicker each
+    activity is tried for the bottleneck. If it is 1, the bottleneck is not looked for.
     """
 
     knobs: tuple[Knob, ...]
@@ -46,7 +46,7 @@ def optimise(
 ) -> Study:
     """Play all variants, choose, and look for the bottleneck of what was chosen.
 
-    `total` is told how many runs there will be, as soon as that is known; `told` is called after each.
+    `total` is called with the number of runs, as soon as that is known; `told` is called after each.
 
     Raises:
         StudyError: something cannot be played or measured.

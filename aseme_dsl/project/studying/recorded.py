@@ -1,8 +1,8 @@
 """Recorded: the courses that agents of some roles went in a run, read from its trace.
 
-What goes into a step stands in the trace by its identity; the line of the step names what it took. A chart of
-the present model is led along while the trace is read, so that it is known to go the same way: where it does
-not, or where the trace does not say enough, the course ends, and says why.
+The inputs of a step stand in the trace by their identities; the line of the step names those that it took. A
+chart of the present model is led along while the trace is read, to make sure that it takes the same steps.
+Where it does not, or where the trace does not say enough, the course ends, and says why.
 """
 
 from __future__ import annotations
@@ -64,8 +64,8 @@ def recorded(
     `messages` are the classes of the messages and enums that the charts read.
 
     Raises:
-        NotPlayable: it is no trace, one of another system or of other models, or (`NobodyThere`) has no such
-            agents.
+        NotPlayable: it is not a trace, is one of another system or of other models, or (`NobodyThere`) has no
+            such agents.
     """
     try:
         reader = TraceReader(path)

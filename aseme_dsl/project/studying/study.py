@@ -49,9 +49,13 @@ class StudyError(Exception):
 class Plan:
     """How each run is played: for how long (ns), in which world, and what is measured.
 
-    The measure is `time`; or an activity, for how often it was done a minute, by all agents together; or a
-    Python function `module:name`, called with the world at the end, for the number that it gives. A run that
-    broke down is not the better for having ended early: see `_measured`.
+    The measure is one of these:
+
+    - `time`;
+    - an activity, for how often it was done a minute, by all agents together;
+    - a Python function `module:name`, called with the world at the end, for the number that it gives.
+
+    A run that broke down is not the better for having ended early: see `_measured`.
     """
 
     measure: str
@@ -99,7 +103,7 @@ class Run:
     faults: tuple[str, ...] = ()
     """What could not be done although the agents went on, each once."""
     without_code: tuple[str, ...] = ()
-    """Activities that have neither code nor a `takes`: how long they lasted is said by nobody."""
+    """Activities that have neither code nor a `takes`: nothing says how long they lasted."""
 
 
 @dataclass(frozen=True, slots=True)

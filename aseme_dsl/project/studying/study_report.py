@@ -36,7 +36,7 @@ class Untried:
     by_code: tuple[str, ...] = ()
     """How long they last is said by their code or the world."""
     without_code: tuple[str, ...] = ()
-    """They have neither code nor a `takes`: how long they last is said by nobody."""
+    """They have neither code nor a `takes`: nothing says how long they last."""
     no_time: tuple[str, ...] = ()
     """They say `takes 0s`."""
 

@@ -1,6 +1,6 @@
 """Tables in Markdown that can be read as they are, too: the cells of a column are as wide as the widest."""
 
-# tabulate is no shorter to call, and marks columns of texts as `:---`.
+# tabulate is not shorter to call, and marks columns of texts as `:---`.
 
 from __future__ import annotations
 
