@@ -20,8 +20,11 @@ LARGEST = 3000
 """So many configurations, and states of the automaton, are explored at the most."""
 
 Letter = tuple[str, str, str, str]
-"""`!` or `?` (`!+` for what an activity sends as often as it likes), performative, message, and the other
-participant ("" for an agent that a value names, or for an activity)."""
+"""A message that a participant sends or receives: sign, performative, message and the other participant.
+
+The sign is `!` (sends) or `?` (receives); `!+` if an activity may send it any number of times. The other
+participant is "" for an activity, and for an agent that a value names.
+"""
 Configuration = frozenset[str]
 """The active leaves; an OR without active leaves inside does not occur."""
 

@@ -16,12 +16,14 @@ Kind = tuple[str, str]
 
 
 def openings_of(eac: Statechart, participant: Participant) -> tuple[Kind, ...]:
-    """What a participant can take before it has taken or sent anything else, in the order of `receives`.
+    """The kinds of message that can open a participant's part: those it can receive first, as in `receives`.
 
-    Conditions hold, and activities return. Time and other events count only where nothing can be taken
-    before, and an interrupt (`[>`) only where nothing inside can take anything: a `cancel` does not open what
-    it cancels. Nor does a transition under a condition, of a state inside which something can be taken: the
-    condition is for later. A message that no transition takes is one for the activities, from the beginning.
+    - All conditions count as true, and all activities return.
+    - Timers and other events count only if nothing can be received without them.
+    - An interrupt (`[>`) counts only if no state inside can receive anything: a `cancel` cannot open the
+      process that it cancels.
+    - The same holds for a transition with a condition: the condition is meant for a later moment.
+    - A message that no transition receives is for the activities, which may receive it from the beginning.
     """
     subchart = subchart_of(eac, participant.name)
     listed = [

@@ -298,7 +298,7 @@ def _participant(system: System, protocol: str, name: str) -> Participant | None
 def plan_sections(system: System, chart: Statechart, versions: Mapping[str, str] | None = None) -> Sections:
     """The parts of the plan.
 
-    `versions` is `protocol_versions(system)`, for whoever makes the plans of many charts.
+    `versions` is `protocol_versions(system)`: pass it to make the plans of many charts without repeated work.
     """
     flat = FlatChart(chart)
     kept = retention(system, chart)
@@ -467,10 +467,10 @@ def _counted_in(chart: Statechart, branch: str) -> tuple[str, ...]:
 
 
 def protocol_versions(system: System) -> dict[str, str]:
-    """A hash of what each protocol is for others: the automata of its participants, and its messages.
+    """A hash of each protocol, by name: of its participants' automata and its messages.
 
-    Two robots may take part in one conversation of a protocol if theirs is the same, whatever else differs:
-    activities and what they are bound to, conditions and durations, and how the states are nested.
+    Two agents can take part in the same conversation if they have the same hash. The hash does not depend on
+    activities and their bindings, on conditions and durations, or on the nesting of states.
     """
     messages = {item.name: item for item in system.messages}
     order = {name: number for number, name in enumerate(messages)}

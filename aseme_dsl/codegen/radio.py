@@ -1,8 +1,16 @@
-"""Radio: how many bytes a message takes on the bodies' small radio, member by member.
+"""Radio: the encoding of messages for the small radio of robots, and their sizes in bytes.
 
-A message travels as one byte that says which it is and then its members in order: bool 1 byte, enum 1,
-int 4 (signed), double 4 (single precision), duration 4 (whole milliseconds, signed). An optional member has
-one byte before it that says whether it is there; the members of a message inside stand in its place.
+A message is one byte that identifies its type, then its fields in order:
+
+| field | bytes |
+| --- | --- |
+| bool, enum | 1 |
+| int | 4, signed |
+| double | 4, single precision |
+| duration | 4, signed, whole milliseconds |
+| message | the bytes of its fields |
+
+An optional field has one more byte before it, which says whether it is present.
 """
 
 from __future__ import annotations

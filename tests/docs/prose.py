@@ -22,6 +22,8 @@ _CODE = re.compile(r"(`+)(.+?)\1", re.DOTALL)
 _QUOTE = re.compile(r"^>.*$", re.MULTILINE)
 _LINK = re.compile(r"!?\[([^][]*)\]\([^)\s]*\)")
 _BLOCK = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*]|\d+\.) )|\n(?=#)")
+_LISTING = re.compile(r"(?<=:\n\n)(?: {4}.*(?:\n|\Z)|\n(?= {4}))+")
+"""An indented block after a colon: code, or a list of names, in a docstring."""
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z_*(])|(?<=:)\s*$")
 
 _RIGHT = re.compile(r"\bthere (is|are) no\b|\bno longer\b", re.IGNORECASE)
@@ -121,11 +123,11 @@ def _docstrings(tree: ast.AST) -> Iterator[ast.Constant]:
 
 
 def notes(python: str) -> Iterator[str]:
-    """The docstrings, and the comments: lines that follow each other are one."""
+    """The docstrings without indented listings, and the comments: lines that follow each other are one."""
     tree = ast.parse(python)
     for constant in _docstrings(tree):
         if isinstance(constant.value, str):
-            yield inspect.cleandoc(constant.value)
+            yield _LISTING.sub("\n", inspect.cleandoc(constant.value))
     comment: list[str] = []
     last = 0
     for number, text in _comments(python, tree):

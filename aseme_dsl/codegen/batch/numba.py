@@ -39,7 +39,7 @@ from aseme_dsl.codegen.code.tree import (
 from aseme_dsl.runtime.plain.batch import TABLES
 
 START, STEP = "start", "step"
-"""The modes of a step that are no event."""
+"""The modes of a step besides events: the start, and a step without an event."""
 
 TABLES_AND_TIME = (*TABLES.values(), "now")
 """What a loop for numba is given, besides `out`; and a function, besides `i`."""

@@ -301,7 +301,7 @@ def _folded(expr: tree.Expr) -> object:
 
 
 def _number(expr: tree.Expr) -> float:
-    """A constant that is compared or computed with, of whatever type both sides are."""
+    """The number that a constant operand of a comparison or of arithmetic stands for."""
     return cast(float, _folded(expr))
 
 

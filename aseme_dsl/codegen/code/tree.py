@@ -346,7 +346,7 @@ class Guarded:
 
 @dataclass(frozen=True, slots=True)
 class Ended:
-    """`try` with what is done in the end whatever happens."""
+    """`try: body finally: end`."""
 
     body: Block
     end: Block
@@ -378,7 +378,7 @@ class Spread:
 
 @dataclass(frozen=True, slots=True)
 class Forgive:
-    """The end of a step: conditions that could not be evaluated are told of anew in the next one."""
+    """The end of a step: forget which conditions failed to evaluate; the next step reports them again."""
 
 
 Statement: TypeAlias = (

@@ -1,7 +1,8 @@
-"""Expressions to Python: conditions in two forms (it holds, it fails), values with what must be present.
+"""Translates expressions to Python: conditions in a true and a false form, values with their requirements.
 
-The three-valued logic of absent messages disappears at compile time: a condition is emitted as the Python
-condition under which it is true, its negation as the one under which it is false.
+The three-valued logic of absent messages disappears at compile time. A condition becomes a Python condition
+that holds where it is true; its negation becomes one that holds where it is false. A value comes with the
+messages that must be present to compute it.
 """
 
 from __future__ import annotations

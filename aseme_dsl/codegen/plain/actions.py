@@ -48,7 +48,7 @@ FOLLOWS: Block = (when(own("woken"), Do(own_call("_follow"))),)
 
 
 class Actions:
-    """The statements of what is done: actions, what is told of them, registers of states."""
+    """The statements for actions, for calls of `took`, and for the registers of states."""
 
     def __init__(self, names: PlainNames) -> None:
         self._names = names

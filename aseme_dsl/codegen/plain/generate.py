@@ -1,14 +1,16 @@
-"""A statechart to the class that a program without agents runs: one number a region, everything in line.
+"""Generates the class of a statechart for programs without agents: one number a region, no function calls.
 
-The semantics is that of the agent's class (`codegen/step`); what is left away is what such a program does not
-use: boards, effects, traces. What the compiler knows becomes code that is not there: an event has a body of
-its own, a START that is always left has no number, and a second round is only looked for where one could be.
+The semantics is that of the agent's class (`codegen/step`), without blackboards of regions, effects and
+traces. The generator leaves out all code that a given statechart does not need:
 
-A region of two states has a truth instead of a number, which is asked for and written faster.
+- Each event has a body of its own.
+- A START that is always exited at once has no number.
+- A step looks for a second round only where one is possible.
+- A region of two states has a Boolean instead of a number, which is faster to read and write.
 
-What region 3 writes it sees at once, others see it in the next step. A variable has one place, the
-blackboard, where no other region can look at it or write it afterwards in the same step; otherwise each
-region that uses it has a copy (`v3_x`) during the step.
+A region sees its own writes at once; other regions see them in the next step. A variable is stored once, on
+the blackboard, if no other region can read or overwrite it later in the same step. Otherwise each region that
+uses it has a copy (`v3_x` in region 3) during the step.
 """
 
 from __future__ import annotations

@@ -169,7 +169,7 @@ class Head:
         return lines
 
     def _unstarted(self) -> list[str]:
-        """What says that an instance has not been started, whatever else is in it."""
+        """The slots that hold `UNSTARTED` before the start, and never afterwards."""
         names = self._names
         regions = [region for region in self._flat.regions if region.size > 1]
         first = [f"r{region.number}" for region in regions if self._is_around_all(region.number)]
@@ -181,7 +181,7 @@ class Head:
         return [*first, *dict.fromkeys(always)]
 
     def _is_around_all(self, region: int) -> bool:
-        """Whether a region is active whatever the other numbers are."""
+        """Whether a region is active in every configuration."""
         parent = self._chart.node(self._flat.regions[region].label).parent
         return parent is None or self._names.is_active(self._chart.node(parent)) == TRUE
 

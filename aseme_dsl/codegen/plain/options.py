@@ -41,13 +41,15 @@ TAKEN = frozenset(dir(builtins)) | {
 
 @dataclass(frozen=True, slots=True)
 class PlainOptions:
-    """How the class is to be.
+    """Options of the generated class.
 
-    `mapping`: the blackboard is a dictionary instead of a class with slots. `watched`: each activity has a
-    method that is called as it starts, and one that is called when it is interrupted, and `took` is told of
-    each transition. `tables`: regions with many leaves find what is to do in a tuple of functions. `gates`:
-    many conditions in a row are skipped while a tracked blackboard has not changed. `translated`: the steps
-    are for batches, which have a `done` of their own, and nothing is called there that may raise.
+    - `mapping`: the blackboard is a dictionary instead of a class with slots.
+    - `watched`: each activity has a method that is called when it starts, and one that is called when it is
+      cancelled; `took` is called for each transition.
+    - `tables`: regions with many leaves find their code in a tuple of functions.
+    - `gates`: many conditions in a row are skipped while a tracked blackboard has not changed.
+    - `translated`: the steps are translated for batches. These have their own `done`, and the steps call
+      nothing that may raise.
     """
 
     mapping: bool = False
@@ -89,10 +91,10 @@ class PlainMethod:
 
 @dataclass(frozen=True, slots=True)
 class PlainSteps:
-    """What the class keeps and does, for those who print it in another form.
+    """The fields and steps of the class, from which other generators print another form.
 
-    `slots` are the names of what it keeps, each with whether that is a truth, and the variable if it is a
-    copy of one; `events` what a step with each does; `tables` the lines that say of the leaves what they are.
+    Each of `slots` is a field: its name, whether it is a Boolean, and the variable of which it is a copy, if
+    any. `events` has the code of a step for each event. `tables` are the lines that describe the leaves.
     """
 
     slots: tuple[tuple[str, bool, str], ...]

@@ -73,10 +73,10 @@ class Places:
         return tuple(item for label in entered for item in self._actions.on_entry(self._chart.node(label)))
 
     def enter_inside(self, region: int, target: str, number: int | None = None) -> Block:
-        """Make the leaf of a state active that has been entered, and the leaves of what is inside it.
+        """Make the leaf of an entered state active, and the leaves of the regions inside it.
 
-        What says where the regions stand comes before all that may raise (`took`, the methods of activities):
-        whatever these do, no region is without a leaf.
+        The numbers of all regions are set before any call that may raise (`took`, the methods of activities).
+        So each region has an active leaf even if such a call raises.
         """
         stands: list[Statement] = []
         found: list[Statement] = []
@@ -116,7 +116,7 @@ class Places:
         return (Set((own(f"r{region}"),), Const(value), self._names.title(leaf, entered)),)
 
     def _pass(self, region: int, node: State) -> Block:
-        """Go on at once from a START or an END that is never rested at, into the target's surroundings."""
+        """Take the transition of a START or END that has no number, as part of the move that enters it."""
         way = self._names.rests.passed[node.label]
         step = self._flat.transition_number[id(way)]
         scope = self._chart.scope_of(way)

@@ -145,7 +145,7 @@ class Rounds:
             return dispatch(region, bodies)
         if not all(body.block and body.block[-1] == HAS_MOVED for body in bodies):
             return dispatch(region, bodies)
-        # Whatever the number, it moves: that need not be said in each body.
+        # Every body ends with the same statement: print it once, after all of them.
         bodies = [replace(body, block=body.block[:-1]) for body in bodies]
         return (*dispatch(region, bodies), HAS_MOVED)
 
@@ -226,7 +226,7 @@ class Rounds:
     def _by_table(self, mode: Mode, region: int) -> Block:
         """Find the body of the active leaf in a tuple of functions, each for as many leaves as `CHUNK`.
 
-        A function for each leaf is no faster, and takes long to load.
+        One function for each leaf would take long to load without being faster.
         """
         names = self._names
         table = names.identifiers.name(("table", mode.event, region), f"_{mode.word.upper()}_{region}")

@@ -163,7 +163,7 @@ class Steps:
     # ---- the interface ---------------------------------------------------------------------
 
     def _start(self, step: Block) -> Method:
-        """The method that enters the root and goes on until nothing is enabled, as a `step` does."""
+        """The method that enters the root and takes transitions until none is enabled, as a `step` does."""
         names = self._names
         root = names.chart.root
         head: list[Statement] = [Set((names.count(label),), Const(0)) for label in names.registers.counted]

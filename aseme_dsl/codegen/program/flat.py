@@ -282,7 +282,7 @@ class FlatChart:
         """The numbers of the transitions that may be taken again and again within one step."""
         basic = {node.label for node in self.chart.states if node.type is StateType.BASIC}
         ways: dict[str, dict[str, None]] = {}
-        for node in self.chart.states:  # in at the START, out at the END, whatever is in between
+        for node in self.chart.states:  # enter at START, exit at END; ignore the states between
             if node.parent is None:
                 continue
             is_region = self.chart.node(node.parent).type is StateType.AND

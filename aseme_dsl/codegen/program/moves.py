@@ -110,10 +110,10 @@ def draws(value: Value) -> bool:
 
 
 def may_raise(value: Arithmetic) -> bool:
-    """Whether there are numbers with which this raises: a zero to divide by, or an endless time.
+    """Whether some operands make this raise: a divisor of zero, or an infinite factor of a duration.
 
-    An `int` and a `duration` have 64 bits and so are never too large for a `double`, nor is a time that is
-    multiplied by a number that a document can write.
+    An `int` and a `duration` have 64 bits, so a `double` can always hold them. A duration that is multiplied
+    by a literal never overflows a `double` either.
     """
     if value.operator in ("/", "%"):
         return not _number(value.right)

@@ -46,9 +46,9 @@ def lowered(system: System, chart: Statechart) -> Program:
 
 
 def lowered_for_events(system: System, chart: Statechart, *, watched: bool) -> EventProgram:
-    """A statechart as a program without agents runs it.
+    """The lowered form of a statechart for a program without agents.
 
-    `watched`: each activity is told when it is interrupted.
+    `watched`: the program calls a method of each activity that it cancels.
     """
     rests = resting(chart, watched=watched)
     flat = FlatChart(chart, rests.width)

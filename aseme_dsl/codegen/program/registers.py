@@ -95,7 +95,7 @@ class Registers:
 
     @cached_property
     def counted(self) -> dict[str, str]:
-        """The states whose entries somebody counts, each with the state whose entry sets the count to 0."""
+        """The states whose entries an expression counts, each with the state whose entry resets the count."""
         found = {
             node.label
             for place, value in self._chart.values()
@@ -108,7 +108,7 @@ class Registers:
 
     @cached_property
     def timed(self) -> frozenset[str]:
-        """The states whose moment of entry somebody asks for."""
+        """The states whose time of entry is needed for `after` or `within`."""
         return frozenset(wait.source for wait in self.waits if wait.kind in ("after", "within"))
 
     @cached_property
@@ -138,7 +138,7 @@ class Registers:
 
     @cached_property
     def outcomes(self) -> tuple[tuple[str, ...], ...]:
-        """The groups of states of which somebody asks how the last that was active has ended."""
+        """The groups of states for which an expression reads the outcome of the last one that was active."""
         return tuple(
             dict.fromkeys(
                 self.asked_of(source, value.activity)

@@ -1,8 +1,9 @@
-"""Where a chart can rest between two rounds: what is passed at once, or never reached, needs no number.
+"""Finds the states that can be active between two rounds: only these need a number.
 
-A START whose first way is always open is left in the next round, whatever happens, and so is an END where
-that holds of the state around it. Regions do not look into each other, so it makes no difference that the
-plain face takes such ways together with the one before them; where they do look, nothing is passed.
+A START whose first transition is always enabled is exited in the next round. So is an END if this holds for
+the state around it. The class for programs without agents takes such a transition together with the one
+before it. This is not observable unless an expression asks for the state of another region; in such a
+statechart no state is passed.
 """
 
 from __future__ import annotations
@@ -16,11 +17,11 @@ from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition,
 
 @dataclass(frozen=True, slots=True)
 class Resting:
-    """What is known of a chart before it is numbered.
+    """Facts about a statechart that determine its numbering.
 
-    `asked`: an expression asks where other regions stand. `passed` gives for each START and END that is
-    left at once the way on. `reached` are the leaves that may become active, `completing` those BASIC states
-    for which it matters that their activity has returned.
+    `asked`: an expression asks for the state of other regions. `passed` has, for each START and END that is
+    exited at once, the transition taken. `reached` are the leaves that may become active. `completing` are
+    the BASIC states of which the program must know whether their activity has returned.
     """
 
     asked: bool
@@ -36,7 +37,7 @@ class Resting:
 
 
 def resting(chart: Statechart, *, watched: bool) -> Resting:
-    """What can be active between two rounds; `watched`: each activity is told when it is interrupted."""
+    """The facts about a chart; `watched`: the program calls a method of each activity that it cancels."""
     asked = any(isinstance(value, StateValue | Outcome) for _, value in chart.values())
     failing = any(isinstance(e, Failed) for item in chart.transitions for e in item.expression.events)
     passed = {} if asked else _passed(chart)

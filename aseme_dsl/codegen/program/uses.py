@@ -51,7 +51,7 @@ class Uses:
 
     @cached_property
     def aged(self) -> frozenset[tuple[int, str, str | None]]:
-        """(region, channel, sender) whose time of measurement somebody asks for."""
+        """(region, channel, sender) of each message whose time of measurement an expression reads."""
         return frozenset(
             (self._flat.region_number[place], str(v.message.channel), v.message.host)
             for place, v in self._chart.values()
@@ -201,7 +201,7 @@ def _variables(expression: TransitionExpression) -> Iterator[str]:
 
 
 def _tells_absence(value: Value) -> bool:
-    """Whether a value is two-valued whatever is absent, or may raise."""
+    """Whether a value is true or false even if messages are absent, or may raise."""
     match value:
         case Has() | Holds():
             return True

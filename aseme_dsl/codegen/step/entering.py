@@ -37,8 +37,9 @@ class Entering(Part):
     ) -> None:
         """Enter a state inside `scope`, outermost first.
 
-        With `resume` a composite goes on; `again` and `complete` are for what is inside it: an AND whose
-        regions go on, too, and a BASIC state whose activity has returned.
+        With `resume` a composite target resumes its last configuration. The other two are for states inside
+        it: `again` for an AND whose regions resume, too, `complete` for a BASIC state whose activity has
+        returned.
         """
         for label in reversed(path(self.chart, scope, target)):
             if self.chart.is_region(label):

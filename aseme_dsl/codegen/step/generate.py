@@ -1,19 +1,19 @@
-"""A statechart to the class that runs: one slotted class, one integer a region, everything else inlined.
+"""Generates the class that runs a statechart: one slotted class, one integer a region, the rest inlined.
 
-What the code does is written in the semantics; its form is the one that was measured to cost no more than
-what a careful person writes by hand. Methods of the class, for region 3:
+The page on execution semantics says what the code does. Its form was measured to be as fast as code that is
+written by hand with care. The methods of the class, for region 3 and transition 12:
 
     _region_3   one round of the region: by its active leaf, the transitions that can be taken from there
     _around_…   the transitions of a composite that may be taken while it is not complete
     _first_…    the transitions of a composite that are tried before anything inside it
-    _enter_3    the region's AND is entered;  _leave_3: it is left
-    _picks_12   the agent message that transition 12 takes, where it speaks of it
-    _holds_12   the condition of transition 12, where evaluating it may raise
-    _seen_12    what the condition of the `on` transition 12 reads
-    _exit_…     what is done when a state is left;  _abandon_…: a participant's branch, before its END
-    _keep_…     what is remembered of a composite that may be resumed
-    _resume_…   such a composite goes on;  _again_3: and a region in it
-    _proceed_…  a participant's branch that was suspended goes on;  _proceed_3: and a region in it
+    _enter_3    enter the region with its AND;  _leave_3: exit it
+    _picks_12   the agent message that transition 12 consumes, if its expressions read that message
+    _holds_12   the condition of transition 12, if evaluating it may raise
+    _seen_12    the values that the condition of the `on` transition 12 reads
+    _exit_…     the exit actions of a state;  _abandon_…: those of a participant subchart before its END
+    _keep_…     remember the configuration of a composite that may be resumed
+    _resume_…   resume such a composite;  _again_3: a region in it
+    _proceed_…  resume a suspended participant subchart;  _proceed_3: a region in it
 """
 
 from __future__ import annotations

@@ -97,7 +97,7 @@ class Leaving(Part):
                 method.add(depth, *self._left(around, leaf))
 
     def leave(self, region: int) -> None:
-        """Methods that leave whatever is active in a region."""
+        """Methods that exit the active states of a region."""
         running = [n for n in self.flat.leaves(region) if n.type is StateType.BASIC]
         ands = [n for n in self.flat.leaves(region) if n.type is StateType.AND]
         left = [n for n in running if self._left(n)]

@@ -1,4 +1,4 @@
-"""Composites that go on where they were left."""
+"""Generates the methods that resume composite states (deep history)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from aseme_dsl.codegen.step.names import Method, Part, StepNames
 
 
 class Resuming(Part):
-    """Composites that go on where they were left."""
+    """The methods that remember and resume the last configuration of composite states."""
 
     def __init__(self, names: StepNames, entering: Entering) -> None:
         super().__init__(names)
@@ -31,7 +31,7 @@ class Resuming(Part):
         self.names.method(name, f"Remember where {node.label} {docstring(node.name)} is left.", method)
 
     def resume(self, node: State) -> None:
-        """A method by which a composite that has been entered goes on with what is remembered."""
+        """A method that resumes the remembered configuration of a composite that has just been entered."""
         region = self.flat.region_number[node.label]
         method = self.names.writing(region)
         method.add(2, f"kept = self.{self.names.kept(node)} or {{}}", f"self.{self.names.kept(node)} = None")
@@ -44,7 +44,7 @@ class Resuming(Part):
         self.names.method(name, f"Go on in {node.label} {docstring(node.name)}.", method)
 
     def proceed(self, branch: State) -> None:
-        """Methods by which a branch that was suspended goes on, and the regions inside it."""
+        """Methods that resume a suspended participant subchart and the regions inside it."""
         region = self.flat.region_number[branch.label]
         method = self.names.writing(region)
         method.add(2, f"n = kept.get({region}, INACTIVE)")
@@ -65,7 +65,7 @@ class Resuming(Part):
     def _inside(self, method: Method, region: int, label: str) -> None:
         """Be at the leaf `n` again, without an entry: what ran starts anew."""
         method.add(2, f"self.r{region} = n")
-        for branch in self.flat.branches:  # parts inside the part that goes on
+        for branch in self.flat.branches:  # participants inside the resumed one
             if branch.label.startswith(f"{label}.") and self.flat.region_number[branch.label] == region:
                 first, last = self.flat.range[branch.label]
                 method.add(2, f"if {first} <= n <= {last}:")
@@ -85,7 +85,7 @@ class Resuming(Part):
             method.add(3, f"self.k{region} = {self.entering.begin(leaf)}")
 
     def again(self, region: int) -> None:
-        """A method that enters a region in which a composite around it goes on."""
+        """A method that enters a region of an AND inside a composite that is resumed."""
         label = self.flat.regions[region].label
         method = self.names.writing(region)
         self.entering.begin_region(method, region)
@@ -95,7 +95,10 @@ class Resuming(Part):
         self.names.method(signature, f"Enter region {label} where it was left.", method)
 
     def _where_it_was(self, method: Method, region: int, label: str) -> None:
-        """Enter the leaf `n` inside the state `label`, or its START; a branch goes on if it was suspended."""
+        """Enter the leaf `n` inside the state `label`, or its START.
+
+        A suspended participant subchart is resumed.
+        """
         branches: set[str] = set()
         branched = False
         for leaf in self.flat.leaves(region):

@@ -1,8 +1,8 @@
-"""Notes: envelopes and messages of external agents as headers and a text, which any FIPA agent can read.
+"""ACL headers: envelopes and external agents' messages as headers and a text that FIPA agents can read.
 
-The headers are FIPA's parameters of an agent message under the names that they have in its text form:
-`performative`, `conversation-id`, `protocol`, `ontology`, `language`, `reply-with`, `in-reply-to`, … The text
-is the content, a JSON object. What an envelope says besides is JSON in one further header, `aseme`.
+The headers are FIPA's parameters of an agent message, named as in FIPA's text form: `performative`,
+`conversation-id`, `protocol`, `reply-with` and others. The text is the content, a JSON object. One further
+header, `aseme`, has the remaining fields of an envelope as JSON.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
 from aseme_dsl.runtime.transport.link import Stamp
 
 OURS = "aseme"
-"""The header that has what an agent message has not."""
+"""The header for the fields of an envelope that FIPA has no parameter for."""
 PROTOCOL = "aseme"
-"""The `protocol` of what is no agent message, and nobody's business but the team's."""
+"""The `protocol` header of envelopes that are not agent messages: external agents ignore these."""
 MESSAGE, PARTICIPANT = "X-message", "X-participant"
 
 _READABLE = {

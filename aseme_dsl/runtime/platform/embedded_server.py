@@ -1,9 +1,14 @@
 """SPADE's own XMPP server, for one machine, in a process of its own (`python -m` this module).
 
-As SPADE starts it, it listens on the network, too, lets everybody make accounts there, serves pages on a
-fixed port, keeps its keys in the folder of its package, and leaves children behind when it is killed, which
-hold its ports. Here it listens on the loopback interface alone, on the port that it is told, serves no pages,
-has the keys of this one run, and starts no processes. It ends with its standard input.
+SPADE's own way to start the server is unsafe for this purpose:
+
+- It listens on the network, where any user can make accounts. Here it listens only on the loopback interface,
+  on the given port.
+- It serves pages on a fixed port. Here it serves none.
+- It stores its keys in the folder of its package. Here the keys belong to one run.
+- Its child processes outlive it and occupy its ports. Here it starts no processes.
+
+The server ends when its standard input is closed.
 """
 
 from __future__ import annotations
@@ -69,7 +74,7 @@ async def _serve(port: int, keys: Path) -> None:
     pyjabber.ProcessPoolExecutor = ThreadPoolExecutor
     # It would listen on the address by which this machine is known to others.
     pyjabber.setup_query_local_ip = lambda: None
-    # It would serve pages, always on port 9090, on which anybody could make and delete accounts.
+    # It would serve pages on port 9090, on which any user could make and delete accounts.
     pyjabber.HttpServer = lambda pages: None
     _keep_what_comes_early()
     server = pyjabber.Server(

@@ -1,9 +1,8 @@
 """The platform mango: every agent is an agent of a mango container, which reaches others over TCP.
 
-There is no server, and nobody vouches for who a sender is: it is for networks in which all are trusted.
-Texts travel as JSON, never as pickles. Each note has a connection of its own: one that mango keeps is dead
-after its other end was started again, and takes everything, which is lost then. What goes to one address goes
-in order.
+There is no server, and senders are not authenticated: use it only on networks where every agent is trusted.
+Texts travel as JSON, never as pickles. Each note has a connection of its own: over a connection that stays
+open, mango loses all notes silently after the other end restarts. Notes to one address arrive in order.
 """
 
 from __future__ import annotations
@@ -45,7 +44,7 @@ def import_mango() -> Any:
         import mango
     except ImportError as problem:
         raise TransportError(MISSING) from problem
-    # What it logs of connections that fail is told in the trace.
+    # The trace records connections that fail; mango need not log them.
     logging.getLogger("mango").addHandler(logging.NullHandler())
     return mango
 
@@ -150,7 +149,7 @@ class MangoPlatform:
         self._loop.call_soon_threadsafe(self._queue, address, _Note(sender, headers, body, kept))
 
     def meet(self, address: str) -> None:
-        """There is nobody who could tell."""
+        """Do nothing: mango has no presence service."""
 
     def close(self) -> None:
         """Let what waits be sent, as far as that is quick, and stop listening."""
@@ -189,7 +188,7 @@ class MangoPlatform:
                 note = target.waiting.popleft()
                 try:
                     sent = await asyncio.wait_for(self._send(address, note), CONNECT)
-                except Exception:  # whatever mango raises: it was not sent
+                except Exception:  # any error means that the note was not sent
                     sent = False
                 if not sent:
                     if note.kept:

@@ -1,9 +1,9 @@
-"""The link over an agent platform: messages as notes, who is there by what processes say of themselves.
+"""The link over an agent platform: messages travel as notes, and processes announce their own presence.
 
-A process tells each other one of the team that it is there, with its incarnation and its agents' addresses,
-and again a few times in each `lease`; who is silent for a lease is not there any more. Whom nobody has heard
-of is asked for at the address that it has in every incarnation. Only what comes from an address of the team
-counts as the team's; every other agent is external, whose messages are handed on as such.
+A process sends its incarnation and its agents' addresses to all other processes of the team, and repeats this
+`BEATS` times in each lease. A process that is silent for a lease counts as unreachable. The link looks for an
+agent that has not announced itself at the fixed address of that agent. Notes from an address outside the team
+are handed on as messages of external agents.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ LEASE = 4.0
 BEATS = 4
 """So often in a lease a process says that it is there."""
 FIRST, LAST = 0.25, 4.0
-"""After how many seconds an agent that nobody has heard of is asked for again, at first and at most."""
+"""Seconds after which the link looks again for an agent that has not announced itself: first, and longest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +116,7 @@ class PlatformLink:
             self._platform.send(sender, known.address, headers, payload.decode(), kept=False)
 
     def say(self, to: str, sender: str, message: FipaMessage) -> bool:
-        """Send something to an external agent; False if that is no address."""
+        """Send a message to the external agent at the address `to`; False if `to` is not an address."""
         if not self._platform.is_address(to):
             return False
         headers, body = acl_headers.said(message)
@@ -152,7 +152,7 @@ class PlatformLink:
         if OURS not in headers:
             self._hears.outside(to, acl_headers.heard(name, to, headers, body))
             return
-        # Somebody speaks as if it were of the team: at an address of its own, or with a copy of a message.
+        # An untrusted sender imitates the team: from its own address, or with a copy of a message.
         self._hears.unreadable(to, name, "it is none of the team's")
         if performative_of(headers.get("performative", "")) not in (NOT_UNDERSTOOD, None):
             answer = {"performative": "not-understood", "conversation-id": headers.get("conversation-id", "")}
@@ -265,7 +265,7 @@ class PlatformLink:
             self._asked_at[name] = (time.monotonic(), FIRST)
 
     def unreachable(self, address: str) -> None:
-        """Whoever had this address is not there any more."""
+        """The agents at this address are no longer reachable."""
         with self._lock:
             gone = [(name, known.life) for name, known in self._known.items() if known.address == address]
             for name, life in gone:
@@ -280,7 +280,7 @@ class PlatformLink:
         self._hears.disconnected(agent, reason)
 
     def connected(self, agent: str, reason: str) -> None:
-        """One of our agents has another address: everybody is told, and asked for again."""
+        """One of our agents has another address: announce it to the team, and look for all agents again."""
         self._hears.connected(agent, reason)
         if not self._over.is_set():
             self._say_here()
@@ -316,7 +316,7 @@ class PlatformLink:
     def _take_answer(self, said: Mapping[str, object], headers: Headers, body: str) -> None:
         put = self._questions.get(str(said["answer"]))
         if put is None:
-            return  # nobody waits for it any more
+            return  # the question has timed out
         envelope = said.get("envelope")
         if envelope is None:
             put.over.set()

@@ -42,7 +42,7 @@ UNSENT = 4_000_000
 KEPT = 1000
 """So many notes wait at the most for a connection; then the oldest comes back."""
 LARGEST = 150_000
-"""Prosody closes the connection of whoever sends more than 256 kB at once."""
+"""Largest message, in bytes: Prosody closes a connection on which a client sends more than 256 kB at once."""
 
 
 def import_spade() -> object:
@@ -53,7 +53,7 @@ def import_spade() -> object:
     except Exception as problem:  # SQLAlchemy raises a ValueError of its own
         raise TransportError(MISSING.format(problem)) from problem
     del greenlet
-    for name in ("slixmpp", "spade"):  # what they log of connections that fail is told in the trace
+    for name in ("slixmpp", "spade"):  # the trace records connections that fail
         logging.getLogger(name).addHandler(logging.NullHandler())
     return spade
 
@@ -107,7 +107,7 @@ class SpadePlatform:
                 )
 
     def address_of(self, agent: str) -> str:
-        """The address of its account: whoever is connected to that gets it."""
+        """The address of the agent's account: each client that is connected to it receives the note."""
         return self._bare(self._accounts[agent])
 
     def agent_at(self, address: str) -> str | None:
@@ -128,7 +128,7 @@ class SpadePlatform:
         return {name: item.address for name, item in self._connections.items() if item.address is not None}
 
     def send(self, sender: str, address: str, headers: Headers, body: str, *, kept: bool) -> None:
-        """Send a note. What is the team's own business is a headline: nobody stores it for later."""
+        """Send a note. A note that is not `kept` is an XMPP headline, which no server stores for later."""
         if kept:
             name = headers.get("reply-with", "")
             text = stanza.written(address, headers, body, "chat", name)
@@ -351,7 +351,7 @@ class _Loop:
         return self._turns
 
     def enter(self) -> None:
-        """Run the loop, unless somebody does already: SPADE agents of the user's own."""
+        """Run the event loop, unless SPADE agents of the user's own run it already."""
         with self._lock:
             self._users += 1
             if self._users > 1:
@@ -361,14 +361,14 @@ class _Loop:
 
             policy = asyncio.get_event_loop_policy()
             self.loop = Container().loop
-            asyncio.set_event_loop_policy(policy)  # SPADE sets uvloop's for everybody
+            asyncio.set_event_loop_policy(policy)  # SPADE sets uvloop's for the whole process
             if not self.loop.is_running():
                 self._thread = threading.Thread(target=self.loop.run_forever, name="aseme spade", daemon=True)
                 self._thread.start()
                 self.thread = self._thread.ident or 0
 
     def leave(self) -> None:
-        """Stop the loop if nobody needs it any more."""
+        """Stop the loop if this was its last user."""
         with self._lock:
             self._users -= 1
             if self._users == 0 and self._thread is not None:

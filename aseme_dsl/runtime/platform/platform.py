@@ -1,7 +1,6 @@
-"""Platform: what carries notes, headers with a text, between agents that have addresses. It may lose them.
+"""Platform: carries notes (headers with a text) between agents that have addresses. It may lose notes.
 
-Agents of a team and others, of anybody, have their addresses on the same platform. `over_platform` makes a
-link of one.
+The agents of a team share the platform with external agents. `over_platform` makes a link of a platform.
 """
 
 from __future__ import annotations
@@ -18,14 +17,14 @@ class Refused(Exception):
 
 
 class Receives(Protocol):
-    """Who is told what a platform brings. May be called from any thread, for one agent from one at a time."""
+    """The receiving side of a platform. Any thread may call it, but for each agent only one at a time."""
 
     def came(self, to: str, origin: str, headers: Headers, body: str) -> None:
-        """A note for one of our agents, from whoever has the address `origin`. Raises nothing."""
+        """A note for one of our agents has come from the address `origin`. Raises nothing."""
         ...
 
     def unreachable(self, address: str) -> None:
-        """Whoever had this address is not there any more."""
+        """The agents at this address are no longer reachable."""
         ...
 
     def returned(self, agent: str, address: str, name: str, reason: str) -> None:
@@ -67,7 +66,7 @@ class Platform(Protocol):
         ...
 
     def is_address(self, text: str) -> bool:
-        """Whether somebody may be at an address that is written so."""
+        """Whether the text has the form of an address on this platform."""
         ...
 
     def name_at(self, address: str) -> str:
@@ -87,5 +86,5 @@ class Platform(Protocol):
         ...
 
     def close(self) -> None:
-        """Disconnect: nobody receives anything after this."""
+        """Disconnect: our agents receive nothing after this."""
         ...

@@ -1,9 +1,9 @@
 """Transport: what carries messages between agents that run in different processes.
 
-The bus and the conversations know only the port in `port`; with `LOCAL` everybody is in one process and there
-is nothing to carry. `reliable_delivery` is the port's other implementation, with its parts in `delivery`: it
-turns messages into envelopes (`envelope`), sees to it that none is lost, doubled or overtaken (`stream`), and
-hands them to a `Link`, of which `over_zenoh` is the real one.
+The bus and the conversations know only the interface in `port`. It has two implementations. `LOCAL` is for a
+team in one process, where there is nothing to carry. `reliable_delivery`, with its parts in `delivery`, turns
+messages into envelopes (`envelope`) and hands these to a `Link`; `over_zenoh` is the link for networks. No
+envelope is lost, duplicated or reordered (`stream`).
 """
 
 from __future__ import annotations

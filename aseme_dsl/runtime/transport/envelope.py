@@ -1,7 +1,7 @@
-"""Envelope: what is written on the outside of what travels between robots, in Protocol Buffers.
+"""Envelope: the header of each message that travels between agent processes, in Protocol Buffers.
 
-The envelope goes as the attachment of a sample, the message itself (encoded as the system's `.proto` says) as
-its payload; sender, receiver and channel are the sample's key. In another language:
+The envelope is the attachment of a zenoh sample. Its payload is the message itself, encoded as the system's
+`.proto` says. The sample's key names sender, receiver and channel. The definition for other languages:
 
     syntax = "proto3";
     package aseme.transport;
@@ -65,7 +65,7 @@ MESSAGE, MAIL, ACKNOWLEDGE, PING, PONG, LOSS = range(6)
 
 
 class EnvelopeError(ValueError):
-    """Bytes that are no envelope, or not the envelope of what came in it; the text says why."""
+    """The bytes are not an envelope, or not the envelope of their payload; the text says why."""
 
 
 class Envelope(NamedTuple):

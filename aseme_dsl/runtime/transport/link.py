@@ -24,18 +24,18 @@ class Stamp(NamedTuple):
 
 
 class Hears(Protocol):
-    """Who is told what a link brings. May be called from any thread, for one receiver from one at a time."""
+    """The receiving side of a link. Any thread may call it, but for each receiver only one at a time."""
 
     def arrived(self, to: str, sender: str, envelope: Envelope, payload: bytes) -> None:
         """Something has come for one of our agents."""
         ...
 
     def unreadable(self, to: str, sender: str, reason: str) -> None:
-        """Something has come for one of our agents that is no envelope, or not that of what came in it."""
+        """A message for one of our agents has no valid envelope, or one that does not fit it."""
         ...
 
     def outside(self, to: str, message: FipaMessage) -> None:
-        """Somebody who is not of the team has said something to one of our agents."""
+        """An external agent has sent a message to one of our agents."""
         ...
 
     def appeared(self, agent: str, incarnation: int) -> None:
@@ -107,7 +107,7 @@ class Link(Protocol):
         ...
 
     def say(self, to: str, sender: str, message: FipaMessage) -> bool:
-        """Say something to somebody who is not of the team, at that address; False if there is no way."""
+        """Send a message to the external agent at the address `to`; False if this link cannot reach it."""
         ...
 
     def ask(
@@ -120,5 +120,5 @@ class Link(Protocol):
         ...
 
     def close(self) -> None:
-        """Disconnect: nobody hears anything after this."""
+        """Disconnect: our agents receive nothing after this."""
         ...

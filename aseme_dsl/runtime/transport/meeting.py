@@ -1,9 +1,9 @@
 """Meeting places: how the processes of a team find each other on one machine.
 
-A team has a folder that only its user may enter, with a Unix socket for each process and the secret by which
-they know each other. A process joins under a lock: it removes the sockets of processes that have ended,
-connects to all others, and listens on a new socket of its own. So of each two processes the later one
-connects. Whoever finds nobody there makes a new secret.
+A team has a folder that only its user may enter. The folder has a Unix socket for each process, and the
+secret by which the processes authenticate each other. A process joins under a lock: it removes the sockets of
+processes that have ended, connects to all others, and listens on a new socket of its own. So of each two
+processes the later one connects. A process that finds no other one makes a new secret.
 """
 
 from __future__ import annotations
@@ -42,10 +42,10 @@ class Meeting:
 
 @contextmanager
 def joining(system: str, name: str) -> Iterator[Meeting]:
-    """Inside, nobody else joins the team of this name: listen on `own` before it is left.
+    """Hold the lock under which one process at a time joins the team; listen on `own` before the block ends.
 
     Raises:
-        TransportError: there is no folder that is this user's alone, or somebody takes too long to join.
+        TransportError: there is no private folder of this user, or another process takes too long to join.
     """
     folder = meeting_place(system)
     try:
@@ -61,10 +61,10 @@ def joining(system: str, name: str) -> Iterator[Meeting]:
 
 
 def meeting_place(system: str) -> Path:
-    """The folder of a team; it is made, and made private, if it is not there.
+    """The private folder of a team, which is made if it does not exist.
 
-    It is below `$XDG_RUNTIME_DIR`, else `/run/user/UID`, the temporary folder, or the user's own: the first
-    that can be used, so that nobody keeps a team from meeting by taking its folder's name.
+    It is below the first usable one of `$XDG_RUNTIME_DIR`, `/run/user/UID`, the temporary folder and the
+    user's cache folder. So another user cannot block a team by taking its folder's name.
 
     Raises:
         TransportError: none can be used.
@@ -107,7 +107,7 @@ def _roots() -> Iterator[Path]:
 
 
 def _check_root(root: Path) -> None:
-    """Raises OSError unless nobody but the user, and root, can replace what is in a folder."""
+    """Raises OSError if a user other than this one and root can replace the contents of a folder."""
     if not root.is_absolute() or len(os.fsencode(root)) > ROOM or re.search("[#?]", str(root)):
         raise OSError(22, "a socket cannot have such a path", str(root))
     if root.name == ".cache":
@@ -122,7 +122,7 @@ def _check_root(root: Path) -> None:
 
 
 def _make_private(folder: Path) -> None:
-    """Make a folder that is the user's alone. Raises OSError if it is somebody else's."""
+    """Make a folder that only this user can enter. Raises OSError if it belongs to another user."""
     folder.mkdir(mode=0o700, exist_ok=True)
     found = folder.lstat()
     if not stat.S_ISDIR(found.st_mode) or found.st_uid != os.getuid():

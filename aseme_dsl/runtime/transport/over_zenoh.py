@@ -1,8 +1,10 @@
-"""The link over Eclipse Zenoh. Keys, each below `asemec/SYSTEM`:
+"""The link over Eclipse Zenoh.
 
-to/RECEIVER/SENDER/WAY     what goes from one agent to another; WAY is TOPIC/KIND/MESSAGE, or `mail`, …
-here/AGENT/INCARNATION     a liveliness token: this agent is there; with a secret, `-PROOF` follows
-WHAT/AGENT                 questions: `history` and `control`
+Its keys, each below `asemec/SYSTEM`:
+
+    to/RECEIVER/SENDER/WAY     a message between two agents; WAY is TOPIC/KIND/MESSAGE, or `mail`, …
+    here/AGENT/INCARNATION     a liveliness token: this agent is present; with a secret, `-PROOF` follows
+    WHAT/AGENT                 questions: `history` and `control`
 """
 
 from __future__ import annotations
@@ -88,7 +90,7 @@ class ZenohLink:
         self._askers: dict[bytes, Samples] = {}
         self._session: Any = None
         self._kept: list[Any] = []
-        """Tokens vanish when nobody refers to them."""
+        """References to our tokens and subscribers: zenoh withdraws a token that is garbage-collected."""
         self._publishers: dict[str, Any] = {}
         self._lock = threading.Lock()
 
@@ -167,7 +169,7 @@ class ZenohLink:
             self._kept.append(liveliness.declare_token(self.token(agent, incarnation)))
 
     def visit(self, name: str) -> None:
-        """Connect only to ask: nobody is told that somebody is here. Raises TransportError."""
+        """Connect only to ask questions, without announcing an agent. Raises TransportError."""
         self._session = self.connected(name)
 
     def token(self, agent: str, incarnation: int) -> str:
@@ -214,8 +216,8 @@ class ZenohLink:
         with self._lock:
             if self._session is None:
                 return None
-            # Blocking would hold up the whole team for one robot that stands still; the streams send again
-            # what is dropped, and never have so much on its way that it comes to that.
+            # Blocking would delay the whole team for one agent that does not read. The streams repeat dropped
+            # messages, and limit what is on its way so that zenoh hardly ever drops one.
             found = self._publishers[key] = self._session.declare_publisher(
                 key,
                 congestion_control=zenoh.CongestionControl.DROP,
@@ -267,7 +269,7 @@ class ZenohLink:
                 payload=question,
                 attachment=mark,
                 timeout=timeout,
-                # Otherwise somebody who claims to know all would be the only one who is asked.
+                # By default zenoh asks only one queryable that claims to be complete, if there is one.
                 target=zenoh.QueryTarget.ALL,
                 # Otherwise of several answers on one key only the last one is kept.
                 consolidation=zenoh.ConsolidationMode.NONE,
@@ -287,7 +289,7 @@ class ZenohLink:
                     envelope = envelopes.read(data, payload)
                 except EnvelopeError as problem:
                     if self._secret is not None:
-                        continue  # somebody answers who was not asked
+                        continue  # the answer of an untrusted sender
                     raise TransportError(f"the answer of {to} cannot be read: {problem}") from problem
                 if life is None or envelope.incarnation == life:
                     found.append((envelope, payload))

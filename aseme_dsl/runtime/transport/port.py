@@ -28,31 +28,31 @@ class TransportError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Peer:
-    """What is known of an agent in another process.
-
-    `incarnation` tells one incarnation of it from the next; None: it has not been seen yet. The counts are of
-    what came from it: taken, doubled, out of order, refused (of another model, or not for us), unreadable (no
-    message at all), late (of an incarnation that is over), and data that was dropped on the way. `lost`
-    counts what could not be brought to it.
-    """
+    """What this process knows of an agent in another process, and counts of messages from it."""
 
     name: str
     alive: bool
     incarnation: int | None
+    """Differs for each start of the agent; None if the agent has not been seen yet."""
     taken: int = 0
     duplicated: int = 0
     reordered: int = 0
     refused: int = 0
+    """Messages of another model, or for an agent that is not in this process."""
     unreadable: int = 0
+    """Packets that are not a message."""
     late: int = 0
+    """Messages of an incarnation that has ended."""
     dropped: int = 0
+    """`data` samples that the network dropped."""
     lost: int = 0
+    """Messages to the agent that could not be delivered."""
     unacknowledged: int = 0
-    """How many messages for it are on their way, or wait for it."""
+    """Messages to the agent that are on their way, or wait for it."""
     uncertainty: int | None = 0
-    """By how many ns its times may be wrong here; 0 on one machine, None while its clock is not known."""
+    """Largest error of its times here, in ns; 0 on one machine, None until its clock has been measured."""
     difference: int | None = 0
-    """What is added to the times of its clock, in ns; 0 on one machine, None while it is not known."""
+    """Added to the times of its clock, in ns; 0 on one machine, None until its clock has been measured."""
 
 
 class MailPort(Protocol):
@@ -156,7 +156,7 @@ class Transport:
         return False
 
     def peers(self) -> dict[str, Peer]:
-        """Everybody of the team who runs elsewhere."""
+        """The agents of the team that run in other processes, by name."""
         return {}
 
     def is_there(self, name: str) -> bool:
@@ -177,7 +177,7 @@ class Transport:
         raise TransportError(f"{name} does not run in another process")
 
     def renew(self, schema: Schema, model: str) -> None:
-        """The agents of this process go on under another version of the model."""
+        """The agents of this process continue with another version of the model."""
 
     def answer(self, answer: Answer) -> None:
         """Have control requests from elsewhere answered by this."""

@@ -1,15 +1,17 @@
-"""Post: the transport of a team whose agents run in several processes.
+"""Reliable delivery: the transport of a team whose agents run in several processes.
 
-Signals, states and agent messages go in a stream from each agent to each other one (`stream`): none is
-lost, doubled or overtaken while both live, also if the link between them breaks and comes back. Data is sent
-once, and what is dropped on the way is counted. Whoever comes is told the latest states of everybody that
-concern it, and the data that its program still asks for. What is meant for an agent that is not there waits
-for it: agent messages and queued signals in order, of other signals the newest, as on the board of an agent
-that does not look. What was on its way to an agent when it died is lost, and recorded in the trace.
+- Signals, states and agent messages go in a stream from each agent to each other one (`stream`). While both
+  agents run, none is lost, duplicated or reordered, even if the link between them breaks for a time.
+- Data is sent once. The receiver counts the samples that the network drops.
+- An agent that appears receives the latest value of each `state` that it reads, and the data that is retained
+  for it.
+- Messages to an agent that is absent wait for it. All agent messages and queued signals are kept in order; of
+  any other signal only the newest, as on the blackboard of an agent that does not read it.
+- Messages that were on their way to an agent when it crashed are lost, and recorded in the trace.
 
-Times are those of the machine's monotonic clock, which all processes of one machine share. Of another
-machine's the difference is measured, as in NTP (RFC 5905, section 8), by the quickest of the last few
-questions and answers.
+Times are those of the machine's monotonic clock, which all processes of one machine share. For another
+machine the clock difference is measured as in NTP (RFC 5905, section 8): the quickest one of the last few
+pings and answers decides.
 """
 
 from __future__ import annotations
@@ -233,7 +235,7 @@ class Post(Transport):
         return any(self.state.link.say(address, message.sender.name, message) for address in addresses)
 
     def peers(self) -> dict[str, Peer]:
-        # Without the lock: who listens to the trace may ask, while the trace waits for nobody.
+        # Without the lock: a listener of the trace may call this, and writing a trace must not wait.
         state = self.state
         found: dict[str, Peer] = {}
         for name, other in state.others.items():
@@ -290,9 +292,10 @@ class Post(Transport):
         raise TransportError(f"{name} does not answer")
 
     def renew(self, schema: Schema, model: str) -> None:
-        """The agents of this process go on under another version of the model.
+        """The agents of this process continue with another version of the model.
 
-        What is on its way to or from an agent of the other version is refused when it arrives, and recorded.
+        A message that is still on its way to or from an agent of another version is refused on arrival, and
+        recorded.
         """
         self.state.codec = replace(self.state.codec, schema=schema, model=model)
 

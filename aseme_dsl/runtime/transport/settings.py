@@ -29,10 +29,10 @@ LEASE_MS = 2000
 
 @dataclass(frozen=True, slots=True)
 class Tls:
-    """The files, in PEM form, by which robots prove to each other who they are.
+    """The PEM files with which agent processes authenticate each other.
 
-    `authority` is the certificate of whoever signed the team's certificates; `certificate` and `key` are this
-    robot's own. Nobody without a certificate of that authority is let in.
+    `authority` is the certificate of the authority that signed the team's certificates. `certificate` and
+    `key` are those of this process. A process without a certificate of that authority cannot connect.
     """
 
     authority: Path
@@ -77,8 +77,8 @@ class Network:
         """The entries of zenoh's configuration, as (key, JSON).
 
         Raises:
-            TransportError: a file cannot be read, or is not what it should be; or whoever is on the network
-                would be let in without a certificate.
+            TransportError: a file is unreadable or has the wrong contents, or the settings would let
+                processes of the network connect without a certificate.
         """
         for end in (*self.listen, *self.connect):
             if not _is_safe(end):
@@ -94,7 +94,7 @@ class Network:
             yield "scouting/multicast/enabled", "false"
         else:
             yield "scouting/multicast/interface", json.dumps(self.interface)
-        # Nobody tells us to whom to connect, nor changes our settings.
+        # No other process may make us connect to an address, or change our settings.
         yield "scouting/gossip/enabled", "false"
         yield "adminspace/enabled", "false"
         yield "transport/shared_memory/enabled", "false"
@@ -166,7 +166,7 @@ class Mango:
 
 
 def _is_safe(endpoint: str) -> bool:
-    """Whether nobody beyond this machine can be at an endpoint without a certificate of the team."""
+    """Whether only processes of this machine, or with a certificate of the team, can use an endpoint."""
     protocol, slash, address = endpoint.partition("/")
     if not slash or protocol in ("tls", "quic", "unixsock-stream"):
         return True

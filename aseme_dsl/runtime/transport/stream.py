@@ -1,12 +1,12 @@
-"""Streams: that what one agent sends to another arrives once each, and in order, over links that break.
+"""Streams: messages from one agent to another arrive exactly once and in order, even if the link breaks.
 
 Every message has a place in the stream from one incarnation of its sender to one incarnation of its receiver.
-The receiver hands messages on in order, says up to which place all have come and which are missing, and drops
-what it has had. The sender keeps a message until it is acknowledged, sends again what is missing or has been
-on its way for too long, and has only so much on its way at once: a receiver that stands still holds up nobody
-else. A newer state takes the place of an older one that still waits.
+The receiver hands messages on in order and drops duplicates. Its acknowledgements say up to which place all
+have come, and which are missing after that. The sender keeps a message until it is acknowledged, and repeats
+it if it is missing or overdue. It limits what is on its way at once, so a receiver that does not read delays
+no other one. A newer state replaces an older one that still waits.
 
-Here is only the bookkeeping: no clock, no link, no lock.
+This file is only the bookkeeping: no clock, no link, no lock.
 """
 
 from __future__ import annotations

@@ -37,7 +37,7 @@ class Archive:
         samples.append(kept)
 
     def news_for(self, mine: str, name: str) -> Iterator[Kept]:
-        """What somebody who comes has to know of one of our agents: data still asked for, then states."""
+        """What agent `name` gets from our agent `mine` when it appears: retained data, then states."""
         now = time.monotonic_ns()
         for (sender, channel), samples in self.samples.items():
             oldest = now - self.retention.get(channel, 0)

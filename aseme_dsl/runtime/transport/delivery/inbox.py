@@ -62,7 +62,7 @@ class Inbox:
                 hand_on(self._state, to, other, *item)
 
     def unreadable(self, to: str, sender: str, reason: str) -> None:
-        """Something has come for one of our agents that is no envelope, or not that of what came in it."""
+        """Count a message for one of our agents that has no valid envelope, or one that does not fit it."""
         self._state.gate.wait()
         with self._state.lock:
             other = sender_of(self._state, to, sender)
@@ -70,13 +70,13 @@ class Inbox:
                 count(self._state, other, "unreadable", reason)
 
     def outside(self, to: str, message: FipaMessage) -> None:
-        """Somebody who is not of the team has said something to one of our agents."""
+        """Hand on a message from an external agent to one of our agents."""
         self._state.gate.wait()
         if self._state.closing or to not in self._state.here:
             return
         try:
             self._state.team.conversations.receive_external(to, message)
-        except Exception as problem:  # the link's thread has nobody above who would tell
+        except Exception as problem:  # no caller on the link's thread would report it
             sender = message.sender.name if message.sender is not None else "somebody"
             reason = f"what {sender} said could not be taken: {type(problem).__name__}: {problem}"
             self._state.team.trace.fault(self._state.now(), to, reason)
@@ -138,5 +138,5 @@ def _history_of(state: Delivery, mine: str, request: dict[str, object]) -> list[
         for kept in samples
         if since <= kept.sent.envelope.time <= until
     ]
-    # The first says that there is somebody, also if there is no data.
+    # The first piece shows that the agent is reachable, even if it has no data.
     return [_json_answer(state, {}, len(found)), *found]

@@ -89,8 +89,10 @@ def come_back(state: Delivery, other: Other) -> None:
 
 
 def end_before(state: Delivery, agent: str, life: int) -> None:
-    """An agent has one incarnation: the one before has ended, also if it was not seen to. Called without the
-    lock, since conversations are told."""
+    """Treat the earlier incarnation of an agent as lost: an agent has only one at a time.
+
+    Called without the lock, since it notifies the conversations.
+    """
     other = state.others.get(agent)
     if other is None or not other.alive or other.life is None:
         return
@@ -197,7 +199,10 @@ def is_current(state: Delivery, other: Other, envelope: Envelope) -> bool:
 
 
 def silent(state: Delivery) -> list[tuple[str, int]]:
-    """Who has not answered for a lease, though its token is there: anybody may hold a copy of that."""
+    """Agents, as (name, incarnation), that have not answered for a lease although their token is present.
+
+    A token alone proves nothing: any process may hold a copy of it.
+    """
     if state.lease is None:
         return []
     before = time.monotonic_ns() - state.lease

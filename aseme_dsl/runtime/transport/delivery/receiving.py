@@ -179,6 +179,6 @@ def hand_on(state: Delivery, to: str, other: Other, envelope: Envelope, message:
             reason = team.bus.arrived(agent, channel, message, other.name, identity, moment, host)
             if reason is not None:
                 count(state, other, "refused", reason, about=channel)
-    except Exception as problem:  # the link's thread has nobody above who would tell
+    except Exception as problem:  # no caller on the link's thread would report it
         reason = f"what {other.name} sent could not be taken: {type(problem).__name__}: {problem}"
         team.trace.fault(team.driver.clock.now(), to, reason)

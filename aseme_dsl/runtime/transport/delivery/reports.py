@@ -9,11 +9,11 @@ from aseme_dsl.runtime.transport.delivery.state import Delivery
 from aseme_dsl.runtime.transport.stream import Letter
 
 LONGEST_NAME = 100
-"""So many characters of what somebody else has named are told."""
+"""The trace has at most so many characters of a name that an untrusted sender gives."""
 
 
 def count(state: Delivery, other: Other, what: str, reason: str, about: str = "") -> None:
-    """Count what is wrong with something that came; the first of its kind is told."""
+    """Count a fault of a received message, and record the first one of its kind in the trace."""
     other.counts[what] = other.counts.get(what, 0) + 1
     tell_once(state, other, what, reason, about)
 
@@ -61,7 +61,7 @@ def lose(state: Delivery, name: str, letters: Iterable[Letter[Sent]], reason: st
 
 
 def meet_stranger(state: Delivery, name: str) -> None:
-    """Somebody who is not of the team uses its name on the network."""
+    """Record an untrusted sender that uses the team's name on the network, once for each `name`."""
     state.strange += 1
     name = name[:LONGEST_NAME]
     if name in state.strangers or len(state.strangers) > 100:

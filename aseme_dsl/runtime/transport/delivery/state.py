@@ -53,7 +53,7 @@ class Delivery:
 
     @property
     def mine(self) -> str:
-        """One of our agents: what concerns no other is told in its name."""
+        """One of our agents: the trace names it in records that concern the whole process."""
         return next(iter(self.here))
 
     def now(self) -> int:

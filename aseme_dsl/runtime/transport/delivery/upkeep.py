@@ -49,7 +49,7 @@ def keep_up(state: Delivery) -> None:
                     # What was just sent or came is looked after in a moment, not while it is answered.
                     state.rest.wait(BEAT)
             quiet = silent(state)
-        for name, life in quiet:  # without the lock, since conversations are told
+        for name, life in quiet:  # without the lock, since it notifies conversations
             vanished(state, name, life, "timed_out")
 
 
