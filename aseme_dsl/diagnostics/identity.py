@@ -12,10 +12,10 @@ from aseme_dsl.diagnostics.model import Diagnostic
 
 
 def fingerprints(diagnostics: Iterable[Diagnostic]) -> list[str]:
-    """One for each problem: what stays the same when lines are added elsewhere.
+    """An identifier of each diagnostic, which stays the same when lines are added elsewhere in the file.
 
-    It is made of the code, the file and the text of the place. The same problem on several lines that read
-    the same is told apart by its number.
+    It is a hash of the code, the path, and the text of the line and of the place. If several diagnostics have
+    all of these in common, the hash also includes their number in order.
     """
     seen: Counter[str] = Counter()
     found: list[str] = []

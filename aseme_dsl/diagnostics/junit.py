@@ -19,10 +19,11 @@ def junit(
     name: str = "asemec check",
     strict: bool = False,
 ) -> str:
-    """One test suite a file; a case each problem, and one for a file without any. `name` is that of them all.
+    """The diagnostics as JUnit XML: one test suite for each file, one case for each diagnostic.
 
-    An error is a failure, with `strict` a warning, too. What is no failure is a case that passes, with what
-    there is to say as its output.
+    A file without diagnostics has one case that passes. An error is a failed case; with `strict` a warning
+    is, too. Any other diagnostic is a case that passes, with its text as output. `name` is the name of the
+    run.
     """
     from xml.etree.ElementTree import Element, SubElement, indent, tostring
 

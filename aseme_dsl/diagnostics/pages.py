@@ -1,8 +1,7 @@
-"""Pages: what each diagnostic code means to a user, with an example that has it and one that has not.
+"""Pages: explain each diagnostic code to users, with an example that produces it and one that does not.
 
-The page of a code is `pages/CODE.md`; its title and severity stand in the table of codes. It holds an
-explanation in paragraphs of Markdown, and then fenced blocks. The words after a block's language say what it
-is for:
+The page of a code is `pages/CODE.md`; its title and severity stand in the table of codes. A page has an
+explanation in Markdown, and then fenced blocks. The words after the language of a block say its purpose:
 
     ```aseme wrong                      the file team.aseme of the example that has the problem
     ```aseme right                      the same file of the example that has it not
@@ -10,8 +9,8 @@ is for:
     ```aseme both file=other.aseme      a file of both examples
     ```console wrong                    commands, and what they say, after the files are written
 
-Without `file=`, a block of a language in `FILES` is the file named there. An example that is shown as a
-console cannot be made by compiling a text alone: only the tests run its commands.
+Without `file=`, a block of a language in `FILES` is the file named there. A console example is for
+diagnostics that do not come from compiling a text alone; only the tests run its commands.
 """
 
 from __future__ import annotations
@@ -61,7 +60,7 @@ class Page:
 
 
 def file_of(code: str) -> Path | None:
-    """Where the page of a code is on disk; None if it has none, or the package is no folder on disk."""
+    """The path of the page of a code; None if it has no page, or the package is not installed as files."""
     path = Path(__file__).parent / "pages" / f"{code}.md"
     return path if path.is_file() else None
 

@@ -26,10 +26,11 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class Policy:
-    """Settings of the project in `folder`. Of those that fit a problem, the one with the longest code counts.
+    """The severities that the project in `folder` sets for diagnostics.
 
-    Of several with the same code, those for particular files go before the others, later ones before earlier.
-    An error stays what it is, whatever a policy says: nothing can be generated from a file that has one.
+    If several settings match a diagnostic, the one with the longest code prefix applies. Among equal codes,
+    settings for particular files precede the others, and later settings precede earlier ones. A setting never
+    changes an error, since no code can be generated from a file with errors.
     """
 
     settings: tuple[Setting, ...] = ()

@@ -1,4 +1,4 @@
-"""Problem: what is wrong, as data; its texts are made from its fields when somebody reads them."""
+"""Problem: the facts of a diagnostic as data. Its texts are made from the fields when they are rendered."""
 
 from __future__ import annotations
 
@@ -19,15 +19,14 @@ def by_name(*, default: object, kw_only: Literal[True]) -> Any:
 
 @dataclass_transform(frozen_default=True, field_specifiers=(by_name,))
 class Problem:
-    """One thing that can be wrong: a small class with its subject, places and alternatives as fields.
+    """Base class of the problems that a diagnostic can report; the subject, places and so on are its fields.
 
-    A subclass names its `code`, declares its fields as a dataclass does, and makes `message` (one fact, lower
-    case, no full stop) and, where there is something to do, `hint` (one action). Several classes may share a
-    code. Nothing but a rendering reads the texts: who wants to know what is wrong asks for the class and its
-    fields.
+    A subclass has a `code`, and declares its fields as a dataclass does. It defines `message` (one fact,
+    lower case, no full stop) and, if the user can do something, `hint` (one action). Several classes may
+    share a code. Only the renderers read these texts; all other code compares the class and its fields.
 
-    It is not a `dataclass`, which takes 0.7 ms a class to make: there are hundreds, made whenever `asemec`
-    starts. This takes 0.01 ms.
+    This is not a `dataclass`: `asemec` creates hundreds of these classes at each start. A dataclass takes
+    0.7 ms to create, this takes 0.01 ms.
     """
 
     code: ClassVar[str]

@@ -123,7 +123,7 @@ def names(system: System) -> tuple[str, ...]:
 
 
 def _sheets(system: System) -> dict[str, Maker]:
-    """What makes the drawing of each model that is no statechart, by name."""
+    """The function that draws each model that is not a statechart, with its arguments, by name."""
     made: dict[str, Maker] = {}
     if system.sag.actors:
         made["sag"] = (_goals, (system.sag,))

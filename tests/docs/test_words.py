@@ -62,7 +62,7 @@ STRICT = (
     *("runtime/conversation/", "runtime/driver/", "runtime/library/", "runtime/message/"),
     *("runtime/plain/batch.py", "runtime/plain/machine.py", "runtime/ports.py", "runtime/team/"),
     *("runtime/time/", "runtime/trace/", "runtime/version/", "runtime/workers/", "runtime/world/"),
-    *("codegen/", "runtime/platform/", "runtime/transport/"),
+    *("codegen/", "diagnostics/", "diagrams/", "grammar/", "runtime/"),
     *("cli/", "documents/", "editor/", "interop/", "outside.py", "project/", "proofs/", "worlds/"),
 )
 """Where docstrings and comments have none of these words, and no long sentence: the beginnings of paths."""

@@ -115,7 +115,7 @@ class NoTrace(Problem):
         return f"there is no trace {self.path}"
 
 
-# ---- E002, E003: what is no text, or too large -------------------------------------------------
+# ---- E002, E003: files that are not text, or too large -----------------------------------------
 
 
 class NotText(Unread):

@@ -185,7 +185,7 @@ class NoRoleForBackend(Problem):
 
 
 class Unprotected(Problem):
-    """A run would let in whoever is on the network."""
+    """With these settings, any process of the network could connect to a run."""
 
     code = "E015"
 

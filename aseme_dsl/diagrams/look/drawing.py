@@ -32,11 +32,11 @@ class NoSuchState(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """What to draw of statecharts, and how.
+    """How statecharts are drawn.
 
-    `at` is the label of the state to draw, with all in it; `depth` how many levels inside it are open (at
-    least 1): composites below are drawn closed, with the number of states inside. `layout` None means both.
-    Raises ValueError for a depth below 1.
+    `at` is the label of the state to draw, with the states inside it. `depth` is the number of nested levels
+    that are drawn open; composites below are closed and show how many states they have. `layout` None means
+    both layouts. Raises ValueError for a depth below 1.
     """
 
     expressions: Expressions = Expressions.NUMBERED

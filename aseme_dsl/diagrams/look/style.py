@@ -24,7 +24,8 @@ HEAD_COLOUR = "#e8eef4"
 ROLE_COLOUR = "white"
 
 PROTOCOL_COLOUR = "#0057a8"
-"""Border and mark of what came from a protocol; dark against every fill, and told from grey by everybody."""
+"""Border and mark of states from a protocol. It is dark on every fill, and colour-blind readers tell it from
+grey."""
 
 NUMBER_COLOUR = "#003d7a"
 """The numbers of transition expressions."""

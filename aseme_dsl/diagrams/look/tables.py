@@ -1,4 +1,4 @@
-"""Sheets of models that are no graphs but tables."""
+"""Sheets of models that are drawn as tables instead of graphs."""
 
 from __future__ import annotations
 

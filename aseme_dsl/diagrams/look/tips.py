@@ -1,4 +1,4 @@
-"""Tips: what a state or a transition says in full when somebody points at it in the SVG."""
+"""Tips: the full text of a state or transition, which the SVG shows under the pointer."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def inside_text(count: int) -> str:
 
 
 def _title(node: State, most: int = 60) -> str:
-    """Label, type and name, which is cut where it is another state's that is told of."""
+    """Label, type and name of a state; the name is shortened to `most` characters."""
     if node.name == node.label:
         return f"{node.label} {node.type.value}"
     return f"{node.label} {node.type.value} {short(node.name, most)}"

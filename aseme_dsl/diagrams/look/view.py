@@ -11,11 +11,11 @@ from aseme_dsl.diagrams.look.drawing import NoSuchState
 
 @dataclass(frozen=True, slots=True)
 class Way:
-    """A transition as it is drawn: from `source` to `target`, which are labels of drawn states.
+    """A transition as it is drawn, between the drawn states with the labels `source` and `target`.
 
-    An end in a closed state is moved to that state; an end outside the view is kept in `source_outside` or
-    `target_outside`, and the label of that end is where the drawing says so. `place` is the transition's
-    place in the statechart.
+    If one end is inside a closed state, the line ends at that state. If it is outside the view,
+    `source_outside` or `target_outside` is true, and the label is that of the drawn state that stands for it.
+    `place` is the index of the transition in the statechart.
     """
 
     place: int

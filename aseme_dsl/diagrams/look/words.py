@@ -1,4 +1,4 @@
-"""Words: what a drawing shows, for whoever cannot see it."""
+"""Words: texts that describe a drawing for readers who cannot see it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _NAME = re.compile(r"(?P<kind>\w+)(\.(?P<name>[^.]+))?(\.tree)?(\.(?P<label>\d[\
 """A drawing's name: `suc`, `iac.player`, `iac.player.tree.0.2.1`."""
 
 _MOST = 8
-"""So many names are told one by one."""
+"""A text lists at most so many names; of more it says the number."""
 
 
 def words(system: System, drawing: Drawing) -> str:

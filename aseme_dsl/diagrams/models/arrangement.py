@@ -24,11 +24,13 @@ _ASPECT = 1.6
 
 @dataclass(frozen=True, slots=True)
 class Arrangement:
-    """What the lines of a drawing need to know of its states.
+    """The places of states, as far as the lines of a drawing depend on them. Keys are labels of states.
 
-    `columns` are the regions of each drawn AND; `first` and `last` the innermost states at the top and the
-    bottom of each state, and `rows` how many rows lie between the two; `step` is how many rows a transition
-    into a composite takes. `width` is about how wide all of it will be, in points.
+    - `columns`: the regions of each drawn AND, by column.
+    - `first`, `last`: the innermost states at the top and at the bottom of each state.
+    - `rows`: the number of rows between these two.
+    - `step`: the number of rows that a transition into a composite takes.
+    - `width`: the approximate width of the drawing, in points.
     """
 
     columns: Mapping[str, tuple[tuple[str, ...], ...]]

@@ -23,10 +23,10 @@ Drawer = Callable[[View, str, Mapping[str, str]], Sheet]
 
 
 def pieces(whole: View, name: str, draw: Drawer, most: int = PIECE) -> tuple[Drawing, ...]:
-    """The view in several drawings, the first of which is the index and bears the view's name.
+    """The view, divided into several drawings. The first one is the index, and has the name of the view.
 
-    The others are named after the state they begin with (`iac.player.0.2.5`) and have at most `most` states;
-    where Graphviz cannot draw such a one either, it has pieces of its own: one drawing for each OR state.
+    The others are named after their outermost state (`iac.player.0.2.5`) and have at most `most` states. If
+    Graphviz cannot draw one of these, it is divided again: one drawing for each OR state.
     """
     parts = _parts(whole, name, draw, most)
     return (of_sheet(_index(whole, name, parts)), *(drawing for _, drawing in parts))

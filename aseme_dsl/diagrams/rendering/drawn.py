@@ -12,7 +12,7 @@ from aseme_dsl.diagrams.look.drawing import Drawing
 from aseme_dsl.diagrams.rendering.layout import TIME_LIMIT, DrawingFailed, GraphvizMissing, end_all, render
 
 WHOLE = 1500
-"""The most states that are tried in one picture: more take minutes, and nobody can read them."""
+"""The most states that are tried in one picture: a larger one takes minutes, and is unreadable."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ def drawing(
         waiting = [workers.submit(_result, item, format) for item in drawings]
         try:
             yield lambda: list(_results(waiting, done))
-        except BaseException:  # Ctrl-C, say: nobody wants the others any more
+        except BaseException:  # Ctrl-C, say: the other drawings are not needed any more
             workers.shutdown(wait=False, cancel_futures=True)
             end_all()
             raise

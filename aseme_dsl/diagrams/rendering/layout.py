@@ -1,4 +1,4 @@
-"""Layout: Graphviz as a separate program with a time limit, whose work is checked before anybody sees it."""
+"""Layout: runs Graphviz as a separate program with a time limit, and checks its output."""
 
 from __future__ import annotations
 
@@ -75,9 +75,13 @@ def writes_pdf() -> bool:
 def render(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> bytes:
     """The drawing as `svg`, `png`, `pdf` or `dot`, complete.
 
-    Whatever the format, the SVG of the same layout has been compared with what the drawing must show. Raises
-    DrawingFailed where no attempt gave a complete picture or Graphviz does not write the format,
-    GraphvizMissing (which is one) without Graphviz, and ValueError for another format.
+    For every format but `dot`, the SVG of the same layout is compared with the elements that the drawing must
+    show.
+
+    Raises:
+        DrawingFailed: no attempt gave a complete picture, or Graphviz does not write the format.
+        GraphvizMissing: there is no Graphviz; a subclass of `DrawingFailed`.
+        ValueError: another format.
     """
     if format not in FORMATS:
         raise ValueError(f"{format!r} is not one of {', '.join(FORMATS)}")

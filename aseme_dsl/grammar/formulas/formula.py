@@ -43,7 +43,7 @@ _MEANT: dict[str, Signs] = {sign: ((meant.value, meant.row.meaning),) for sign, 
     ">": (("[>", "one that cuts the other short"), (".", Operator.SEQUENCE.row.meaning)),
     "=": (),
 }
-"""What signs that are no operators may stand for."""
+"""The operators that are probably meant by other signs."""
 
 _IN_EXPRESSIONS = ("*", "+", ".", "?")
 _FORMULA_ONLY = frozenset((*INFIX_SIGNS, *_POSTFIX, "]", ";", "->")) - {*_IN_EXPRESSIONS}

@@ -1,4 +1,4 @@
-"""What formulas and expressions have in common: words that are no names, and the error of both."""
+"""What formulas and expressions have in common: the reserved words, and the exception of both."""
 
 from __future__ import annotations
 

@@ -115,8 +115,8 @@ class _Writer:
         self.shifts: dict[int, int] = {}  # by depth: how much deeper a continued line begins
 
     def write(self, root: _Node) -> list[str]:
-        # A node with its number in the one around it, and the depth of that; or, when a broken node has been
-        # written, a depth and the shift to go back to.
+        # Each entry is a node, its index in its parent, and the parent's depth. An int instead of a node is a
+        # depth: it follows a node that was broken over several lines, and resets the shift to its number.
         todo: list[tuple[_Node | int, int, int]] = [(root, 0, -1)]
         while todo:
             node, number, around = todo.pop()

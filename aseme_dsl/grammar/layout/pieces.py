@@ -50,7 +50,7 @@ class Gap:
     trailing: tuple[str, ...] = ()
     """Comments on the line of the token before."""
     hanging: tuple[str, ...] = ()
-    """Comments below them that begin in the same column: they go on with them."""
+    """Comments on the next lines that begin in the same column, and so continue the trailing ones."""
     own: tuple[tuple[bool, str], ...] = ()
     """Comments on lines of their own, each with whether a blank line is before it."""
     leading: tuple[str, ...] = ()
@@ -64,7 +64,7 @@ class Gap:
 class Row:
     """An entry that has no block: its pieces, the comments above it, and those at the end of its last line.
 
-    The first of `trailing` is on that line; the others go on with it on the lines below.
+    The first comment in `trailing` is on that line; the others continue it on the lines below.
     """
 
     rule: str

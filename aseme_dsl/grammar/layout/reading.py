@@ -431,7 +431,7 @@ class _Reader:
         )
 
     def next_gap(self, start: int | None = None) -> Gap:
-        """The gap before the next token, which is the next character that is no comment and no blank."""
+        """The gap before the next token: all blanks and comments up to it."""
         if start is not None:
             return self.gap(start)
         at = self.end

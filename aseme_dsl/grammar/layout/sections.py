@@ -78,7 +78,7 @@ def _cells(row: Row) -> list[_Cell]:
     firsts = [index for index, piece in enumerate(row.pieces) if piece.column is not None] or [0]
     last = firsts[-1]
     if any(piece.is_hard for piece in row.pieces[:last]) or row.pieces[last].above:
-        firsts = [0]  # comments have broken it: it is no part of a table
+        firsts = [0]  # comments have broken the row, so it is not a part of a table
     cells: list[_Cell] = []
     for first, end in zip(firsts, [*firsts[1:], len(row.pieces)], strict=True):
         pieces = row.pieces[first:end]
@@ -166,7 +166,7 @@ def _end_with_comments(rows: Sequence[Row], found: Sequence[list[str]]) -> None:
 
 
 def add_comments(lines: list[str], comments: Sequence[str], column: int) -> None:
-    """Add comments to the last of the lines, at `column`, and below them those that go on with them."""
+    """Add the first comment to the last line, at `column`, and the comments that continue it below."""
     for index, comment in enumerate(comments):
         if index:
             lines.append("")

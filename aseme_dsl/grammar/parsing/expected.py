@@ -38,8 +38,8 @@ class Step:
 class Expected:
     """A terminal that may come next.
 
-    `terminal` is the name of its rule ("" for a word or sign of the grammar), `words` what it accepts where
-    that is one of a few words, `steps` the rules that have been begun around it, the outermost first.
+    `terminal` is the name of its rule ("" for a word or sign of the grammar). `words` are the words that it
+    accepts, if these are a fixed set. `steps` are the rules around it that have begun, the outermost first.
     """
 
     terminal: str

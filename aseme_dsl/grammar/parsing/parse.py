@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 def parse(source: Source) -> tuple[File, tuple[Diagnostic, ...]]:
     """The tree of `source` and what is wrong with its syntax, in the order of the text.
 
-    Whatever could not be read is missing in the tree. Any text at all gives a tree: nothing is raised.
+    Parts of the text that could not be read are missing in the tree. Every text gives a tree, and nothing is
+    raised.
     """
     from aseme_dsl.grammar.parsing.terminals import read
 

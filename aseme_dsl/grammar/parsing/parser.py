@@ -1,8 +1,8 @@
-"""From the rules of the grammar to a parser, and from what it has parsed to objects.
+"""Makes a parser of the rules of the grammar, and objects of its parse trees.
 
-It is the parser that textX makes of the same rules, of Arpeggio's parts, and the objects have what textX
-gives its own: the attributes of their rule, `_tx_position` and `_tx_position_end`. textX itself, which takes
-long to import, is not needed.
+The parser consists of the same Arpeggio objects that textX makes of these rules. The objects have the same
+attributes as those of textX: the attributes of their rule, `_tx_position` and `_tx_position_end`. So textX,
+which takes long to import, need not be imported.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Parts: a file as a sequence of texts that are read one by one, so that what stays is not read again.
+"""Parts: a file as a sequence of texts that are read one by one, so that only changed parts are read again.
 
-The tree of a part has spans in the part; a `Layout` says where in the file each part begins. Where texts are
-made from spans, the lines of a part may have numbers that occur nowhere else (`Numbers`): what was made of a
-part then stays what it is, wherever the part moves, until `Lines` puts the lines of the file into it.
+The tree of a part has spans in the part; a `Layout` says where in the file each part begins. Texts that name
+lines use unique numbers for the lines of a part (`Numbers`). So such a text does not change when the part
+moves. Finally `Lines` replaces these numbers by lines of the file.
 """
 
 from __future__ import annotations
@@ -110,7 +110,7 @@ class Lines:
         self._used: dict[str, tuple[frozenset[str], tuple[int, ...], str]] = {}
 
     def lay_out(self, layout: Layout) -> None:
-        """From now on, parts are where this layout says. What nobody asked for since then is forgotten."""
+        """Use this layout from now on. Forget the texts that were not requested since the last call."""
         self._known, self._used = self._used, {}
         self._above = {
             str(part.above)[-2 * _DIGITS : -_DIGITS]: file.position(base)[0] - 1

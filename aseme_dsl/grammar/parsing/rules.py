@@ -1,8 +1,7 @@
-"""The rules of the grammar as plain data: what textX understands of the .tx files.
+"""The rules of the grammar as plain data, as textX reads them from the .tx files.
 
-To read the .tx files takes longer than to check a small file. So their rules are written down in
-`prepared.py` (`python -m aseme_dsl.grammar.syntax`); as long as the .tx files are those that it was made
-from, the rules are taken from there, else textX reads them again.
+To read the .tx files takes longer than to check a small file. So `python -m aseme_dsl.grammar.syntax` writes
+their rules into `prepared.py`. If the .tx files have changed since then, textX reads them instead.
 
 An expression is the name of a rule, or one of
 

@@ -1,15 +1,15 @@
-"""The textX grammar as a parser that knows all places and goes on after an error.
+"""The textX grammar as a parser that records all places and continues after an error.
 
 textX stops at the first error, gives no place to a name in a list, and says what it expected in regular
 expressions. Three changes to the parser of the grammar fix this:
 
-- every terminal's value is a `Token`, a `str` that knows where it stands;
-- the failure that lies farthest in the text is remembered with all terminals that were tried there: when a
-  repeated entry matches no alternative of the grammar, that failure is the mistake;
-- the `Junk…` terminals, last alternative of every repeated entry, note the mistake and skip to where the
-  next entry begins; `JunkHeader` and `JunkEnd` stand for a missing `{` and `}`.
+- The value of every terminal is a `Token`, a `str` with its place.
+- The parser remembers the failure that is farthest in the text, with all terminals that were tried there. If
+  a repeated entry matches no alternative of the grammar, that failure is the error to report.
+- The `Junk…` terminals are the last alternative of every repeated entry. They note the error and skip to the
+  beginning of the next entry. `JunkHeader` and `JunkEnd` stand for a missing `{` and `}`.
 
-An entry that has been begun by `{` never fails, so no block is parsed twice and the whole takes linear time.
+An entry never fails after its `{`, so no block is parsed twice and parsing takes linear time.
 """
 
 from __future__ import annotations
@@ -196,7 +196,7 @@ def _nothing(rule: ParsingExpression, position: int) -> object:
 
 
 def _junk(rule: ParsingExpression) -> Callable[[TextParser], object]:
-    """`parse` of a Junk terminal: skips what is no entry of its block."""
+    """`parse` of a Junk terminal: skips text that is not an entry of its block."""
     block = BLOCKS[rule.rule_name]
 
     def parse(parser: TextParser) -> object:
@@ -223,7 +223,7 @@ def _junk(rule: ParsingExpression) -> Callable[[TextParser], object]:
 
 
 def _missing_open(rule: ParsingExpression) -> Callable[[TextParser], object]:
-    """`parse` of JunkHeader: goes on behind the `{` of the line, or as if one had been written."""
+    """`parse` of JunkHeader: continues after the `{` of the line, or as if there were one."""
 
     def parse(parser: TextParser) -> object:
         progress: Progress = parser.progress
@@ -243,7 +243,7 @@ def _missing_open(rule: ParsingExpression) -> Callable[[TextParser], object]:
 
 
 def _missing_close(rule: ParsingExpression) -> Callable[[TextParser], object]:
-    """`parse` of JunkEnd: goes on as if the `}` had been written."""
+    """`parse` of JunkEnd: continues as if there were a `}`."""
 
     def parse(parser: TextParser) -> object:
         progress: Progress = parser.progress

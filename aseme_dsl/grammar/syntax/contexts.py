@@ -53,7 +53,7 @@ class Kind(Enum):
 
 
 KEYWORDS = (Kind.DECLARATION, Kind.CLAUSE, Kind.CHOICE, Kind.TRUTH, Kind.LOGIC)
-"""The kinds of which a word is no name."""
+"""The kinds of words that cannot be names."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,18 +67,18 @@ class Piece:
 
     @property
     def pattern(self) -> str:
-        """Matches whatever an option matches."""
+        """Matches if one of the options matches."""
         return either(pattern for pattern, _ in self.options)
 
     @property
     def is_word(self) -> bool:
-        """Whether it is a word of the language, whatever follows."""
+        """Whether it is always a word of the language, independent of the following token."""
         return all(kind in KEYWORDS for _, kind in self.options)
 
 
 @dataclass(frozen=True, slots=True)
 class Phrase:
-    """Tokens one after the other; then the text goes on in the context `enters`, if any."""
+    """A sequence of tokens; the context `enters`, if any, applies to the text after it."""
 
     pieces: tuple[Piece, ...]
     enters: str = ""
@@ -128,7 +128,7 @@ class Context:
 
     @property
     def has_body(self) -> bool:
-        """Whether it is an entry that may go on in a body."""
+        """Whether it is an entry that may have a body."""
         return any(phrase.pieces[0].pattern == r"\{" for phrase in self.phrases)
 
     def end(self) -> str | None:
@@ -142,7 +142,7 @@ class Context:
         words = [start.start for start in self.starts or () if start.pieces[0].is_word]
         names = [start.start for start in self.starts or () if not start.pieces[0].is_word]
         clauses = [phrase.clause for phrase in self.phrases if phrase.pieces[0].is_word]
-        if names and clauses:  # what is a clause is no name
+        if names and clauses:  # a clause is not a name
             names = [f"(?!{either(clauses)})(?:{either(names)})"]
         others = [f"(?={either([*words, *names])})"] if words or names else []
         return either([*([r"(?<=\})"] if self.has_body else []), *others, over])

@@ -1,4 +1,4 @@
-"""The lexer for Pygments: Sphinx, MkDocs, LaTeX's minted, and whatever else uses it."""
+"""The lexer for Pygments, which Sphinx, MkDocs, LaTeX's minted and other tools use."""
 
 from __future__ import annotations
 

@@ -71,14 +71,14 @@ def _all_of(pieces: tuple[Piece, ...]) -> tuple[str, list[Kind | None]]:
 
 
 def _broken(phrases: tuple[Phrase, ...]) -> Iterator[Rule]:
-    """Phrases that go on in another line after their first token, which is no name."""
+    """Rules for phrases whose first token, a keyword or a sign, may be followed by a line break."""
     rests: dict[Piece, list[tuple[Piece, ...]]] = {}
     for phrase in phrases:
         head, *others = phrase.pieces
         if others and not phrase.enters and all(kind in _SURE for _, kind in head.options):
             rests.setdefault(head, []).append(tuple(others))
     for head, tails in rests.items():
-        # What is there as a whole is surer than a part of something else.
+        # A complete phrase is a better match than a part of a longer one.
         found = [
             *(_all_of(tail) for tail in tails if len(tail) > 1),
             *(_nested(tail) for tail in tails[::-1]),

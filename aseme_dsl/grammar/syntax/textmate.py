@@ -1,4 +1,4 @@
-"""The TextMate grammar: VS Code, and whatever else reads one."""
+"""The TextMate grammar, for VS Code and other editors that read such grammars."""
 
 from __future__ import annotations
 

@@ -198,7 +198,7 @@ class _Writer:
         for phrase in context.phrases:
             _enter(top, phrase.pieces, phrase)
         found: list[str] = []
-        # A list of tokens goes on with what its entry has, unless that is a list itself.
+        # After a list of tokens come the phrases of its entry, unless that entry is a list itself.
         after_it = following if context.tokens is None else ()
         for piece, node in top.children.items():
             if context.is_body:
@@ -238,7 +238,7 @@ class _Writer:
         ]
 
     def braces(self, piece: Piece, name: str, following: tuple[str, ...]) -> str:
-        """The region of a body, or of the content of a message, behind which the text goes on."""
+        """The region of a body, or of the content of a message; `following` may come after content only."""
         self.body(name)
         then = self.then(following) if name == CONTENT else ""
         key = f"region {name}{then}"

@@ -86,7 +86,7 @@ BLOCKS: dict[str, Block] = {
     "JunkChart": _block("state var let activities modules", _LABELS, clauses="activity"),
     "JunkAgents": _names("with"),
 }
-"""By the name of the terminal that takes what is no entry."""
+"""The blocks, by the name of the Junk terminal that skips text in them."""
 
 _ENTRY_WORDS = frozenset(("abstract", *(word for block in BLOCKS.values() for word in block.words)))
 

@@ -1,7 +1,7 @@
 """The tree of a `.aseme` file: what was written, unresolved, every name with its span.
 
-Types, names and topics are checked by the compiler, which turns this into AMOLA models. Whatever part of a
-file could not be read is missing here and has a diagnostic.
+The compiler checks types, names and topics, and makes AMOLA models of the tree. A part of a file that could
+not be read is missing here and has a diagnostic.
 """
 
 from __future__ import annotations
@@ -148,7 +148,7 @@ class Element:
 
 @dataclass(frozen=True, slots=True)
 class Hole:
-    """The `?` of `[?]`: a condition that nobody has written yet. It stands nowhere else."""
+    """The `?` of `[?]`: a condition that is still to be written. It occurs only there."""
 
     span: Span
 

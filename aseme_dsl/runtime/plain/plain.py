@@ -71,12 +71,12 @@ def leaves_of(labels: str) -> tuple[str, ...]:
 class Plain:
     """A running statechart. Subclasses are generated; `semantics.md` says what a step does.
 
-    A region is a slot with the number of its active leaf, or a truth where it has two. Nothing is active
-    before `start`: until then a step raises `NotStarted`. The methods may not be called while one of them
-    runs (from a function of a condition, or from the method of an activity): nobody looks whether they are,
-    and the regions may then stand anywhere. `Machine` is for that.
+    A region is a slot with the number of its active leaf, or a Boolean if it has two. Nothing is active
+    before `start`: until then a step raises `NotStarted`. Do not call a method while another one runs (from a
+    function of a condition, or from the method of an activity). This is not checked, and leaves the regions
+    in undefined states. Use `Machine` if such calls can happen.
 
-    Where a method is given a state, that is its label, or its name if no other state has that.
+    Methods take a state as its label, or as its name if no other state has that name.
     """
 
     __slots__ = ()
@@ -89,10 +89,10 @@ class Plain:
     failures: dict[str, str] | None
     """The states whose activity has failed, with the reason; None while there are none."""
     chance: Random | None
-    """What `random()` draws from: 2.5 kB, made at the first draw if nobody sets it before."""
+    """The generator of `random()`: 2.5 kB, made at the first call unless the user sets it before."""
 
     EVENTS: ClassVar[tuple[str, ...]] = ()
-    """The events that transitions wait for. Another one is no mistake: it is a step without an event."""
+    """The events that transitions wait for. `send` of any other event is a step without an event."""
     LEAVES: ClassVar[tuple[str, ...]] = ()
     """The labels of each region's leaves by their numbers, in one text: that is loaded faster than many."""
     NAMES: ClassVar[tuple[str, ...]] = ()
@@ -104,7 +104,7 @@ class Plain:
     ENDS: ClassVar[Mapping[str, tuple[str, ...]]] = {}
     """The states whose activity says how it has ended, and the names of how it may."""
     MESSAGES: ClassVar[tuple[tuple[str, str, str | None], ...]] = ()
-    """The places of messages on the blackboard, each with its channel, and whose it is (None: anybody's)."""
+    """The places of messages on the blackboard, each with its channel and its sender (None: any sender)."""
     VARIABLES: ClassVar[Mapping[str, str]] = {}
     """What those variables are called on the blackboard whose names mean something else there."""
     WAKING: ClassVar[tuple[str, ...]] = ()
@@ -119,7 +119,7 @@ class Plain:
     # ---- generated -------------------------------------------------------------------------
 
     def start(self) -> None:
-        """Enter the root, and go on until nothing is enabled."""
+        """Enter the root, and take transitions until none is enabled."""
         raise NotImplementedError
 
     def send(self, event: str) -> bool:

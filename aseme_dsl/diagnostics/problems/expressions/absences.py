@@ -9,7 +9,7 @@ from aseme_dsl.diagnostics.problems.absences import Absent, Importable, NoTopic,
 from aseme_dsl.diagnostics.wording import a, carried_on, listed
 
 Meant = Literal["constant", "variable", "participant", "nothing", "topic", "message", "function"]
-"""What a word that is no value may be meant to be."""
+"""The thing that has the name, if the name is not a value."""
 MemberlessKind = Literal["", "variable", "let", "constant", "list"]
 
 

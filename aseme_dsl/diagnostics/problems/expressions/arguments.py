@@ -192,7 +192,7 @@ class AlwaysThere(_OfForm):
 
 
 class SenderOfOther(_OfForm):
-    """What is no agent message, or (`agent`) the name of an agent."""
+    """`sender(…)` of something that is not an agent message; `agent` is set if it is the name of an agent."""
 
     agent: str | None
 

@@ -163,7 +163,7 @@ class MessageWithoutTopic(Problem):
 
 
 class PathWithoutMessage(Problem):
-    """`channels` of the topic are what the path may go on to."""
+    """`channels` are those of the topic, each of which would complete the path."""
 
     code = "E502"
     path: str

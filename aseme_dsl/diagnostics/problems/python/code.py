@@ -408,7 +408,7 @@ class NoNameOfRuntime(Problem):
         return did_you_mean(self.near) if self.near is not None else None
 
 
-# ---- W54x, N74x: files that nothing uses, classes that nobody has written --------------------------------
+# ---- W54x, N74x: unused files, classes that are still to be written ---------------------------------------
 
 
 class FileNotUsed(Problem):

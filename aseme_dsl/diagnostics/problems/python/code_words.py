@@ -1,7 +1,10 @@
-"""Words of code: what the Python of activities takes, returns, names, publishes, sends (E546, W53x to W55x).
+"""Words of code: the names that the Python code of activities uses (E546, W53x to W55x).
 
-`what` is "activity" or "module"; a channel is written `topic.kind.Message`, an agent message as its
-performative and type; `near` is the name that is spelt alike, None where there is none.
+Fields that several classes have:
+
+- `what` is "activity" or "module".
+- A channel is written `topic.kind.Message`, an agent message as its performative and type.
+- `near` is a name with a similar spelling, or None.
 """
 
 from __future__ import annotations
