@@ -49,8 +49,8 @@ def compile(
 ) -> System:
     """Compile a file, with all that it imports, to the models of its system.
 
-    `path` may be a `Source`, for a text that is no file; texts in `sources`, by path, are taken instead of
-    the files on disk. Raises `CompileError` if there is an error.
+    `path` may be a `Source`, for a text that is not in a file. Texts in `sources`, by path, replace the files
+    on disk. Raises `CompileError` if there is an error.
     """
     from pathlib import Path
 
@@ -64,7 +64,7 @@ def compile(
 
 
 def __getattr__(name: str) -> object:
-    """What needs the compiler is imported when it is asked for: a robot does without it."""
+    """Import names that need the compiler on first use: on a robot, the runtime works without it."""
     if name in ("Analysis", "Options", "analyse"):
         import aseme_dsl.compiler
 

@@ -10,8 +10,8 @@ _PACKAGE = Path(__file__).resolve().parent
 def standard_library() -> Path:
     """Return the folder of the standard library; `import soccer` means `soccer.aseme` in it.
 
-    A wheel carries the files as `aseme_dsl/_stdlib`; a checkout keeps them at its root, as `stdlib`. The
-    wheel's place goes first: beside an installed package, a folder named `stdlib` belongs to somebody else.
+    A wheel has the files in `aseme_dsl/_stdlib`, a checkout in `stdlib` at its root. The wheel's place is
+    tried first: a folder `stdlib` beside an installed package is not ours.
 
     Raises:
         FileNotFoundError: The installation is incomplete: the folder is in neither place.

@@ -36,7 +36,7 @@ class DeclaredVariable:
 
     @property
     def text(self) -> str:
-        """`bids : int = 0`; of an agent, whom nobody knows at first, `best : agent`."""
+        """`bids : int = 0`; `best : agent` without a value, since an agent variable has no initial value."""
         said = "" if self.type == AGENT else f" = {value_text(self.initial)}"
         return f"{self.name} : {self.type}{said}"
 

@@ -346,7 +346,7 @@ def _subscription(item: Subscription) -> Json:
 
 
 def _initial(literal: Literal) -> bool | int | float | str | None:
-    """A value as JSON has it; a duration as it is written; null for an agent: nobody is known at first."""
+    """An initial value in JSON: a duration as in the source; null for an agent, which has none."""
     if literal.type == AGENT:
         return None
     if literal.type == DURATION:

@@ -256,7 +256,7 @@ class RoundValue:
 
 @dataclass(frozen=True, slots=True)
 class Holds:
-    """Whether a condition holds: never absent. Nobody writes it: `reactive` says it of other conditions."""
+    """Whether a condition holds; never absent. It occurs only in transitions that `reactive` generates."""
 
     operand: Value
     span: Span
@@ -557,7 +557,7 @@ class TransitionExpression:
 
 EMPTY = TransitionExpression()
 NEVER = TransitionExpression(when=True, condition=Literal(False, BOOL, Span(Source("", ""), 0, 0)))
-"""What stands on the entry transition of `B` of `A [> B` until somebody says when B cuts A short."""
+"""The expression of the entry transition of `B` of `A [> B` if no `enter B` line gives one."""
 
 
 def operands(value: Value) -> tuple[Value, ...]:

@@ -28,10 +28,9 @@ class Formula:
     """An operator over operands; a NAME has `name` and may have `arguments`, a counted one has `count`.
 
     Infix operators have two or more operands, all others but NAME have exactly one. DISABLING has two, and
-    `A [> B [> C` is `(A [> B) [> C` without its parentheses. HOLE is an operator that nobody has chosen yet;
-    no model has one. GROUP keeps the
-    parentheses that somebody wrote (several around one thing count as one), because terms and states are
-    named as they are written.
+    `A [> B [> C` is `(A [> B) [> C` without its parentheses. HOLE is an operator that is still to be chosen;
+    no model has one. GROUP keeps the parentheses of the source, because terms and states are named as they
+    are written. Several pairs around the same operand count as one.
     """
 
     operator: Operator

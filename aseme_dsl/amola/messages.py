@@ -135,11 +135,12 @@ class Channel:
 
 @dataclass(frozen=True, slots=True)
 class ChannelRules:
-    """What a topic says of one of its channels (P2: the mechanism that controls updates).
+    """The settings of one channel in a topic (P2: the mechanism that controls updates).
 
-    `sources` are the roles, agents or activities that may publish (empty: anybody); `every` is the least
-    time between two publications in ns; `queued` signals do not replace an unread one; `persist` keeps a
-    state over a restart.
+    - `sources`: the roles, agents or activities that may publish; empty for no restriction.
+    - `every`: the least time between two publications, in ns.
+    - `queued`: a new signal does not replace an unread one.
+    - `persist`: a state survives a restart.
     """
 
     channel: Channel

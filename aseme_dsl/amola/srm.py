@@ -27,12 +27,15 @@ class Subscription:
 
 @dataclass(frozen=True, slots=True)
 class Activity:
-    """An activity of the system. `every` and `takes` are in ns; `kind` is thread, async, process or step.
+    """An activity of the system. All times are in ns.
 
-    `within` (ns) is how long it may last from the entry of its state, `ends` are its outcomes: the names of
-    the ways in which it may end, `parameters` what it is given at each start. `reads_variables` and
-    `writes_variables` are variables of the roles that perform it. One that is `simulated` has no code: it
-    lasts `takes`. One that `waits` has none either, and never ends by itself.
+    - `every`: the period. `takes`: the expected duration.
+    - `kind`: the execution mode: thread, async, process or step.
+    - `within`: the deadline, counted from the entry of its state.
+    - `ends`: the names of its outcomes. `parameters`: the values that each start gets.
+    - `reads_variables`, `writes_variables`: variables of the roles that perform it.
+    - `simulated`: it has no code, and completes after `takes`.
+    - `waits`: it has no code, and never completes by itself.
     """
 
     name: str

@@ -94,12 +94,15 @@ class TransitionKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Transition:
-    """A transition between two labels. `priority` is its place among those of its source, 0 is tried first.
+    """A transition between two states, given by their labels.
 
-    Those with neither event nor condition come after the others, and `else` last of all. One that is `first`
-    cuts its source short (`A [> B`): it is tried before anything inside the source, the outermost first. With
-    `resume` the target goes on where it was last left before it was complete. One that is `reactive` was not
-    written: it leads back to a choice which would now be made in another way.
+    `priority` is its rank among the transitions of its source; 0 is tried first. Transitions with neither
+    event nor condition come after the others, and `else` comes last.
+
+    - `first`: it interrupts its source (`A [> B`). It is tried before all transitions inside the source; of
+      several such transitions, the outermost first.
+    - `resume`: the target resumes the configuration in which it was exited before it was complete.
+    - `reactive`: it is generated, and leads back to a choice that would now take another branch.
     """
 
     name: str
@@ -121,8 +124,11 @@ class Transition:
 
 
 def transition_text(transition: Transition) -> str:
-    """What people read on a transition: its expression, after `[>` where it cuts its source short, after `on`
-    or `exit` where it stays, after `resume` where its target goes on."""
+    """The text of a transition for readers: its expression after a word for its kind.
+
+    The word is `[>` for an interrupt, `on` or `exit` if the state stays active or for an exit action, and
+    `resume` if the target is resumed.
+    """
     word = "[>" if transition.first else "" if transition.changes_state else transition.kind.value
     word = "on abandon" if transition.kind is TransitionKind.ABANDON else word
     verb = "resume" if transition.resume else "reactive" if transition.reactive else ""
@@ -131,9 +137,10 @@ def transition_text(transition: Transition) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """A variable of the agent. `scope` is the label of the protocol branch whose entry renews it, or None.
+    """A variable of the agent.
 
-    Variables of branches are told apart by their label: `bids@0.2.3`.
+    `scope` is the label of the participant subchart whose entry initialises it, or None. The name of such a
+    variable has this label as a suffix: `bids@0.2.3`.
     """
 
     name: str

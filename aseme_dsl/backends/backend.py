@@ -53,9 +53,9 @@ class Known(Protocol):
     """What was generated before: a backend that asks it does again only what has changed."""
 
     def recall(self, function: Callable[..., _T], *inputs: object) -> _T:
-        """`function(*inputs)`, or what it was for the same objects; nobody may change the result.
+        """`function(*inputs)`, or its earlier result for the same objects. Do not modify the result.
 
-        The function must follow from its inputs alone, and must not recall anything itself.
+        The function must depend on its inputs alone, and must not call `recall` itself.
         """
 
     def each(

@@ -1,10 +1,14 @@
-"""Compiler: from text through every AMOLA model to statecharts, one file a phase.
+"""Compiler: from source text through every AMOLA model to statecharts, one file for each phase.
 
-load        files and what they import               sag_to_suc   goals to use cases
-resolve     messages, topics, functions, agents      suc_to_aip   use cases to protocols
-scopes      what is visible where                    suc_to_srm   use cases to roles
-typecheck   expressions                              aip_to_eac   a protocol's statechart
-control     expressions onto transitions             srm_to_iac   a role's, with its protocols woven in
+The phases:
+
+    load        files and their imports                  sag_to_suc   goals to use cases
+    resolve     messages, topics, functions, agents      suc_to_aip   use cases to protocols
+    scopes      the names visible at each place          suc_to_srm   use cases to roles
+    typecheck   expressions                              aip_to_eac   the statechart of a protocol
+    control     expressions onto transitions             srm_to_iac   that of a role, with its protocols
+
+`phases.py` runs them in order.
 """
 
 from __future__ import annotations

@@ -67,10 +67,10 @@ def inspect_files(
     memory: Memory | None = None,
     read: Read | None = None,
 ) -> Inspection:
-    """The same with what each phase has found on the way.
+    """The analysis, together with the results of each phase.
 
-    With a `memory`, what an earlier analysis of the same root has found is taken again where nothing that it
-    depends on has changed; `read` does the same for the texts (see `load`). What comes out is the same.
+    With a `memory`, phases whose inputs have not changed since an earlier analysis of the same root reuse
+    their results; `read` does the same for the texts (see `load`). Both only save time.
     """
     return finished(inspecting(root, sources, options, memory, read))
 

@@ -123,15 +123,20 @@ def _docstrings(tree: ast.AST) -> Iterator[ast.Constant]:
 
 
 def notes(python: str) -> Iterator[str]:
-    """The docstrings without indented listings, and the comments: lines that follow each other are one."""
+    """The docstrings without indented listings, and the comments.
+
+    A comment goes on through the lines below that have nothing else.
+    """
     tree = ast.parse(python)
     for constant in _docstrings(tree):
         if isinstance(constant.value, str):
             yield _LISTING.sub("\n", inspect.cleandoc(constant.value))
     comment: list[str] = []
     last = 0
+    lines = python.splitlines()
     for number, text in _comments(python, tree):
-        if comment and number != last + 1:
+        stands_alone = lines[number - 1].lstrip().startswith("#")
+        if comment and not (stands_alone and number == last + 1):
             yield "\n".join(comment)
             comment = []
         comment.append(text.lstrip("#:! "))

@@ -100,7 +100,7 @@ def problems_of(chart: Statechart, system: System) -> Iterator[Diagnostic]:
 
 
 def _place(limit: Limit) -> tuple[str, int, int]:
-    """What is told once: of one place there is one cause."""
+    """The place of a limit: only the first limit of each place is reported."""
     return limit.span.source.path, limit.span.start, limit.span.end
 
 

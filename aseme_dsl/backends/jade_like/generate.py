@@ -64,13 +64,15 @@ class Offer:
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """A role as an agent with behaviours: their classes, the outermost first, what these use of the runtime,
-    what the agent offers, and a class that a user may want to go on from."""
+    """A role as an agent with behaviours."""
 
     classes: tuple[Class, ...]
+    """The classes of the behaviours, the outermost first."""
     imported: tuple[str, ...]
+    """The names of the runtime that these use."""
     offers: tuple[Offer, ...]
     example: str
+    """A class from which a user can start."""
 
 
 @dataclass(frozen=True, slots=True)

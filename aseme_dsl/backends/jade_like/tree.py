@@ -1,4 +1,4 @@
-"""Tree: the behaviours of a role, as JADE would have them: one for each state that is no mere point.
+"""Tree: the behaviours of a role as in JADE, one for each state except START, CONDITION and END.
 
 | state | behaviour |
 | --- | --- |
@@ -31,7 +31,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.runtime.message.naming import class_name
 
 POINTS = {StateType.START: "START", StateType.CONDITION: "CHOICE", StateType.END: "END"}
-"""The types of state that are no behaviour, and what they are called inside the behaviour around them."""
+"""The types of state that have no behaviour of their own, and their names in the behaviour around them."""
 
 
 class Kind(StrEnum):
@@ -59,8 +59,8 @@ class Waker:
 class Behaviour:
     """A behaviour: `states` are the labels of the states that it stands for, the outermost first.
 
-    `shown` are the transitions between what is in it that its kind does not imply, and the actions of states
-    that are left by no transition (`on`, `exit`); `implied` are those that its kind says. `period` is in ns.
+    `implied` are the transitions inside it that follow from its kind. `shown` are the others, and the actions
+    of `on` and `exit` lines. `period` is in ns.
     """
 
     name: str
@@ -92,7 +92,7 @@ class Tree:
 
 
 def behaviour_tree(system: System, chart: Statechart, reserved: Iterable[str] = ()) -> Tree:
-    """The behaviours of a role. Their names are no Python keywords, and none of those that are `reserved`."""
+    """The behaviours of a role. Their names are neither Python keywords nor among those in `reserved`."""
     return _Planter(system, chart, frozenset(reserved)).plant()
 
 
@@ -178,7 +178,7 @@ class _Planter:
         return [
             item
             for item in self.from_inside.get(node.label, ())
-            if item.changes_state and item.source != node.label  # those of the root are no ways
+            if item.changes_state and item.source != node.label  # else a transition of the root itself
         ]
 
     def pairs(self, node: State) -> set[tuple[str, str]]:

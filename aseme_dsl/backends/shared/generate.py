@@ -105,7 +105,7 @@ def role_files(templates: Environment, system: System, options: BackendOptions) 
     played = {seen.iacs[0].name: tuple((aip.name, versions[aip.name]) for aip in seen.aips) for seen in roles}
     plans = known.each(_plan, zip(roles, known.same_values("versions", played).values(), strict=True))
     steps = known.each(_step, zip(roles))
-    # What the user's own templates ask for, nobody knows.
+    # A user's own templates may read any part of the system.
     shown = [system if options.templates else seen for seen in roles]
     texts = [known.whole(plan.text) for plan in plans]
     filled = zip(shown, roles, plans, steps, texts, strict=True)

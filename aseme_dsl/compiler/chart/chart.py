@@ -139,8 +139,8 @@ def chart_of(
 ) -> Statechart | None:
     """The statechart of an outline; None where a condition is still to be written.
 
-    `parts` are the participants whose branches are in it. A branch's variables are renewed with the branch,
-    and are told apart by its label: `bids@0.2.3`.
+    `parts` are the participants whose subcharts are in it. The variables of a subchart are initialised at
+    each entry of it; their names have its label as a suffix (`bids@0.2.3`).
     """
     by_way: dict[Way, tuple[Line, ...]] = dict(lines.by_way) if lines is not None else {}
     origin = Origin(OriginKind.FORMULA, name, "control")

@@ -1,4 +1,4 @@
-"""Flow: what can complete, be reached and come to rest in a statechart, whatever its conditions say."""
+"""Flow: finds states that cannot complete or be reached, and cycles without a wait, for any conditions."""
 
 from __future__ import annotations
 
@@ -359,8 +359,10 @@ def _cycles(
     contradict: Contradict,
     quick_states: Mapping[str, tuple[Transition, ...]],
 ) -> Iterator[tuple[list[_Edge], AtOnce]]:
-    """The cycles that go on within one instant, with what completes on the way; `quick_states` complete at
-    once, too."""
+    """The cycles that repeat without a wait, each with the transitions inside states that complete at once.
+
+    `quick_states` complete at once as well.
+    """
     at_once: AtOnce = dict(quick_states)
     for node in reversed(chart.states):
         if node.type is StateType.AND:
@@ -554,7 +556,7 @@ def _before_else(chart: Statechart, transition: Transition) -> Iterator[Value]:
 
 
 def _is_bare(chart: Statechart, circle: Sequence[_Edge]) -> bool:
-    """Whether a circle is of choices alone (E412), whatever their conditions say."""
+    """Whether a cycle consists of CONDITION states only (E412)."""
     return all(chart.by_label[edge.source].type is StateType.CONDITION for edge in circle)
 
 

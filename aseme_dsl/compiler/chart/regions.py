@@ -20,9 +20,9 @@ def regions_of(
 ) -> tuple[Region, ...]:
     """The root and the children of every AND, in document order, with their channels.
 
-    A region reads what its conditions, actions and activities read, and the states and histories (not the
-    signals) that the regions inside it read, because they start with a copy of its board. The root reads and
-    writes what the modules do, too.
+    A region reads the channels of its conditions, actions and activities. It also reads the `state` and
+    `data` channels of the regions inside it, since these start with a copy of its blackboard. The root also
+    has the channels of the modules.
     """
     region: dict[str, str] = {}  # of each state: the innermost region that it is, or is in
     around: dict[str, str] = {}  # of each state: the innermost region that holds it

@@ -88,10 +88,10 @@ def without_consequences(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
 
 
 def without_told(found: Iterable[Diagnostic], of_code: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """Without what the problems of the code say as well.
+    """The diagnostics without those that follow from problems in the Python code.
 
-    An activity without code (E543) that is called like a participant is told to be one that is not played
-    (W202). That any activity may send a message (N755) follows from that none does (W556).
+    - W202 (a participant that is not played) follows from E543 for the activity of that name without code.
+    - N755 (any activity may send a message) follows from W556 (no activity sends it).
     """
     of_code = tuple(of_code)
     unsent = {item.span for item in of_code if isinstance(item.problem, NeverSaid)}
@@ -338,18 +338,21 @@ def _indentation(line: str) -> int:
 
 
 def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
-    """Without what other kinds of problems bring with them.
+    """The diagnostics without those that follow from another one.
 
-    A loop that may be empty (E303) is also a cycle that never rests (W403), and has an option without a
-    condition (E405); a number that could not be read (E108) may be of another type than what it was taken
-    for; a participant that no formula uses (N702) may be what an activity is misspelt for (W200), and so may
-    a formula that nothing uses (E302), which then says so; a formula without control (N704) may have one that
-    is misspelt (E403), or stands in a role that plays the protocol (E408). The constant conditions of a loop
-    that is none (W420) always hold, or never (N712, W412); with a timer that is never started (W501), they
-    overlap or leave gaps. A protocol that is misspelt where it is played (E205) is played by nobody (N702),
-    a functionality that is misspelt where it is used (W230) is not used (N727). Of an activity that is given
-    something which it does not take (E523) it is said there what it may be misspelt for (W200). Where all
-    branches of a choice ask for variables that nothing sets (N437), there is a gap between them (W411).
+    | cause | what follows |
+    | --- | --- |
+    | E108: a malformed number | errors of its type |
+    | E205: a misspelt protocol or participant after `plays` | N702: that protocol is not played |
+    | E302: an unused formula, misspelt where it is used | W200: that name; E302 then names it |
+    | E303: a loop that may be empty | W403: a cycle without a wait; E405: an option without a condition |
+    | E403: a misspelt name after `control`; E408: control of a protocol in a role | N704: no control |
+    | E523: arguments that an activity does not have | W200: the activity that may be meant |
+    | N437: all branches read variables that are never set | W411: a gap between the branches |
+    | W200: a misspelt activity | N702: the participant that is meant is unused |
+    | W230: a misspelt functionality | N727: the functionality that is meant is unused |
+    | W420: a loop with a constant condition | N712, W412: a condition that always or never holds |
+    | W501: a timer that is never started | conditions that overlap, leave a gap or never hold |
     """
     unstarted = [place for item in _of(found, TimerNotStarted) for place in _places(item)]
     almost = {place.span for item in _of(found, NoFunctionality) for place in item.related}

@@ -85,10 +85,10 @@ def _unread(
     topics: Mapping[str, Topic],
     home: Source | None,
 ) -> Iterator[Diagnostic]:
-    """W520 for a signal that nobody reads; W422 for a state or data that an action publishes in vain.
+    """W520 for a signal without a reader; W422 for a state or data without one that an action publishes.
 
-    What an activity publishes as a state or data may be for other programs; so may what goes by radio, or is
-    on a topic that another file declares. A signal of the standard library is for a role of the library.
+    Not reported, since they may have readers elsewhere: a state or data that an activity publishes, messages
+    by radio, topics that another file declares, and signals of the standard library.
     """
     for channel, uses in writers.items():
         if channel in readers or str(channel) == SELECT_PLAN:
@@ -270,10 +270,10 @@ def _windows(
     activities: Mapping[str, Activity],
     symbols: Symbols,
 ) -> tuple[Diagnostic, ...]:
-    """W523 for a mean over less time than passes between two values; N721 for what changes unseen.
+    """W523 for a mean over a window shorter than the period; N721 for a change that no step evaluates.
 
-    A condition over a history is looked at when something arrives, not when its values grow old: that is seen
-    in time only if the values come regularly, or if the source is left at once in any case (`else`).
+    A condition over a history is evaluated when a message arrives, not when old values leave the window. So
+    the step is in time only if messages arrive regularly, or if the state is exited at once anyway (`else`).
     """
     found: list[Diagnostic] = []
     for transition in chart.transitions:

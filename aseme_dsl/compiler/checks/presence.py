@@ -34,11 +34,11 @@ NONE: Channels = frozenset()
 
 
 def check_presence(chart: Statechart, activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
-    """N720: an action that reads what may be absent, and an `else` that is taken because something is.
+    """N720: an action that reads a message that may be absent, or an `else` that absence makes true.
 
-    A condition over an absent message does not hold, and the robot waits: that is as it should be. It matters
-    where an action needs the message, since it is then not done, and where a choice asks for the opposite of
-    something (`!seen`) and has an `else`, which is taken when nothing has been heard at all.
+    A condition over an absent message does not hold, and the agent waits, as intended. There are two cases in
+    which absence matters. An action that needs the message is not performed. And if a choice has a negated
+    condition (`!seen`) and an `else`, the `else` is taken before the first message.
     """
     needing = [
         (item, found)

@@ -21,11 +21,14 @@ Asked = dict[Channel, Span]
 def check_signals(
     chart: Statechart, activities: Mapping[str, Activity], symbols: Symbols
 ) -> Iterator[Diagnostic]:
-    """W521: a signal that was taken on entry, or is looked at before the activity gets it.
+    """W521: a signal that is consumed before its reader can use it.
 
-    A taken transition consumes the signals that it names, so that the choice in the state that it enters does
-    not find them; a `when` looks at every signal as it comes, and what was looked at is consumed when the
-    step ends. Queued signals are not reported: there the next one may be waiting.
+    - A transition that is taken consumes the signals that it names. So a choice in the target state does not
+      find them.
+    - A `when` reads each signal as it arrives, and the step then consumes it. So the activity of the state
+      does not get it.
+
+    Queued signals are not reported: the next one may be waiting.
     """
     asking = [(item, signals) for item in chart.transitions if (signals := _signals(item, symbols))]
     if not asking:

@@ -34,12 +34,15 @@ def check_unwritten(
     activities: Mapping[str, Activity],
     settings: Collection[tuple[str, str]],
 ) -> Iterator[Diagnostic]:
-    """N437 for a part of a condition that speaks only of variables which nothing sets, and of constants.
+    """N437 for a part of a condition that reads only constants and one variable, which nothing sets.
 
-    Where it speaks of something else, too, as in `distance < limit`, the variable may be meant as a constant.
-    A variable that several roles have is set if one of them sets it; that of a protocol of the standard
-    library is for each role to set, which is told where it plays. Those of a participant are looked
-    at only where all its activities are simulated: their code sets them without saying so.
+    - A part that reads anything else, as in `distance < limit`, is allowed: the variable may be a parameter.
+    - A variable that several roles share is set if one of them sets it.
+    - A variable of a protocol of the standard library must be set by each role that plays it; the diagnostic
+      stands at that `plays`.
+    - Variables of a participant are checked only if all its activities are simulated: code may set them
+      without a `writes` clause.
+
     `settings` are those of the teams.
     """
     charts = list(charts)
@@ -48,7 +51,7 @@ def check_unwritten(
     written = {chart.name: _written(chart, activities, settings) for chart in charts}
     somewhere = {span for (chart, name), span in declared.items() if name.partition("@")[0] in written[chart]}
     told: dict[Span, list[tuple[str, Span, Span]]] = {}
-    first: dict[Span, Span] = {}  # of each variable: where it is told
+    first: dict[Span, Span] = {}  # of each variable: the place of its diagnostic
     for chart in charts:
         for transition in chart.transitions:
             condition = transition.expression.condition

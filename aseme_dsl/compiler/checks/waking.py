@@ -215,7 +215,7 @@ class _Regions:
         return found
 
     def _of(self, values: Mapping[str, object], name: str) -> object:
-        """The value of a variable, its initial one if nobody has written it."""
+        """The value of a variable; its initial value if no action has written it."""
         if name in values:
             return values[name]
         if name in self.foreign or self._is_written_outside(name):

@@ -167,7 +167,7 @@ def read_lines(
 
 
 def _pace(entry: tree.Way) -> Iterator[Diagnostic]:
-    """E432 for a pace that is none, or of what is no loop."""
+    """E432 for an `every` with a period of zero, or on a line that is not a `repeat`."""
     pace = entry.expression.every
     if pace is None:
         return

@@ -77,9 +77,9 @@ class Branch:
         return Origin(OriginKind.PROTOCOL, self.protocol, self.participant)
 
     def names_at(self, label: str, around: _Context) -> Renames:
-        """What the names of the participant mean in the branch `label`, which stands in `around`.
+        """The meaning of the participant's names in its subchart `label`, which stands in `around`.
 
-        An input that nobody supplies is a variable: in the protocol's own chart.
+        An input without an argument is a variable: this occurs only in the protocol's own statechart.
         """
         inputs: dict[str, Value] = {}
         for item in self.inputs:

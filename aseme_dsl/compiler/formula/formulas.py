@@ -60,7 +60,7 @@ class Formulas:
     through: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def formula(self, name: str) -> Formula | None:
-        """What `name` stands for, or None if it is no formula."""
+        """The formula called `name`, or None if there is none."""
         found = self.named.get(name)
         return found.formula if found is not None else None
 

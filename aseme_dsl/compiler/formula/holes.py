@@ -19,7 +19,7 @@ def apart_from_holes(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...
 
 
 def as_notes(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The diagnostics for somebody who generates nothing: there a hole is something still to be said."""
+    """The diagnostics for commands that generate no code: a hole is then a note, not an error."""
     return tuple(
         replace(item, level=Severity.NOTE) if isinstance(item.problem, Hole) else item for item in diagnostics
     )

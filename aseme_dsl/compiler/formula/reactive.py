@@ -1,7 +1,7 @@
-"""Reactive: choices that are made again as soon as another branch would be taken.
+"""Reactive: choices that are re-evaluated while a branch is active.
 
-A branch of such a choice gets a transition back to the choice for when another branch would be taken now, and
-one to each branch that an event leads to, for that event.
+Each branch gets a transition back to the choice, with the condition that another branch would now be taken.
+It also gets a transition to each branch that an event selects, with that event.
 """
 
 from __future__ import annotations

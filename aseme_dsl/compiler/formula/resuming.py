@@ -18,7 +18,7 @@ RESUME = "resume"
 def check_resuming(
     line: tree.Way, formulas: Formulas, played: frozenset[str], verb: str
 ) -> Iterator[Diagnostic]:
-    """W430 for an activity, which has nothing to go on with: `verb` does the same."""
+    """W430 for `resume` of an activity, which has no inner states to resume: `verb` does the same."""
     term = ungrouped(line.term.formula)
     if term.operator is not Operator.NAME or term.name in formulas.named or term.name in played:
         return

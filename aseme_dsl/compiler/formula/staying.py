@@ -14,11 +14,11 @@ from aseme_dsl.source import Span
 STAYING: Mapping[str, TransitionKind] = {"on": TransitionKind.ON, "exit": TransitionKind.EXIT}
 """The verbs of these lines, with what they mean."""
 ABANDON = "abandon"
-"""What `on` names that is no term: that the participant is left before its END."""
+"""The word after `on` that is not a term: the participant is exited before its END."""
 
 
 def is_abandon(line: tree.Way) -> bool:
-    """Whether a line says what is done when its participant is abandoned, if that is no term."""
+    """Whether a line is `on abandon`, unless `abandon` is a term of the formula."""
     term = line.term.formula
     return line.verb.text == "on" and term.operator is Operator.NAME and term.name == ABANDON
 

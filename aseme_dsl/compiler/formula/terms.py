@@ -47,7 +47,7 @@ class Terms:
     places: Mapping[str, tuple[Formula, ...]]
     played: Played
     bare: Mapping[str, tuple[Formula, ...]] = field(default_factory=dict)
-    """The places of each name that is given something, whatever that is."""
+    """The places of each name that has arguments, regardless of their values."""
 
 
 def terms_of(formulas: Formulas, formula: str, control: str, played: Played | None = None) -> Terms:
@@ -208,7 +208,7 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
     if not elsewhere and inside is None and written.occurrence is None and "\n" not in written.span.text:
         fix = surely(key, short)
         if fix is not None and written.formula.operator is Operator.GROUP:
-            fix = f"({fix})"  # the parentheses that somebody wrote stay
+            fix = f"({fix})"  # keep the parentheses of the source
     return Diagnostic(problem, written.span, related, fix)
 
 

@@ -12,7 +12,7 @@ from aseme_dsl.source import Span
 
 @dataclass(slots=True)
 class Checker:
-    """State of typing one expression. A part that is wrong is None, and whoever uses it stays silent."""
+    """State of typing one expression. A wrong part is None, and causes no further diagnostic."""
 
     scope: Scope
     diagnostics: list[Diagnostic] = field(default_factory=list)

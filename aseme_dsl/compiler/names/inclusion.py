@@ -24,10 +24,10 @@ _T = TypeVar("_T")
 
 @dataclass(frozen=True, slots=True)
 class Inclusion:
-    """The blocks with every role complete; abstract ones are only part of others.
+    """The blocks, where each role has all that it includes; abstract roles only occur inside others.
 
-    `included` gives each role what it takes over, directly or not, in order. `abstract` are the abstract
-    roles, `unused` those of them that nobody includes.
+    `included` has, for each role, the roles that it includes, directly or not, in order. `abstract` are the
+    abstract roles, `unused` those of them that no role includes.
     """
 
     blocks: Blocks
@@ -330,7 +330,7 @@ def _nobody_includes(item: tree.Srm) -> Diagnostic:
 
 
 def _once_by_pair(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """A name that two roles both have is one problem, whoever includes both."""
+    """The diagnostics, where a name that two included roles share is one problem for all their users."""
     seen: set[object] = set()
     kept: list[Diagnostic] = []
     for item in found:

@@ -88,10 +88,10 @@ class Symbols:
 
     @cached_property
     def hosts(self) -> frozenset[str] | None:
-        """The agents that a path may name; None where nobody knows them.
+        """The agents that a path may name; None if they are unknown.
 
-        Files without a `system` are part of others, which have the team; and where something could not be
-        read, that may have been one.
+        Other files, which have a team, may import a file without a `system`. And a part that could not be
+        read may have been a team.
         """
         without = self.system is None or self.teams or self.lost or not self.complete
         return None if without and not self.agents else agent_names(self.teams, self.roles)

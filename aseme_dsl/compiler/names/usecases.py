@@ -46,7 +46,7 @@ class UseCases:
         return len(self.parties(case)) > 1 and bool(case.includes)
 
     def spelling(self, case: UseCase) -> str:
-        """How formulas call the use case: as somebody wrote it, else as such names are usually written."""
+        """The name of the use case in formulas: as a formula has it, else in the usual spelling."""
         for name in self.names_of(case):
             if name in self.spellings:
                 return self.spellings[name]

@@ -56,10 +56,10 @@ def allow(
     unchecked: frozenset[str] = frozenset(),
     layout: Layout = NO_PARTS,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
-    """The diagnostics that no comment allows, with what is wrong with the comments; and those that one does.
+    """The diagnostics that no comment suppresses, including those of the comments; and the suppressed ones.
 
-    A comment that allows nothing is told of only if everything was looked for: not when there are errors, and
-    not for the codes that are `unchecked`, whose checks were not made.
+    A comment that suppresses nothing is reported only if all checks were made: not if there are errors, and
+    not for the codes in `unchecked`, whose checks were left out.
     """
     found: list[Diagnostic] = []
     allows: dict[Source, list[_Allow]] = {}

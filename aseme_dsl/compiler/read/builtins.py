@@ -61,7 +61,7 @@ PERFORMATIVES = tuple(
 )
 """The 22 communicative acts of FIPA (SC00037J), with underscores."""
 NOT_UNDERSTOOD = "not_understood"
-"""The one with which the runtime answers a message that nobody expects."""
+"""The performative with which the runtime answers an unexpected message."""
 
 COMM_TYPES = tuple(comm.value for comm in ChannelKind)
 ACTIONS = ("read_messages", "write_messages")

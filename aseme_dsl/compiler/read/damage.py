@@ -9,7 +9,7 @@ from aseme_dsl.diagnostics import Diagnostic, Severity
 from aseme_dsl.source import Source, Span
 
 Damaged = Callable[[Span], bool]
-"""Whether a declaration or block may lack something that somebody wrote."""
+"""Whether a declaration or block may lack parts of its source text, which could not be read."""
 
 
 def damage(diagnostics: Iterable[Diagnostic]) -> Damaged:

@@ -130,7 +130,7 @@ def load(
 
 
 def _key(path: str) -> str:
-    """The file itself, whatever links lead to it."""
+    """The path of the file itself, with all links resolved."""
     try:
         return os.path.realpath(path)
     except ValueError:  # a NUL character: reading it says so

@@ -1,10 +1,11 @@
-"""Memory: what phases have found, from one analysis to the next, as long as what they have read is the same.
+"""Memory: keeps the results of phases from one analysis to the next, as long as their inputs are the same.
 
-A phase is a function. Its result is taken again if its inputs are the same objects, or equal where they are
-plain values. Of mappings, of functions among the inputs, and of what is `shared` by all phases, only those
-answers count that the phase has asked for. So nobody has to say on what a phase depends, and a memory never
-changes what comes out. What is done for each of many things alike (`each`) costs next to nothing for those
-of which nothing has changed.
+A phase is a function. Its result is reused if its inputs are the same objects, or equal plain values. Three
+kinds of input are compared by their answers only: mappings, functions among the inputs, and values that all
+phases share (`shared`). Only the answers that the phase has asked for count. So a phase need not declare its
+dependencies, and a memory never changes a result.
+
+If a phase does the same for each of many things (`each`), the unchanged ones cost next to nothing.
 """
 
 from __future__ import annotations
@@ -86,12 +87,12 @@ class Memory:
         self._number = 0
         self._runs = 0  # how often something was found out
         self._age = 0
-        self._is_older = False  # something shared is another one than when it was asked last
-        self._answers: dict[_Question, object] = {}  # all that was asked of what is shared, as it was then
-        self._changed: set[_Question] = set()  # what has another answer than before it grew older
+        self._is_older = False  # a shared value was replaced since it was asked last
+        self._answers: dict[_Question, object] = {}  # the last answers of shared values
+        self._changed: set[_Question] = set()  # questions whose answer has changed with a new age
 
     def recall(self, function: Callable[..., _T], *inputs: object) -> _T:
-        """`function(*inputs)`, or what it was when it was asked for before; nobody may change the result.
+        """`function(*inputs)`, or its earlier result for the same inputs. Do not modify the result.
 
         The function must not recall anything itself.
         """
@@ -108,9 +109,8 @@ class Memory:
     ) -> InPieces[tuple[_T, ...]]:
         """`recall(function, *item, *common)` for each of the inputs, all as long; a piece is one done.
 
-        If all results are those of the last time, it is the same tuple. Nobody may change a mapping that is
-        given here: the same object means that its answers are the same, and of two, their difference is
-        looked for once.
+        If all results are those of the last call, the same tuple is returned. Do not modify a mapping after
+        passing it here: the same object counts as unchanged. Two mappings are compared only once.
         """
         if self._is_older:
             self._ask_again()

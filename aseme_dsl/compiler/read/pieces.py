@@ -8,7 +8,7 @@ from typing import TypeVar, cast
 _T = TypeVar("_T")
 
 InPieces = Generator[None, None, _T]
-"""A piece of the work is done for each `next`; whoever wants no more of it closes it."""
+"""Work that is done in pieces: each `next` does one piece, `close` gives up the rest."""
 
 
 def finished(work: InPieces[_T]) -> _T:

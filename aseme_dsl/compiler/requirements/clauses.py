@@ -18,7 +18,7 @@ _NUMBERS = {1: "one", 2: "two", 3: "three"}
 
 
 def read_clauses(written: tree.Aip, is_damaged: Damaged) -> tuple[tuple[Clause, ...], tuple[Diagnostic, ...]]:
-    """The clauses of a protocol; E212 for a place that is no activity, formula or participant of it."""
+    """The clauses of a protocol; E212 for a place that is not its activity, formula or participant."""
     places = {item.name.text: _places(item) for item in participants_of(written)}
     sure = not is_damaged(written.span)
     clauses: list[Clause] = []

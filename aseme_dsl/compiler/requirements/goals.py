@@ -1,4 +1,4 @@
-"""Goals: use cases that only others do, participants that nobody plays, activities without functionality."""
+"""Goals: use cases without a role that has them, unplayed participants, activities without functionality."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ from aseme_dsl.source import Source, Span
 def out_of_reach(
     cases: UseCases, roles: Mapping[str, Role], formulas: Iterable[tree.NamedFormula]
 ) -> Iterator[Diagnostic]:
-    """N705: a use case that formulas and activities realise, but none of those who take part in it has them.
+    """N705: a use case whose formulas and activities exist, but not in a role that takes part in it.
 
-    Use cases of people, of other systems and of roles that are no `srm` are not looked into, nor protocols.
+    Protocols are not checked, nor use cases of people, of other systems and of roles without an `srm`.
     """
     if not cases.suc.usecases:
         return

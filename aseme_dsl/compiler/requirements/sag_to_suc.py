@@ -17,7 +17,7 @@ from aseme_dsl.source import Span
 
 
 def read_sag(written: Iterable[tree.Sag], symbols: Symbols) -> tuple[Sag, tuple[Diagnostic, ...]]:
-    """The goals of all actors: E201 for what is declared twice, E200 for an actor that nobody declares."""
+    """The goals of all actors: E201 for a repeated declaration, E200 for an actor that is not declared."""
     actors: dict[str, Actor] = {}
     goals: dict[str, Goal] = {}
     found: list[Diagnostic] = []

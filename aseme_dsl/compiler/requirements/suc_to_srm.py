@@ -180,9 +180,9 @@ def suc_to_srm(
 def _used_in(
     case: UseCase, doer: Role | None, roles: Mapping[str, Role], written: _Written
 ) -> tuple[Edit, ...]:
-    """Insertions that let a formula use the use case: that of a use case which includes it, or the doer's.
+    """Insertions that add the use case to a formula of a use case which includes it, or of the role `doer`.
 
-    A use case that is a protocol has a process of each participant; of those, whoever may do it.
+    If the including use case is a protocol, the formulas are the processes of participants that may do it.
     """
     cases = written.cases
     for outer in cases.suc.usecases:

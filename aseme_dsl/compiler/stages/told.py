@@ -1,4 +1,4 @@
-"""Told: of all that was found, what a user is told, at its place in the files; and the system itself."""
+"""Told: selects the diagnostics to report, with their places in the files, and returns the system."""
 
 from __future__ import annotations
 

@@ -95,7 +95,7 @@ def compare_with_requirements(
     uses: Uses,
     memory: Memory,
 ) -> Stage[Fulfilment]:
-    """What the use cases ask for and nobody has written; nothing where something could not be read."""
+    """Diagnostics for use cases without a formula or activity; none for parts that could not be read."""
     found, each = Found(), memory.each_in_pieces
     blocks, inclusion = declared.blocks, declared.inclusion
     protocols, roles = processes.protocols, processes.roles

@@ -312,9 +312,9 @@ def _is_exchanged(
 
 
 def is_answered(performative: str, message: str, sent: Collection[str]) -> bool:
-    """Whether this is the answer to a message nobody expects, which nobody has to list: the runtime gives it.
+    """Whether this is the runtime's answer to an unexpected message, which no participant has to list.
 
-    `sent` are the types of the messages that its receiver sends.
+    `sent` are the types of the messages that the receiver of the answer sends.
     """
     return performative == NOT_UNDERSTOOD and message in sent
 

@@ -126,7 +126,7 @@ def type_variables(
     found: dict[str, DeclaredVariable] = {}
     diagnostics: list[Diagnostic] = []
     kinds = {item.name.text: _kind_named(item.type.text, scope) for item in variables}
-    # All are visible, so that one whose initial value names another is told that this is no constant.
+    # All are visible: if an initial value names a variable, the error says that this is not a constant.
     scope = replace(scope, variables={name: (name, kind) for name, kind in kinds.items() if kind is not None})
     for item in variables:
         name = item.name
@@ -247,7 +247,7 @@ def with_lets(outer: Scope, lets: Sequence[tree.Let]) -> tuple[Scope, tuple[Diag
     order, circles = _in_order(written)
     in_circle = {item.name.text for circle, _ in circles for item in circle}
     diagnostics += [_circle(circle, use) for circle, use in circles]
-    typed_lets = dict(outer.lets)  # grows while it is not visible to anybody else
+    typed_lets = dict(outer.lets)  # grows below, before other code can see it
     scope = replace(outer, lets=typed_lets)
     for item in order:
         value = None

@@ -221,7 +221,7 @@ def _whole(checker: Checker, written: tree.Expression) -> Value | None:
 
 
 def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | None:
-    """Recursive: `depth` bounds it, whatever the parser lets through."""
+    """Recursive: `depth` bounds the recursion even if the parser accepts deeper expressions."""
     while isinstance(written, tree.Parenthesised):
         written = written.inner
     if depth > DEEPEST:

@@ -22,7 +22,7 @@ _SHOWN = 4
 """How many related places a problem shows at most."""
 
 
-# ---- waits that nobody ends ------------------------------------------------------------------------
+# ---- waits that no message ends --------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,11 +50,11 @@ def check_waits(
     activities: Mapping[str, Activity],
     memory: Memory,
 ) -> InPieces[list[Diagnostic]]:
-    """W553 for a state that only messages can end which nobody can have sent by then.
+    """W553 for a state that waits only for messages that no other participant can have sent by then.
 
-    All else is taken for possible: conditions hold, deadlines pass, agents are lost, activities that are not
-    simulated send what their participant lists and no line of it sends. So what is told is stuck
-    whatever happens. Protocols of the standard library count if somebody plays them.
+    The check treats all else as possible: conditions hold, deadlines pass, and agents are lost. An activity
+    that is not simulated may send each message that its participant lists and no transition sends. So each
+    reported state is a certain deadlock. Protocols of the standard library are checked if a role plays them.
     """
     aips = list(aips)
     plays = [item for srm in srms for item in plays_inside(srm.plays, aips)]
@@ -71,7 +71,7 @@ def check_waits(
 def _silent(
     aip: Aip, chart: Statechart, plays: Iterable[Plays], activities: Mapping[str, Activity]
 ) -> frozenset[str]:
-    """The activities of a protocol that are simulated in whatever role plays it: they send nothing."""
+    """The activities of a protocol that are simulated in each role that plays it: they send nothing."""
     bindings = [dict(item.bindings) for item in plays if item.protocol == aip.name] or [{}]
     names = {node.activity for node in chart.states if node.activity is not None}
     return frozenset(

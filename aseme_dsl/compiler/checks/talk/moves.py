@@ -26,7 +26,10 @@ def check_moves(aips: Iterable[Aip], eacs: Mapping[str, Statechart | None]) -> I
 def _messages(
     chart: Statechart, part: Participant, received: Collection[tuple[str, str]]
 ) -> Iterator[Diagnostic]:
-    """A message that nobody receives is W524, and no more."""
+    """N755 for a message that any activity may send; E566 for one that a transition sends as well.
+
+    No N755 for a message that no participant receives: W524 reports it.
+    """
     subchart = subchart_of(chart, part.name)
     if subchart is None:
         return

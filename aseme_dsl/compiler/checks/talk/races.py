@@ -31,11 +31,10 @@ LARGEST = 20_000
 def check_races(
     aips: Iterable[Aip], eacs: Mapping[str, Statechart | None], srms: Iterable[Srm], memory: Memory
 ) -> InPieces[list[Diagnostic]]:
-    """W575 for two sends that may cross, so that neither is received, and after which one waits for ever.
+    """W575 for two messages that may cross, so that neither is received and one sender waits for ever.
 
-    Of the first message of each it is reported even if both waits end: each opens a conversation of its own.
-
-    Protocols of the standard library count if somebody plays them.
+    If both are the first message of their participant, W575 is reported even if both waits end: each message
+    opens a conversation of its own. Protocols of the standard library are checked if a role plays them.
     """
     aips = list(aips)
     played = {item.protocol for srm in srms for item in plays_inside(srm.plays, aips)}
@@ -140,7 +139,7 @@ def _sends_to(side: _Side, state: int, other: _Side) -> Iterator[tuple[Letter, i
 
 
 def _next(one: _Side, mine: int, other: _Side, theirs: int) -> Iterator[tuple[int, int]]:
-    """Where a message of one to the other leads, and what concerns somebody else."""
+    """The next pairs of states: after a message between the two, or one that concerns a third participant."""
     for said, after in _sends_to(one, mine, other):
         for letter, behind in other.automaton.ways[theirs]:
             if _is_answered(letter, said, one.part.name):
