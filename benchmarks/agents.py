@@ -9,25 +9,26 @@ hand-written SPADE agents hand the same ball to and fro in one process, in turn 
   3 x that of SPADE's own dispatch between two agents of one process.
 
 With `--against`, the folder of an earlier checkout, both send in turn, and the processor time of a message is
-compared: it is to be at most 1.15 x that of the earlier one.
+compared: it is to be at most 1.15 x that of the earlier one. The earlier one is driven by its own copy of
+this file, which knows how a team is made there. A thousand conversations among a hundred agents are compared,
+too, with the test of each checkout that has them: they are to take no longer than before.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import os
 import subprocess
 import sys
 import time
 from pathlib import Path
 from typing import Any
 
-EARLIER = sys.argv[2] if sys.argv[1:2] == ["--serve"] else None
-"""The checkout that this process measures, where it is not the one in which this file stands."""
-sys.path.insert(0, EARLIER or str(Path(__file__).parents[1]))
+sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from aseme_dsl.runtime.team.team import Setup, Team  # noqa: E402
-from tests.support.generated import Generated, generate  # noqa: E402
+from aseme_dsl.runtime.team.team import Setup, Team
+from tests.support.generated import Generated, generate
 
 PASSES = 2000
 ROUNDS = 7
@@ -115,42 +116,45 @@ def main(spade: str | None) -> int:
 
 
 def compare(folder: str) -> int:
-    """Measure in turn with an earlier checkout."""
-    generated = generate(TEXT)
-    command = [sys.executable, __file__, "--serve", folder]
-    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-    assert process.stdin is not None and process.stdout is not None
-    ours: list[float] = []
-    earlier: list[float] = []
+    """Measure in turn with an earlier checkout, each in a process of its own."""
+    here, there = (measuring(Path(item)) for item in (Path(__file__).parents[1], folder))
     try:
-        for _ in range(TURNS):
-            ours.append(cost(generated))
-            process.stdin.write("\n")
-            process.stdin.flush()
-            earlier.append(float(process.stdout.readline()))
+        is_dearer = in_turn(here, there, "message", TURNS, "µs of processor time", 1000)
+        is_slower = in_turn(here, there, "crowd", ROUNDS, "s for a thousand conversations", 1e9)
     finally:
-        process.kill()
-        process.wait()
-    mine, its = median(ours), median(earlier)
-    print(f"a message, now:     {mine / 1000:.1f} µs of processor time (median of {TURNS} runs)")
-    print(f"a message, earlier: {its / 1000:.1f} µs")
-    print(f"ratio: {mine / its:.2f} (at most 1.15 is wanted)")
-    return int(mine > 1.15 * its)
+        for process in (here, there):
+            process.kill()
+            process.wait()
+    return int(is_dearer > 1.15 or is_slower > 1.05)
 
 
-def serve_costs() -> int:
-    """Measure for `compare`, once for each line."""
-    generated = generate(TEXT)
-    for _ in sys.stdin:
-        print(cost(generated), flush=True)
-    return 0
+def measuring(checkout: Path) -> subprocess.Popen[str]:
+    """A process that measures a checkout, with the modules of that checkout."""
+    program = Path(__file__).with_name("agents_measured.py")
+    # -P: what a process finds beside its program is not what that checkout has.
+    command = [sys.executable, "-P", str(program), str(checkout.resolve())]
+    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
-def cost(generated: Generated) -> float:
-    """The processor time of a message, in ns."""
-    begun = time.process_time_ns()
-    passes = len(rally(generated))
-    return (time.process_time_ns() - begun) / passes
+def in_turn(
+    here: subprocess.Popen[str], there: subprocess.Popen[str], what: str, turns: int, unit: str, scale: float
+) -> float:
+    """How many times as much `what` takes now as it did earlier, after a first turn that warms both."""
+    found: tuple[list[float], list[float]] = [], []
+    for turn in range(turns + 1):
+        for process, values in zip((here, there), found, strict=True):
+            assert process.stdin is not None and process.stdout is not None
+            process.stdin.write(f"{what}\n")
+            process.stdin.flush()
+            value = float(process.stdout.readline())
+            if turn:
+                values.append(value)
+    mine, its = median(found[0]), median(found[1])
+    load = os.getloadavg()[0]
+    print(f"{what}, now:     {mine / scale:.2f} {unit} (median of {turns} runs, load {load:.1f})")
+    print(f"{what}, earlier: {its / scale:.2f} {unit}")
+    print(f"ratio: {mine / its:.2f}")
+    return mine / its
 
 
 def start(generated: Generated) -> float:
@@ -224,8 +228,6 @@ def median(values: list[Any]) -> float:
 
 if __name__ == "__main__":
     sys.modules["agents"] = sys.modules[__name__]
-    if EARLIER is not None:
-        raise SystemExit(serve_costs())
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--spade", metavar="PYTHON", help="the Python of an environment that has SPADE")
     parser.add_argument("--against", metavar="FOLDER", help="an earlier checkout, to compare with")
