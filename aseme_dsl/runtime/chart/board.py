@@ -198,11 +198,21 @@ class Board:
         hosts = [host for other, host in self.drafts if other == channel]
         if not hosts:
             return [(None, kind())]
-        return [(host, built(kind(), self.drafts.pop((channel, host)))) for host in hosts]
+        return [(host, built(kind, self.drafts.pop((channel, host)), {})) for host in hosts]
 
 
-def built(message: DataclassInstance, members: Mapping[tuple[str, ...], object]) -> DataclassInstance:
-    """A copy of `message` with the members at these paths replaced."""
+def built(
+    kind: type[DataclassInstance], members: Mapping[tuple[str, ...], object], given: Mapping[str, object]
+) -> DataclassInstance:
+    """A new message with the members at these paths; the others are those `given`, or have their defaults."""
+    whole = dict(given)
+    for path, value in members.items():
+        if len(path) > 1:
+            break
+        whole[path[0]] = value
+    else:  # the usual case: it is made, and its fields are checked, once
+        return kind(**whole)
+    message = kind(**given)
     for path, value in members.items():
         message = _with(message, path, value)
     return message

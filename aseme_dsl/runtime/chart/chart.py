@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
-from dataclasses import replace
 from random import Random
 from typing import Any
 
@@ -230,7 +229,9 @@ class Chart(ChartState):
         if known is None:
             target, result = next((t, r) for n, t, r, _ in self.PLAN.functions if n == name)
             known = self._functions[name] = (find_function(target), results_of(result))
-        value = checked(name, known[0](*arguments), known[1])
+        value = known[0](*arguments)
+        if type(value) not in known[1]:
+            checked(name, value, known[1])
         self.effects.append(FunctionResult(name, value))
         return value
 
@@ -262,7 +263,14 @@ class Chart(ChartState):
         self, branch: str, performative: str, message: str, participant: str
     ) -> AgentMessage | None:
         """The oldest agent message of that kind that waits in a branch."""
-        return next(self.letters(branch, [(performative, message, participant)]), None)
+        for item in self.mail[branch]:
+            if (
+                item.performative == performative
+                and item.message == message
+                and item.participant == participant
+            ):
+                return item
+        return None
 
     def take_mail(self, branch: str, performative: str, message: str, participant: str) -> None:
         """A transition takes the oldest agent message of that kind."""
@@ -280,8 +288,10 @@ class Chart(ChartState):
 
     def take_letter(self, item: AgentMessage) -> None:
         """A transition takes an agent message, unless another part of it has done so."""
-        if any(other is item for other in self.mail[item.branch]):
-            self.mail[item.branch] = [other for other in self.mail[item.branch] if other is not item]
+        waiting = self.mail[item.branch]
+        left = [other for other in waiting if other is not item]
+        if len(left) < len(waiting):
+            self.mail[item.branch] = left
             self.rounds.taken(item)
             self.effects.append(MailTaken(item.branch, item.identity))
 
@@ -334,10 +344,8 @@ class Chart(ChartState):
 
         Members that are not given are those of `rest` that are `taken`, or have their defaults.
         """
-        content = self.MESSAGES[message]()
-        if taken:
-            content = replace(content, **{name: copy(getattr(rest, name)) for name in taken})
-        content = built(content, members or {})
+        given = {name: copy(getattr(rest, name)) for name in taken} if taken else {}
+        content = built(self.MESSAGES[message], members or {}, given)
         filled = members is not None
         reply_by = None if reply_within is None else self.now + reply_within
         if to is None:
@@ -363,8 +371,10 @@ class Chart(ChartState):
         if self.abandoning:
             return self.taken[-1]
         transitions = self.PLAN.transitions
-        inner = ("exit", "abandon")
-        return next((way for way in reversed(self.taken) if transitions[way[0]].kind not in inner), ())
+        for way in reversed(self.taken):
+            if transitions[way[0]].kind not in ("exit", "abandon"):
+                return way
+        return ()
 
     def read_messages(self, region: int, board: Board) -> None:
         """Let the region see what has arrived since the step began."""
