@@ -277,8 +277,13 @@ class Conversations:
 
     def arrives(self, agent: Receiver, mail: AgentMessage, conversation: str | None) -> bool:
         """Whether an agent message still finds its participant; records and answers if it does not."""
-        with self._driver.holding(), self._lock:
-            return self._delivery.arrives(agent, mail, conversation)
+        with self._lock:
+            if self._delivery.finds(agent, mail, conversation):
+                return True
+        if conversation is not None and mail.performative != LOST:
+            with self._driver.holding(), self._lock:
+                self._delivery.give_back(agent, mail, conversation, "its part in the conversation is over")
+        return False
 
     def gone(self, agent: Receiver, reason: str = "") -> None:
         """An agent has ended or left its plan: it takes part in nothing, and what waited is answered.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 
 from aseme_dsl.runtime.activity.stacks import place_of
 from aseme_dsl.runtime.driver.run_state import PAUSE, RunState
@@ -26,6 +26,30 @@ class _Depth(threading.local):
         """Whether the thread does nothing but step."""
 
 
+class _Hold:
+    """What `Steps.holding` gives, the same each time: what is inside of which is counted by the thread.
+
+    Not a generator: each message enters it twice, and a generator is made anew each time.
+    """
+
+    __slots__ = ("_depth", "_rest")
+
+    def __init__(self, depth: _Depth, rest: Callable[[_Depth], None]) -> None:
+        self._depth = depth
+        self._rest = rest
+
+    def __enter__(self) -> None:
+        self._depth.depth += 1
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        mine = self._depth
+        try:
+            if kind is None and mine.depth == 1 and mine.woken:
+                self._rest(mine)
+        finally:
+            mine.depth -= 1
+
+
 class Steps:
     """The steps of the agents: each is stepped by one thread at a time, the one that wakes it."""
 
@@ -37,6 +61,7 @@ class Steps:
         self._long: dict[str, tuple[int, int, int]] = {}
         self._restless: set[str] = set()
         self._depth = _Depth()
+        self._hold = _Hold(self._depth, self._rest)
 
     def bring(self, agents: Sequence[Stepping]) -> None:
         """These agents can be stepped from now on."""
@@ -60,17 +85,9 @@ class Steps:
         elif agent not in mine.woken:
             mine.woken.append(agent)
 
-    @contextmanager
-    def holding(self) -> Iterator[None]:
+    def holding(self) -> AbstractContextManager[None]:
         """Agents that are woken inside step when the outermost one of this thread ends."""
-        mine = self._depth
-        mine.depth += 1
-        try:
-            yield
-            if mine.depth == 1 and mine.woken:
-                self._rest(mine)
-        finally:
-            mine.depth -= 1
+        return self._hold
 
     def _rest(self, mine: _Depth) -> None:
         """Step whom this thread has woken. That may not end soon, if they wake each other or more comes than

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage
+from aseme_dsl.runtime.chart.inputs import AgentMessage
 from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation import fipa_translation
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
@@ -244,14 +244,10 @@ class Delivery:
             conversation.note(answer.reply_with, NOT_UNDERSTOOD, answer.message, acl.sender)
         self._outside.carry(agent.name, fipa_translation.written(answer, to, reason), to)
 
-    def arrives(self, agent: Receiver, mail: AgentMessage, conversation: str | None) -> bool:
-        """Whether an agent message still finds its participant; records and answers if it does not."""
+    def finds(self, agent: Receiver, mail: AgentMessage, conversation: str | None) -> bool:
+        """Whether an agent message still finds its participant."""
         place = self._members.desks[agent.name].branches.get(mail.branch)
-        if conversation is None or (place is not None and place.conversation == conversation):
-            return True
-        if mail.performative != LOST:
-            self.give_back(agent, mail, conversation, "its part in the conversation is over")
-        return False
+        return conversation is None or (place is not None and place.conversation == conversation)
 
     def give_back(self, agent: Receiver, mail: AgentMessage, conversation: str, reason: str) -> None:
         """A message that has reached a branch will not be taken: it is unexpected."""
