@@ -348,7 +348,7 @@ class Chart(ChartState):
         content = built(self.MESSAGES[message], members or {}, given)
         filled = members is not None
         reply_by = None if reply_within is None else self.now + reply_within
-        if to is None:
+        if to is None and (branch, participant) in self.PLAN.counted:
             self.rounds.sent(branch, participant)
         self.effects.append(
             Sending(

@@ -15,11 +15,10 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 from aseme_dsl.runtime.chart.board import QUEUE
-from aseme_dsl.runtime.chart.inputs import Happened, Identity, Input, Sample, Written
+from aseme_dsl.runtime.chart.inputs import Happened, Identity, Input, Sample, Written, made_often
 
 CROWD = 1000
 """When so many inputs wait, of those that replace one another only the newest are kept."""
@@ -39,7 +38,7 @@ class Writer(Protocol):
     def cancelled(self) -> bool: ...
 
 
-@dataclass(frozen=True, slots=True)
+@made_often
 class Posted:
     """An input for a step, with its identity.
 

@@ -11,7 +11,7 @@ _EffectT = TypeVar("_EffectT")
 
 
 @dataclass_transform(frozen_default=True)
-def _made_often(kind: type[_T]) -> type[_T]:
+def made_often(kind: type[_T]) -> type[_T]:
     """An immutable dataclass: type checkers enforce it, since a frozen one takes four times as long."""
     return dataclass(slots=True, unsafe_hash=True)(kind)
 
@@ -33,7 +33,7 @@ REASONS: tuple[Reason, ...] = get_args(Reason)
 # ---- inputs ------------------------------------------------------------------------------------
 
 
-@_made_often
+@made_often
 class Sample:
     """A message on a channel (`vision.state.Ball`), measured at `time` (ns).
 
@@ -49,7 +49,7 @@ class Sample:
     written_by: str | None = None
 
 
-@_made_often
+@made_often
 class Completed:
     """The activity that was started with `token` in the state `label` has returned.
 
@@ -61,7 +61,7 @@ class Completed:
     outcome: str | None = None
 
 
-@_made_often
+@made_often
 class Crashed:
     """The activity that was started with `token` in the state `label` has raised."""
 
@@ -70,14 +70,14 @@ class Crashed:
     reason: str
 
 
-@_made_often
+@made_often
 class Happened:
     """An event that an activity raised."""
 
     name: str
 
 
-@_made_often
+@made_often
 class Written:
     """A variable that an activity wrote."""
 
@@ -85,7 +85,7 @@ class Written:
     value: object
 
 
-@_made_often
+@made_often
 class AgentMessage:
     """An agent message for the protocol branch at `branch`, to wait there until something takes it.
 
@@ -111,7 +111,7 @@ class AgentMessage:
     while the clock of another machine is not known."""
 
 
-@_made_often
+@made_often
 class Addressed:
     """A message that the branch has sent to a participant goes to these agents; answers call it `name`."""
 
@@ -121,7 +121,7 @@ class Addressed:
     name: str
 
 
-@_made_often
+@made_often
 class Settled:
     """Nothing can be taken of an agent that was addressed: it is lost, or what it sent is not accepted."""
 
@@ -137,7 +137,7 @@ Input = Sample | Completed | Crashed | Happened | Written | AgentMessage | Addre
 # ---- effects -----------------------------------------------------------------------------------
 
 
-@_made_often
+@made_often
 class Start:
     """Start the activity of the state `label`; what it answers must carry `token`.
 
@@ -150,7 +150,7 @@ class Start:
     arguments: tuple[tuple[str, object], ...] = ()
 
 
-@_made_often
+@made_often
 class Cancel:
     """Tell the activity started with `token` that its state was left, or (`reason`) has failed."""
 
@@ -160,7 +160,7 @@ class Cancel:
     reason: str | None = None
 
 
-@_made_often
+@made_often
 class Publication:
     """Publish `message`; to all when `host` is None. `region` is the label of the region that wrote it."""
 
@@ -170,7 +170,7 @@ class Publication:
     region: str
 
 
-@_made_often
+@made_often
 class Sending:
     """Send an agent message in the conversation of the protocol branch at `branch`.
 
@@ -194,7 +194,7 @@ class Sending:
     """The numbers of the transitions that send it, those of a compound transition together."""
 
 
-@_made_often
+@made_often
 class MailTaken:
     """A transition has taken the agent message with this identity."""
 
@@ -202,14 +202,14 @@ class MailTaken:
     identity: Identity
 
 
-@_made_often
+@made_often
 class Joined:
     """The protocol branch at `branch` was entered."""
 
     branch: str
 
 
-@_made_often
+@made_often
 class Left:
     """The protocol branch at `branch` was left; `completed` says whether its END was reached."""
 
@@ -217,21 +217,21 @@ class Left:
     completed: bool = False
 
 
-@_made_often
+@made_often
 class Suspended:
     """The protocol branch at `branch` was left, and a transition may resume it: its part is not over."""
 
     branch: str
 
 
-@_made_often
+@made_often
 class Resumed:
     """The protocol branch at `branch`, which was suspended, is resumed."""
 
     branch: str
 
 
-@_made_often
+@made_often
 class FunctionResult:
     """A function of the document was called and gave `value`."""
 
@@ -239,7 +239,7 @@ class FunctionResult:
     value: object
 
 
-@_made_often
+@made_often
 class Fault:
     """Something in transition number `transition` of the plan could not be done."""
 
@@ -247,7 +247,7 @@ class Fault:
     reason: str
 
 
-@_made_often
+@made_often
 class LeftOut:
     """A signal of a queued channel was left out in a region, where too many wait already."""
 

@@ -278,6 +278,11 @@ class Plan:
         return tuple(dict.fromkeys(item.target for item in self.transitions if item.resume))
 
     @cached_property
+    def counted(self) -> frozenset[tuple[str, str]]:
+        """The participants whose answers a condition counts, each with the label of the branch."""
+        return frozenset((info.label, name) for info in self.branches for name in info.counts)
+
+    @cached_property
     def branch_labels(self) -> frozenset[str]:
         """The labels of the states that are the branch of a participant."""
         return frozenset(info.label for info in self.branches)

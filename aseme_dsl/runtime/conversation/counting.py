@@ -21,9 +21,7 @@ class Counting:
     def sent(
         self, agent: Receiver, place: Participation, conversation: Conversation, acl: AclMessage
     ) -> None:
-        """A branch sends to a participant; it learns so before an answer can come."""
-        if acl.to not in place.info.counts:
-            return
+        """A branch sends to a participant that it counts; it learns so before an answer can come."""
         item = Addressed(place.info.label, acl.to, acl.receivers, name_of(acl.identity))
         agent.post(acl.identity, item, conversation=acl.conversation)
         for name in acl.receivers:

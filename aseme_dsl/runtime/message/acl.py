@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import datetime
 
-from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.chart.inputs import Identity, made_often
 
 PERFORMATIVES = (
     "accept_proposal",
@@ -89,7 +89,7 @@ def name_of(identity: Identity) -> str:
     return f"{identity[0]}-{identity[1]}"
 
 
-@dataclass(frozen=True, slots=True)
+@made_often
 class AclMessage:
     """An agent message between agents that run the same document.
 

@@ -79,12 +79,14 @@ class Sending:
                 text = f"{performative} {message} is not sent: {reason}"
                 self._told.fault(agent.name, text)
                 return ()
-            receivers = tuple(name for name in invited if name not in (*excepts, *before))
+            receivers = invited
+            if excepts or before:
+                receivers = tuple(name for name in invited if name not in (*excepts, *before))
             if before and not receivers:
                 reason = "it was sent before the participant was suspended"
                 self._told.unsent(agent.name, performative, message, content, place.info, reason)
                 return ()
-            is_round = place.info.knows(to)
+            is_round = to in place.info.counts
             return self._send(
                 agent, place, performative, message, content, receivers, part, reply_by, is_round=is_round
             )
@@ -232,6 +234,8 @@ class Sending:
                 return (), to, f"{protocol} takes {_at_least(least)} {to}, and there is {there}"
             members = conversation.members[to] = players[:most]
             conversation.chosen.add(to)
+        if not conversation.past:
+            return tuple(members), to, ""
         still = tuple(name for name in members if (name, to) not in conversation.past)
         return still or tuple(members), to, ""  # an agent whose part is over does not get what all others get
 
