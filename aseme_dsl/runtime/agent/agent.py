@@ -112,6 +112,8 @@ class Agent:
         self._wanted = True  # the first step enters the root
         self._following = 0
         self._inputs: list[Posted] | None = None
+        self._ahead: list[Sample] = []
+        """What the present step has seen of what arrived after it began."""
         self._alarm = Alarm(driver, self.errand, self._want)
         self._configuration: tuple[str, ...] = ()
         self._info_of = {info.label: info for info in self.plan.branches}
@@ -195,8 +197,11 @@ class Agent:
         self._wanted = True
 
     def _pending(self) -> Iterable[Sample]:
-        """What has arrived since the step began."""
-        return self.intake.arrived()
+        """What has arrived since the step began, for a step that looks."""
+        found = self.intake.arrived()
+        known = {item.identity for item in self._ahead}
+        self._ahead += [item for item in found if item.identity not in known]
+        return found
 
     # ---- the step ----------------------------------------------------------------------------
 
@@ -241,34 +246,24 @@ class Agent:
         self.steps += 1
         if not chart.started:
             self._show()
-        ahead: list[Sample] = []
-        if not self.driver.clock.virtual:
-            chart.pending = lambda: self._ahead(ahead)
+        self._ahead = []
         drained, chart.drains = chart.drains, False
         given = [item.input for item in inputs]
         try:
             outcome = chart.step(now, given)
         except Exception as error:  # nothing in a document can do that; the other agents play on
-            self.trace.step(
-                now, self.name, self.plan, self.steps, _identities(inputs), ahead, Outcome(), None
-            )
+            self._trace_step(now, inputs, Outcome(), None)
             self.fail(f"the step raised {reason_of(error)}", frames_of(error, own=True))
             return
         self.recent.extend(outcome.taken)
-        self.since.update(dict.fromkeys(changed_states(self.plan, self.steps == 1, given, outcome), now))
-        configuration = chart.configuration() if self.trace.active else ()
-        changed = configuration != self._configuration
-        self._configuration = configuration
-        self.trace.step(
-            now,
-            self.name,
-            self.plan,
-            self.steps,
-            _identities(inputs),
-            ahead,
-            outcome,
-            configuration if changed else None,
-        )
+        for label in changed_states(self.plan, self.steps == 1, given, outcome):
+            self.since[label] = now
+        if self.trace.active:
+            before, self._configuration = self._configuration, chart.configuration()
+            changed = self._configuration if self._configuration != before else None
+            self._trace_step(now, inputs, outcome, changed)
+        else:
+            self._configuration = ()
         if self.shown is not None:
             self.shown.follow(outcome)
         stop = chart.stopped_at if outcome.failure is not None else -1
@@ -295,6 +290,13 @@ class Agent:
                 return
         self._alarm.set(chart.due(now))
 
+    def _trace_step(
+        self, now: int, inputs: Iterable[Posted], outcome: Outcome, changed: tuple[str, ...] | None
+    ) -> None:
+        """Record a step, with the configuration if that has `changed`."""
+        identities = [item.identity for item in inputs]
+        self.trace.step(now, self.name, self.plan, self.steps, identities, self._ahead, outcome, changed)
+
     def _follow(self, has_inputs: bool) -> None:
         """Count the steps in a row that only variables have asked for, and stop an agent that makes them for
         ever: its regions wake each other. An input pays for some of them, and so does a queued signal."""
@@ -318,12 +320,6 @@ class Agent:
         self.shown = kind(self) if kind is not None else None
         if self.shown is not None and labels is not None:
             self.shown.go_on(before, labels)
-
-    def _ahead(self, seen: list[Sample]) -> Iterable[Sample]:
-        found = self._pending()
-        known = {item.identity for item in seen}
-        seen.extend(item for item in found if item.identity not in known)
-        return found
 
     # ---- the end -----------------------------------------------------------------------------
 
@@ -520,10 +516,6 @@ class Agent:
     def branch_info(self, label: str) -> BranchInfo:
         """What the plan says of a branch."""
         return self._info_of[label]
-
-
-def _identities(inputs: Iterable[Posted]) -> list[Identity]:
-    return [item.identity for item in inputs]
 
 
 def _is_said(effect: Effect) -> bool:

@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from aseme_dsl.runtime.chart.inputs import Completed, Input, Outcome
 from aseme_dsl.runtime.chart.plan import Plan
 
 
-def changed_states(plan: Plan, is_first: bool, inputs: Iterable[Input], outcome: Outcome) -> Iterator[str]:
+def changed_states(plan: Plan, is_first: bool, inputs: Iterable[Input], outcome: Outcome) -> list[str]:
     """The labels of the states that a step has entered by transitions to them, or whose activity returned."""
-    if is_first:
-        yield plan.states[0].label
+    found = [plan.states[0].label] if is_first else []
     for item in inputs:
         if isinstance(item, Completed):
-            yield item.label
+            found.append(item.label)
     for numbers in outcome.taken:
         last = plan.transitions[numbers[-1]]
         if last.kind == "external":
-            yield last.target
+            found.append(last.target)
+    return found
 
 
 def place_of_failure(plan: Plan, outcome: Outcome) -> str:
