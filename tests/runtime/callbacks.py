@@ -23,9 +23,41 @@ srm cook {
 team Kitchen { ann : boss  bob, cid : cook }
 """
 
+BROKERED = """\
+system Town
+import protocols
+srm asker {
+  plays PROTOCOL.client
+  liveness { asker = client . Rest }
+  activities { Rest takes 1s }
+}
+srm middle {
+  plays PROTOCOL.MIDDLE
+  liveness { middle = MIDDLE~ }
+}
+srm doer {
+  plays PROTOCOL.provider
+  liveness { doer = provider~ }
+}
+team Town { ann : asker  max : middle  bob, cid : doer }
+"""
+
+MIDDLES = {"brokering": "broker", "recruiting": "recruiter"}
+
 
 def kitchen(protocol: str, opener: str, answerer: str) -> Generated:
-    text = KITCHEN.replace("PROTOCOL", protocol).replace("OPENER", opener).replace("ANSWERER", answerer)
+    """A protocol between `ann`, who opens it, and `bob` and `cid`."""
+    return _generated(KITCHEN, PROTOCOL=protocol, OPENER=opener, ANSWERER=answerer)
+
+
+def town(protocol: str) -> Generated:
+    """A protocol in which `max` looks for a provider among `bob` and `cid`, for `ann`."""
+    return _generated(BROKERED, PROTOCOL=protocol, MIDDLE=MIDDLES[protocol])
+
+
+def _generated(text: str, **names: str) -> Generated:
+    for word, name in names.items():
+        text = text.replace(word, name)
     return generate(text, backend=BACKEND)
 
 

@@ -126,6 +126,23 @@ class Protocol:
         return "\n".join([*lines, f"team T {{ {team} }}", ""])
 
 
+ERRANDS = {
+    "PrepareErrand": act(says=("Errand", {"id": "1", "what": "soup", "wanted": "cook"})),
+    "AwaitResult": act(),
+    "LearnResult": act(),
+    "ConsiderErrand": act(0.1, willing=True),
+    "ChooseProvider": act(0.1, found=[True, True, False], chosen=["cid", "dan", "dan"]),
+    "AwaitProvider": act(),
+    "StopSearch": act(),
+    "CloseSearch": act(),
+    "WeighErrand": act(0.1, able=True),
+    "RunErrand": act(3, succeeded=True),
+    "ReportResult": act(says=("Outcome", {"id": "1", "detail": "hot"})),
+    "DropErrand": act(),
+    "CloseErrand": act(),
+}
+"""What the agents do in brokering and in recruiting."""
+
 PROTOCOLS = (
     Protocol(
         "request",
@@ -279,40 +296,12 @@ PROTOCOLS = (
     Protocol(
         "brokering",
         {"ann": "client", "bob": "broker", "cid": "provider", "dan": "provider"},
-        {
-            "PrepareErrand": act(says=("Errand", {"id": "1", "what": "soup", "wanted": "cook"})),
-            "AwaitResult": act(),
-            "LearnResult": act(),
-            "ConsiderErrand": act(0.1, willing=True),
-            "ChooseProvider": act(0.1, found=[True, True, False], chosen=["cid", "dan", "dan"]),
-            "AwaitProvider": act(),
-            "StopSearch": act(),
-            "CloseSearch": act(),
-            "WeighErrand": act(0.1, able=True),
-            "RunErrand": act(3, succeeded=True),
-            "ReportResult": act(says=("Outcome", {"id": "1", "detail": "hot"})),
-            "DropErrand": act(),
-            "CloseErrand": act(),
-        },
+        ERRANDS,
     ),
     Protocol(
         "recruiting",
         {"ann": "client", "bob": "recruiter", "cid": "provider", "dan": "provider"},
-        {
-            "PrepareErrand": act(says=("Errand", {"id": "1", "what": "soup", "wanted": "cook"})),
-            "AwaitResult": act(),
-            "LearnResult": act(),
-            "ConsiderErrand": act(0.1, willing=True),
-            "ChooseProvider": act(0.1, found=[True, True, False], chosen=["cid", "dan", "dan"]),
-            "AwaitProvider": act(),
-            "StopSearch": act(),
-            "CloseSearch": act(),
-            "WeighErrand": act(0.1, able=True),
-            "RunErrand": act(3, succeeded=True),
-            "ReportResult": act(says=("Outcome", {"id": "1", "detail": "hot"})),
-            "DropErrand": act(),
-            "CloseErrand": act(),
-        },
+        ERRANDS,
     ),
     Protocol(
         "resource",

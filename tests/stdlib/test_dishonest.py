@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import pytest
@@ -21,6 +22,19 @@ def attempts(item: Protocol, made: Generated) -> list[tuple[Kind, Any, str]]:
     return [(kind, made.message(kind[1]), to) for kind in kinds for to in (*parts, *item.parts)]
 
 
+def try_all(
+    context: Context, tries: Iterable[tuple[Kind, Any, str]], refused: list[str], went: list[str]
+) -> None:
+    """Send each message; note those that raise, and those that do not."""
+    for (performative, message), content, to in tries:
+        try:
+            context.send(performative, content, to)
+        except Exception as problem:
+            refused.append(str(problem))
+        else:
+            went.append(f"{performative} {message} to {to}")
+
+
 def honest_acts(item: Protocol, made: Generated) -> dict[str, type[Any]]:
     return {activity: kind_of(made, activity, what) for activity, what in item.acts.items()}
 
@@ -33,18 +47,11 @@ def dishonest(
 
     class Activity(usual):  # type: ignore[misc]
         def execute(self, context: Context) -> None:
-            self._try_all(context)
+            if context.agent == agent:
+                try_all(context, tries, refused, went)
             super().execute(context)
-            self._try_all(context)
-
-        def _try_all(self, context: Context) -> None:
-            for (performative, message), content, to in tries if context.agent == agent else ():
-                try:
-                    context.send(performative, content, to)
-                except Exception as problem:
-                    refused.append(str(problem))
-                else:
-                    went.append(f"{performative} {message} to {to}")
+            if context.agent == agent:
+                try_all(context, tries, refused, went)
 
     return Activity
 
@@ -84,13 +91,7 @@ def test_nor_does_one_beside_the_participant(name: str, agent: str) -> None:
         def execute(self, context: Context) -> None:
             for _ in range(8):
                 context.wait(1)
-                for (performative, message), content, to in tries:
-                    try:
-                        context.send(performative, content, to)
-                    except Exception as problem:
-                        refused.append(str(problem))
-                    else:
-                        went.append(f"{performative} {message} to {to}")
+                try_all(context, tries, refused, went)
 
     role = f"abandoning_{item.parts[agent]}"
     agents = [(who, role if who == agent else f"{part}_role") for who, part in item.parts.items()]

@@ -138,13 +138,13 @@ class Effects:
             self._conversations.took_leave(agent, effect.branch, receivers)
 
 
+def _of(kind: type[_T], carry_out: Callable[[_T], None]) -> tuple[type[Effect], Callable[[Effect], None]]:
+    """An entry of the table: the class of the effects, and the method that carries them out."""
+    return cast("tuple[type[Effect], Callable[[Effect], None]]", (kind, carry_out))
+
+
 def _nothing(effect: object) -> None:
     """Function results are in the record of the step."""
 
 
 __all__ = ["Effects"]
-
-
-def _of(kind: type[_T], carry_out: Callable[[_T], None]) -> tuple[type[Effect], Callable[[Effect], None]]:
-    """What carries out the effects of one class: it is looked up by that class."""
-    return cast("tuple[type[Effect], Callable[[Effect], None]]", (kind, carry_out))

@@ -7,33 +7,11 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.backends.jade_like import BACKEND
 from aseme_dsl.runtime.agent.fipa_callbacks import CALLBACKS
 from aseme_dsl.runtime.jade import FailureException, RefuseException
-from tests.runtime.callbacks import behaviour, heard, kitchen, logs, messages
+from tests.runtime.callbacks import MIDDLES, behaviour, heard, kitchen, logs, messages, town
 from tests.runtime.playing import SECOND, Played, play
-from tests.support.generated import Generated, generate
-
-BROKERED = """\
-system Town
-import protocols
-srm asker {
-  plays PROTOCOL.client
-  liveness { asker = client . Rest }
-  activities { Rest takes 1s }
-}
-srm middle {
-  plays PROTOCOL.MIDDLE
-  liveness { middle = MIDDLE~ }
-}
-srm doer {
-  plays PROTOCOL.provider
-  liveness { doer = provider~ }
-}
-team Town { ann : asker  max : middle  bob, cid : doer }
-"""
-
-MIDDLES = {"brokering": "broker", "recruiting": "recruiter"}
+from tests.support.generated import Generated
 
 
 def ending(self: Any, results: Any) -> None:
@@ -223,8 +201,7 @@ def brokered(
     able: Callable[[str], bool] = lambda name: True,
     prepare_result_notification: Any = None,
 ) -> Played:
-    text = BROKERED.replace("PROTOCOL", protocol).replace("MIDDLE", MIDDLES[protocol])
-    made = generate(text, backend=BACKEND)
+    made = town(protocol)
     result = prepare_result_notification or (
         lambda self, request: made.messages.Outcome(id=request.content.id, detail="warm")
     )

@@ -6,14 +6,13 @@ from typing import Any
 
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.team.faults import Crash, Faults
-from tests.runtime.playing import MS, SECOND, Played, play
+from tests.runtime.hospital import LATE, RIDE, ends, starts
+from tests.runtime.playing import SECOND, Played, play
 from tests.support.generated import generate
 
-TEXT = """
-system Hospital
-enum Floor { GROUND WARD }
-message Ride { Floor floor }
-message Parcel { string id }
+TEXT = (
+    RIDE
+    + """\
 aip delivery {
   participant desk {
     sends    request Parcel
@@ -34,30 +33,6 @@ aip delivery {
   }
   control courier { enter Consider : request Parcel from desk / send agree Parcel { id = "p" } to desk }
   control travel  { enter Bring : [done(Fetch)] }
-}
-aip ride {
-  participant passenger {
-    given  destination : Floor
-    result arrived : bool
-    sends    request Ride
-    receives inform Ride
-    process  = Call . [StepOut]
-  }
-  participant lift {
-    sends    inform Ride
-    receives request Ride
-    process  = Move . (Open | Stay)
-  }
-  control passenger {
-    enter Call    : / send request Ride { floor = destination } to lift
-    enter StepOut : inform Ride from lift / arrived = true
-    skip  StepOut : lost lift
-  }
-  control lift {
-    enter Move : request Ride from passenger
-    enter Stay : lost passenger
-    enter Open : else / send inform Ride { floor = Floor.WARD } to passenger
-  }
 }
 srm porter {
   plays delivery.courier with Fetch = fetch, Bring = bring
@@ -82,13 +57,8 @@ srm porter {
   }
 }
 srm clerk { plays delivery.desk  liveness { clerk = desk }  activities { Ask takes 1s  Thank takes 1s } }
-srm cabin {
-  plays ride.lift
-  liveness { cabin = lift }
-  activities { Move takes 3s  Open takes 1s  Stay takes 1s }
-}
-team T { ann : clerk  agv : porter  otis : cabin }
 """
+)
 
 
 class HandOver:
@@ -109,29 +79,12 @@ class Load:
         context.send("inform", parcel.content, parcel.sender)
 
 
-LATE = "enter Halt : after(1min)"
-
-
 def hospital(
     porter: str = "courier [> Halt", control: str = LATE, activities: Any = (), **options: Any
 ) -> Played:
     text = TEXT.replace("PORTER", porter).replace("CONTROL", control)
     known = {"HandOver": HandOver, **dict(activities)}
     return play(generate(text), known, until=options.pop("until", 30 * SECOND), **options)
-
-
-def starts(run: Played, agent: str) -> list[str]:
-    return [
-        f"{r['time'] // MS} {r['activity']}" for r in run.of("activity", agent=agent) if r["what"] == "start"
-    ]
-
-
-def ends(run: Played) -> list[str]:
-    return [
-        f"{r['time'] // MS} {r['agent']} {r['what']} {r['conversation']} {r.get('reason', '')}".strip()
-        for r in run.of("conversation")
-        if r["what"] in ("leave", "gone", "suspend", "resume")
-    ]
 
 
 def test_a_ride_in_a_delivery() -> None:

@@ -5,39 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 from aseme_dsl.runtime.team.faults import Crash, Faults
-from tests.runtime.conversation.test_nested import LATE, ends, starts
+from tests.runtime.hospital import LATE, RIDE, ends, starts
 from tests.runtime.playing import SECOND, Played, play
 from tests.support.generated import generate
 
-TEXT = """
-system Hospital
-enum Floor { GROUND WARD }
-message Ride { Floor floor }
-message Parcel { string id }
-aip ride {
-  participant passenger {
-    given  destination : Floor
-    result arrived : bool
-    sends    request Ride
-    receives inform Ride
-    process  = Call . [StepOut]
-  }
-  participant lift {
-    sends    inform Ride
-    receives request Ride
-    process  = Move . (Open | Stay)
-  }
-  control passenger {
-    enter Call    : / send request Ride { floor = destination } to lift
-    enter StepOut : inform Ride from lift / arrived = true
-    skip  StepOut : lost lift
-  }
-  control lift {
-    enter Move : request Ride from passenger
-    enter Stay : lost passenger
-    enter Open : else / send inform Ride { floor = Floor.WARD } to passenger
-  }
-}
+TEXT = (
+    RIDE
+    + """\
 aip delivery {
   participant desk {
     sends    request Parcel, cancel Parcel
@@ -82,13 +56,8 @@ srm clerk {
   liveness { clerk = desk }
   activities { Ask takes 1s  Wait takes 1s  Thank takes 1s  Complain takes 1s }
 }
-srm cabin {
-  plays ride.lift
-  liveness { cabin = lift }
-  activities { Move takes 3s  Open takes 1s  Stay takes 1s }
-}
-team T { ann : clerk  agv : porter  otis : cabin }
 """
+)
 
 STOPS = "enter Halt : after(3s)"
 
