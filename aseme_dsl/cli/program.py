@@ -38,6 +38,7 @@ COMMANDS = (
     "swap",
     "key",
     "trace",
+    "match",
     "optimise",
     "bench",
     "sniff",
@@ -49,7 +50,7 @@ COMMANDS = (
 """The commands, in the order of the help; each is the object `command` of the module of its name, with an
 underscore where that is a keyword."""
 
-PLAYING = frozenset(("run", "node", "optimise"))
+PLAYING = frozenset(("run", "node", "match", "optimise"))
 """The commands in which code of the user writes to the terminal as it likes."""
 
 

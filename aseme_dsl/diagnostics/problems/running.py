@@ -365,6 +365,41 @@ class NoWorld(Problem):
         return f"{self.function} gave {self.value}, which is not a world: it needs {missing}"
 
 
+class NoBodyInMatch(Problem):
+    """`function` has made a world of a match that has no body of the name `seat`."""
+
+    code = "E033"
+    function: str
+    seat: str
+
+    @property
+    def message(self) -> str:
+        return f"{self.function} gave a world that has no body `{self.seat}`"
+
+
+class NoScore(Problem):
+    """`function` has made a world that does not say how a match stands."""
+
+    code = "E033"
+    function: str
+
+    @property
+    def message(self) -> str:
+        return f"{self.function} gave a world whose `score` is not two numbers, one of each team"
+
+
+class TeamOfMatch(Problem):
+    """A team that cannot take part in a match, since its system declares no team."""
+
+    code = "E033"
+    system: str
+    hint = "add a `team` with the agents that play"
+
+    @property
+    def message(self) -> str:
+        return f"{self.system} declares no team, so it cannot play"
+
+
 class NoTeam(Problem):
     code = "E033"
     system: str

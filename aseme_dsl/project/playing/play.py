@@ -665,9 +665,9 @@ def call(target: str, *arguments: object, **named: object) -> object:
         return function(*arguments, **named)
 
 
-def made_world(target: str, seed: int) -> AnyWorld:
+def made_world(target: str, seed: int, **further: object) -> AnyWorld:
     """The world that a function of the project makes. Raises PlayError if it fails, or makes no world."""
-    world = call(target, seed=seed)
+    world = call(target, seed=seed, **further)
     function = function_of(target)
     missing: list[tuple[str, str]] = []
     for name, what, fits in _WORLD:
