@@ -136,8 +136,20 @@ LONG = [
     ("seeded faults", ["-m", "pytest", "-n", "auto", "tests/faults/test_seeded.py"], {"FAULT_RUNS": "1000"}),
     (
         "random networks",
-        ["-m", "pytest", "-n", "auto", "tests/faults/test_random_networks.py"],
+        [
+            "-m",
+            "pytest",
+            "-n",
+            "auto",
+            "tests/faults/test_random_networks.py",
+            "tests/stdlib/test_networks.py",
+        ],
         {"NETWORK_RUNS": "2000"},
+    ),
+    (
+        "conversations among processes",
+        ["-m", "pytest", "tests/faults/test_library_in_processes.py", "tests/faults/test_called_away.py"],
+        {"PROCESS_RUNS": "20"},
     ),
     ("random swaps", ["-m", "pytest", "-n", "auto", "tests/faults/test_swap.py"], {"SWAP_EXAMPLES": "300"}),
 ]
