@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +16,8 @@ from aseme_dsl.compiler import analyse
 from aseme_dsl.grammar.layout import format_source
 from aseme_dsl.source import Source
 from tests.cli.support import Here
+from tests.runtime.playing import SECOND, play
+from tests.support.generated import generate
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -90,6 +93,18 @@ def test_it_runs(program: Program, tmp_path: Path, capsys: pytest.CaptureFixture
     assert program.ends in done.err or program.ends in str(result["summary"])
     assert [agent["name"] for agent in result["agents"] if agent["failure"]] == ["carrier5"][: program.lost]
     assert result["faults"] == 2 * program.lost  # it crashes, and it stops
+
+
+def test_a_stop_suspends_a_delivery_and_the_lease_inside_it(tmp_path: Path) -> None:
+    run = play(generate((EXAMPLES / "hospital" / "hospital.aseme").read_text("utf-8")), until=120 * SECOND)
+    stopped = [r for r in run.of("conversation") if r["what"] in ("suspend", "resume")]
+    assert {(r["time"] // SECOND, r["what"]) for r in stopped} == {(15, "suspend"), (20, "resume")}
+    assert {(r["agent"], r["participant"]) for r in stopped} >= {("porter2", "porter"), ("porter2", "holder")}
+    said = Counter(
+        (r["agent"], r["performative"], r["message"], r["conversation"]) for r in run.of("agent_message")
+    )
+    assert [what for what, times in said.items() if times > 1] == []
+    assert len(run.of("agent_message", agent="pia", performative="request")) == 6
 
 
 @dataclass(frozen=True)
