@@ -100,7 +100,7 @@ def new_file(path: str | os.PathLike[str]) -> BufferedWriter:
         descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | _AT_ONCE, 0o666)
     except ValueError as problem:  # a NUL in the name
         raise OSError(errno.EINVAL, "not the name of a file", os.fspath(path)) from problem
-    if _AT_ONCE:
+    if hasattr(os, "O_NONBLOCK"):
         os.set_blocking(descriptor, True)
     return os.fdopen(descriptor, "wb")
 

@@ -94,6 +94,7 @@ LISTED: dict[str, str] = {
     "runtime/control/control.py: read: loads": "of `outside`",
     "runtime/control/connections.py: readinto: recv_into": "of the size of a buffer",
     "runtime/control/control_socket.py: _converse: readline": "with a largest size",
+    "runtime/control/control_socket.py: _exactly: recv": "of 32 bytes",
     "runtime/control/control_socket.py: ask: makefile": "its line has a largest size",
     "runtime/control/control_socket.py: ask: readline": "with a largest size",
     "runtime/conversation/conversation_trace.py: answered_outside: json.loads": JUST_WRITTEN,

@@ -152,7 +152,9 @@ class Kept:
 
 
 def _settle(folder: Path) -> None:
-    """Bring to the disk which files a folder has."""
+    """Bring to the disk which files a folder has. Windows has no such call, and needs none."""
+    if os.name == "nt":
+        return
     number = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(number)

@@ -1,16 +1,21 @@
 """Control sockets: how operators on the same machine and of the same user reach running teams.
 
 Each process that runs agents listens on a Unix domain socket of its own in a folder for its output folder;
-all processes of a team share it. A request is a line of JSON, the reply another; a connection may be used for
-several. The folder is one that only the user may enter, found as a team's meeting place is.
+all processes of a team share it. The folder is one that only the user may enter, found as a team's meeting
+place is. A system without such sockets (Windows) has TCP sockets of this machine. Then a file in the folder
+has the port and a secret. An operator proves to have read the secret, and does not send it.
+
+A request is a line of JSON, the reply another; a connection may be used for several.
 """
 
 from __future__ import annotations
 
 import contextlib
 import hashlib
+import hmac
 import json
 import os
+import secrets
 import socket
 import struct
 import threading
@@ -30,6 +35,12 @@ from aseme_dsl.runtime.transport.port import TransportError
 
 LARGEST = 1 << 20
 """A reply has at most so many bytes."""
+
+
+LOOPBACK = "127.0.0.1"
+SECRET_BYTES = CHALLENGE_BYTES = 32
+PROOF_SECONDS = 5.0
+"""So long a new connection over TCP has to prove that it knows the secret."""
 
 
 class ControlError(Exception):
@@ -61,18 +72,27 @@ def listening(control: Control, output: Path, name: str) -> Iterator[Path]:
         # Under its name others find it, and remove it if no process listens. It gets the name once one does.
         early = path.with_suffix(".new")
         early.unlink(missing_ok=True)  # of an earlier process of this number
-        server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        server = new_socket()
+        secret: bytes | None = None
         try:
-            server.bind(str(early))
-            early.chmod(0o600)
-            server.listen()
+            if _is_local(server):
+                server.bind(str(early))
+                early.chmod(0o600)
+                server.listen()
+            else:
+                secret = secrets.token_bytes(SECRET_BYTES)
+                server.bind((LOOPBACK, 0))
+                server.listen()
+                early.write_text(f"{server.getsockname()[1]} {secret.hex()}\n", "ascii")
             early.replace(path)
         except OSError:
             server.close()
             raise
     except OSError as problem:
         raise ControlError(f"{path}: {problem.strerror or problem}") from problem
-    thread = threading.Thread(target=_serve, args=(server, control), name="aseme control", daemon=True)
+    thread = threading.Thread(
+        target=_serve, args=(server, control, secret), name="aseme control", daemon=True
+    )
     thread.start()
     try:
         yield path
@@ -93,10 +113,10 @@ def endpoints(output: Path) -> list[Path]:
     except ControlError:  # nor can anything have listened
         return found
     for path in sorted(folder.glob("*.sock")):
-        with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as probe:
+        with new_socket() as probe:
             try:
                 probe.settimeout(1.0)
-                probe.connect(str(path))
+                connect(probe, path)
             except ConnectionRefusedError:
                 with contextlib.suppress(OSError):
                     path.unlink()
@@ -116,9 +136,9 @@ def ask(path: Path, request: dict[str, object], timeout: float = 5.0) -> Reply:
         ControlError: there is no answer, or not in time.
     """
     try:
-        with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:
+        with new_socket() as connection:
             connection.settimeout(timeout)
-            connection.connect(str(path))
+            connect(connection, path)
             with contextlib.suppress(BrokenPipeError):  # who takes no request may have said why
                 connection.sendall(json.dumps({"version": FORMAT, **request}).encode() + b"\n")
             with connection.makefile("rb") as lines:
@@ -138,6 +158,55 @@ def ask(path: Path, request: dict[str, object], timeout: float = 5.0) -> Reply:
     return as_reply(reply)
 
 
+def new_socket() -> socket.socket:
+    """A socket for requests: a Unix domain socket or, on a system without those, a TCP socket."""
+    family = getattr(socket, "AF_UNIX", socket.AF_INET)
+    return socket.socket(family, socket.SOCK_STREAM)
+
+
+def _is_local(connection: socket.socket) -> bool:
+    """Whether it is a Unix domain socket: the folder alone keeps other users out."""
+    return connection.family != socket.AF_INET
+
+
+def connect(connection: socket.socket, path: Path) -> None:
+    """Connect to the process that `path` stands for; over TCP, prove to have read its file.
+
+    Raises:
+        OSError: it cannot be reached.
+    """
+    if _is_local(connection):
+        connection.connect(str(path))
+        return
+    port, _, secret = outside.read_text(path, 1024).strip().partition(" ")
+    try:
+        at, key = int(port), bytes.fromhex(secret)
+    except ValueError as problem:
+        raise OSError(f"{path.name} is not the file of a control socket") from problem
+    connection.connect((LOOPBACK, at))
+    challenge = _exactly(connection, CHALLENGE_BYTES)
+    connection.sendall(hmac.digest(key, challenge, "sha256"))
+
+
+def _proves(connection: socket.socket, secret: bytes) -> bool:
+    """Whether the other end has the secret. Raises OSError if it says nothing."""
+    challenge = secrets.token_bytes(CHALLENGE_BYTES)
+    connection.settimeout(PROOF_SECONDS)
+    connection.sendall(challenge)
+    proof = _exactly(connection, hashlib.sha256().digest_size)
+    return hmac.compare_digest(proof, hmac.digest(secret, challenge, "sha256"))
+
+
+def _exactly(connection: socket.socket, size: int) -> bytes:
+    found = b""
+    while len(found) < size:
+        piece = connection.recv(size - len(found))
+        if not piece:
+            raise ConnectionResetError("the other end has hung up")
+        found += piece
+    return found
+
+
 def _who(path: Path) -> str:
     """Whose socket it is, for people: `process 4711 (robot2)`."""
     name, _, number = path.stem.rpartition("-")
@@ -148,7 +217,7 @@ def _safe(name: str) -> str:
     return "".join(letter if letter.isalnum() else "_" for letter in name)[:32] or "team"
 
 
-def _serve(server: socket.socket, control: Control) -> None:
+def _serve(server: socket.socket, control: Control, secret: bytes | None) -> None:
     places = Places()
     while True:
         try:
@@ -157,7 +226,10 @@ def _serve(server: socket.socket, control: Control) -> None:
             return
         if places.take(connection):
             threading.Thread(
-                target=_answer, args=(connection, control, places), name="aseme operator", daemon=True
+                target=_answer,
+                args=(connection, control, places, secret),
+                name="aseme operator",
+                daemon=True,
             ).start()
             continue
         with connection, contextlib.suppress(OSError):
@@ -180,12 +252,13 @@ def _user_of(connection: socket.socket) -> int | None:
     return int(struct.unpack("3i", credentials)[1])
 
 
-def _answer(connection: socket.socket, control: Control, places: Places) -> None:
+def _answer(connection: socket.socket, control: Control, places: Places, secret: bytes | None) -> None:
     """Answer the requests of a connection until it is closed or silent, or others need its place."""
     with connection, contextlib.suppress(OSError):
         try:
             with contextlib.suppress(OSError):
-                _converse(connection, control, places)
+                if secret is None or _proves(connection, secret):
+                    _converse(connection, control, places)
         finally:
             kept = places.leave(connection)
         if not kept:
@@ -195,7 +268,7 @@ def _answer(connection: socket.socket, control: Control, places: Places) -> None
 def _converse(connection: socket.socket, control: Control, places: Places) -> None:
     """Raises OSError if nothing is asked, or what is asked or answered takes too long."""
     origin = Origin("socket", uid=_user_of(connection))
-    foreign = origin.uid not in (None, os.geteuid())
+    foreign = origin.uid is not None and origin.uid != os.geteuid()
     coming = Timely(connection)
     lines = BufferedReader(coming)
     while (line := lines.readline(REQUEST + 1)) and places.answer(connection):

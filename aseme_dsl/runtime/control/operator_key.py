@@ -17,7 +17,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from aseme_dsl.runtime.version.versions import VersionError, check_place
+from aseme_dsl.runtime.version.versions import IS_POSIX, VersionError, check_place
 
 SECRET_BYTES = 32
 LARGEST = 1 << 14
@@ -53,9 +53,9 @@ def read_keys(path: Path) -> Mapping[str, Key]:
             found = os.fstat(descriptor)
             if not stat.S_ISREG(found.st_mode):
                 raise KeyFileError(f"{path} is not a regular file")
-            if found.st_uid != os.geteuid():
+            if IS_POSIX and found.st_uid != os.geteuid():
                 raise KeyFileError(f"{path} belongs to another user ({found.st_uid})")
-            if found.st_mode & 0o077:
+            if IS_POSIX and found.st_mode & 0o077:
                 raise KeyFileError(f"{path} is open to other users: run `chmod 600` on it")
             content = file.read(LARGEST + 1)
     except VersionError as problem:

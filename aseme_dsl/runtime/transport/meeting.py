@@ -13,6 +13,7 @@ import hashlib
 import os
 import re
 import secrets
+import socket
 import stat
 import tempfile
 import time
@@ -48,6 +49,11 @@ def joining(system: str, name: str) -> Iterator[Meeting]:
         TransportError: there is no private folder of this user, or another process takes too long to join.
     """
     folder = meeting_place(system)
+    if not hasattr(socket, "AF_UNIX"):
+        raise TransportError(
+            "agents in several processes of one machine meet over Unix sockets, which this system does not"
+            " have: run the team in one process"
+        )
     try:
         with _locked(folder / "lock"):
             others = tuple(path for path in sorted(folder.glob("*.sock")) if _is_live(path))
@@ -78,6 +84,8 @@ def private_folder(name: str) -> Path:
     Raises:
         TransportError: none can be used.
     """
+    if not hasattr(os, "getuid"):
+        return _folder_of_profile(name)
     reasons: list[str] = []
     for root in _roots():
         folder = root / f"asemec-{os.getuid()}"
@@ -93,6 +101,17 @@ def private_folder(name: str) -> Path:
         "there is no folder in which robots on this machine can meet"
         f" ({'; '.join(reasons)}): set XDG_RUNTIME_DIR to a folder of your own with a short path"
     )
+
+
+def _folder_of_profile(name: str) -> Path:
+    """A folder in the user's profile, which on Windows only that user and administrators may enter."""
+    try:
+        given = os.environ.get("LOCALAPPDATA")
+        folder = (Path(given) if given else Path.home()) / "asemec" / name
+        folder.mkdir(parents=True, exist_ok=True)
+    except (OSError, RuntimeError) as problem:
+        raise TransportError(f"the user's profile cannot be used: {problem}") from problem
+    return folder
 
 
 def _roots() -> Iterator[Path]:

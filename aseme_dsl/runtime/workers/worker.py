@@ -164,9 +164,12 @@ def main() -> None:
         signal.signal(number, signal.SIG_IGN)
     memory, version, *names = sys.argv[1:]
     if int(memory):
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_AS, (int(memory), int(memory)))
+        try:
+            import resource
+        except ImportError:
+            print("this system does not limit the memory of a process", file=sys.stderr)
+        else:
+            resource.setrlimit(resource.RLIMIT_AS, (int(memory), int(memory)))
     if version:
         folder = Path(version)
         serve(_version(folder, folder.name))

@@ -12,6 +12,7 @@ import contextlib
 import os
 import pickle
 import secrets
+import socket
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -28,6 +29,8 @@ PATIENCE = 5.0
 """How long, in seconds, a body may take to answer before it counts as lost."""
 HURRY = 5
 """How many steps a world that is late makes at once before it lets others in."""
+
+LOOPBACK = "127.0.0.1"
 
 Doing = Mapping[str, tuple[tuple[str, ...], ...]]
 """What each agent is doing: its active states, region by region."""
@@ -57,6 +60,22 @@ def _is_alive(process: str) -> bool:
     return True
 
 
+def _listener() -> Listener:
+    """Where bodies are asked for: a socket of the user's own or, where there are none, one of this machine.
+
+    Raises:
+        OSError: there is none.
+    """
+    if hasattr(socket, "AF_UNIX"):
+        return Listener(_place(), "AF_UNIX")
+    return Listener((LOOPBACK, 0), "AF_INET")
+
+
+def _address(text: str) -> str | tuple[str, int]:
+    host, colon, port = text.rpartition(":")
+    return (host, int(port)) if colon and host == LOOPBACK and port.isdecimal() else text
+
+
 class WorldServer:
     """Lets a world pass in real time, and lends its bodies to other processes."""
 
@@ -67,8 +86,9 @@ class WorldServer:
         """What the agents have told last of what they are doing."""
         self._key = key
         # Without a key: who does not answer must not keep others waiting.
-        self._listener = Listener(_place(), "AF_UNIX")
-        self.address = str(self._listener.address)
+        self._listener = _listener()
+        at = self._listener.address
+        self.address = at if isinstance(at, str) else f"{at[0]}:{at[1]}"
         """Where the bodies are: for `FarBody`."""
         self._lock = threading.Lock()
         threading.Thread(target=self._accept, name="aseme world", daemon=True).start()
@@ -152,7 +172,7 @@ class FarBody:
         self._lock = threading.Lock()
         self._lost: str | None = None
         try:
-            self._connection = Client(address, authkey=key)
+            self._connection = Client(_address(address), authkey=key)
             self._connection.send(name)
             limit = self._answer()
             assert isinstance(limit, int)  # the first answer of a world

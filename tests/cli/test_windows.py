@@ -1,0 +1,147 @@
+"""Commands without what Windows lacks (`tests/support/windows`): no machine with Windows runs these tests.
+
+Each starts a process in which our package finds none of the modules and names that only POSIX systems have.
+The encoding of the streams is that of a console of Western Europe.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import GOOD, Done, asemec, command
+from tests.support.waiting import wait_until
+
+WINDOWS = Path(__file__).resolve().parents[1] / "support" / "windows"
+
+
+def environment(home: Path) -> dict[str, str]:
+    """The variables of a process that sees Windows; its user's profile is `home`."""
+    return {
+        "PYTHONPATH": str(WINDOWS),
+        "PYTHONIOENCODING": "cp1252",
+        "PYTHONWARNDEFAULTENCODING": "1",
+        "PYTHONWARNINGS": "error::EncodingWarning:aseme_dsl",
+        "LOCALAPPDATA": str(home),
+        "COLUMNS": "80",
+    }
+
+
+def on_windows(*arguments: object, cwd: Path) -> Done:
+    done = subprocess.run(
+        command(*arguments),
+        cwd=cwd,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        env={**os.environ, **environment(cwd / "profile")},
+        timeout=600,
+    )
+    return Done(done.returncode, done.stdout.decode("cp1252"), done.stderr.decode("cp1252"))
+
+
+def test_our_code_finds_no_posix(tmp_path: Path) -> None:
+    """The stand-in works: what the other tests find is not there by chance."""
+    module = tmp_path / "aseme_dsl_probe.py"
+    module.write_text(
+        "import os, signal, socket, sys\n"
+        "found = [n for m, n in ((os, 'fork'), (os, 'getuid'), (signal, 'SIGKILL'), (socket, 'AF_UNIX'))"
+        " if hasattr(m, n)]\n"
+        "try:\n    import fcntl\n    found.append('fcntl')\nexcept ImportError:\n    pass\n"
+        "print(found, sys.platform, os.name)\n",
+        "utf-8",
+    )
+    code = "import runpy, sys; runpy.run_path(sys.argv[1], run_name='aseme_dsl.probe')"
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(module)],
+        capture_output=True,
+        text=True,
+        env={**os.environ, **environment(tmp_path)},
+    )
+    assert done.stdout == "[] win32 nt\n", done.stderr
+
+
+def test_the_commands_of_a_project(tmp_path: Path) -> None:
+    text = GOOD.replace("system Walker", "system Walker  // geht, bis er zu Hause ist: «ω»")
+    (tmp_path / "team.aseme").write_text(text, "utf-8")
+    out = tmp_path / "out" / "trace.jsonl"
+    for line, said in {
+        "check team.aseme": "no problems found in 1 file",
+        "fmt --check team.aseme": "",
+        "build team.aseme": "Walker -> out",
+        "diagram team.aseme iac.robot -o robot.svg": "1 created",
+        "run team.aseme --for 2s": "stopped after 2 s (virtual, seed 1): time limit reached",
+    }.items():
+        done = on_windows(*line.split(), cwd=tmp_path)
+        assert done.code == (1 if line.startswith("fmt") else 0), (line, done.err)
+        assert said in done.out, (line, done.out)
+        assert "Traceback" not in done.err
+    there = out.read_text("utf-8")
+    assert asemec("run", "team.aseme", "--for", "2s", cwd=tmp_path).code == 0
+    assert out.read_text("utf-8") == there  # the same run as on this system
+
+
+def test_the_language_server_starts(tmp_path: Path) -> None:
+    request = {"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}}
+    body = json.dumps(request).encode()
+    process = subprocess.Popen(
+        command("lsp"),
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env={**os.environ, **environment(tmp_path)},
+    )
+    assert process.stdin is not None and process.stdout is not None
+    with process:
+        process.stdin.write(b"Content-Length: %d\r\n\r\n%s" % (len(body), body))
+        process.stdin.flush()
+        size = 0
+        while line := process.stdout.readline().strip():
+            name, _, value = line.partition(b":")
+            size = int(value) if name.lower() == b"content-length" else size
+        answer = json.loads(process.stdout.read(size))
+        process.stdin.close()
+        assert "hoverProvider" in answer["result"]["capabilities"]
+
+
+@contextmanager
+def running(folder: Path) -> Iterator[None]:
+    (folder / "team.aseme").write_text(GOOD, "utf-8")
+    arguments = command("run", "team.aseme", "--real", "-q")
+    process = subprocess.Popen(
+        arguments, cwd=folder, stdin=subprocess.DEVNULL, env={**os.environ, **environment(folder / "profile")}
+    )
+    try:
+        wait_until(lambda: next((folder / "profile").rglob("*.sock"), None) is not None)
+        yield
+    finally:
+        process.kill()
+        process.wait()
+
+
+def test_operators_reach_a_team_over_loopback_with_its_secret(tmp_path: Path) -> None:
+    with running(tmp_path):
+        done = on_windows("status", "--output", "out", "--json", cwd=tmp_path)
+        assert done.code == 0, done.err
+        assert "one" in done.out
+        (path,) = (tmp_path / "profile").rglob("*.sock")
+        port, _, secret = path.read_text("ascii").strip().partition(" ")
+        assert len(bytes.fromhex(secret)) == 32
+        path.write_text(f"{port} {'00' * 32}\n", "ascii")
+        wrong = on_windows("status", "--output", "out", cwd=tmp_path)
+        assert wrong.code == 1
+        assert "has ended before it answered" in wrong.err or "cannot be reached" in wrong.err
+
+
+def test_a_process_for_each_agent_is_refused_with_the_reason(tmp_path: Path) -> None:
+    pytest.importorskip("zenoh")
+    (tmp_path / "team.aseme").write_text(GOOD, "utf-8")
+    done = on_windows("run", "team.aseme", "--real", "--platform", "zenoh", "--for", "1s", cwd=tmp_path)
+    assert done.code == 1
+    assert "Unix sockets, which this system does not have" in done.err
