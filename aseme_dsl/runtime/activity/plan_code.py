@@ -29,6 +29,7 @@ class PlanCode:
         self.find = find
         """Where the code of activities is found."""
         self._infos = {info.name: info for info in agent.plan.activities}
+        self._found: dict[str, CodeOf] = {}
         self._coded: dict[str, bool] = {}
         """Whether an activity of a branch has code, for those that were asked for."""
 
@@ -36,10 +37,19 @@ class PlanCode:
         """The agent has another plan now."""
         self.find = find
         self._infos = {info.name: info for info in self._agent.plan.activities}
+        self._found.clear()
         self._coded.clear()
 
     def of(self, activity: str) -> CodeOf:
         """The code of an activity, loaded now if it was not; what cannot be loaded is an error in it."""
+        found = self._found.get(activity)
+        if found is None:
+            found = self._load(activity)
+            if found.error is None:
+                self._found[activity] = found
+        return found
+
+    def _load(self, activity: str) -> CodeOf:
         info = self._info(activity)
         code: type[Executable] | None = None
         kind = info.kind
@@ -65,11 +75,9 @@ class PlanCode:
     def has_code_in(self, branch: str) -> bool:
         """Whether an activity of a protocol branch has code."""
         if branch not in self._coded:
-            inside = (item for item in self._agent.plan.states if item.label.startswith(f"{branch}."))
             self._coded[branch] = any(
-                self.has_code(item.activity) or self._agent.callback(item.label) is not None
-                for item in inside
-                if item.activity
+                self.has_code(item.activity or "") or self._agent.callback(item.label) is not None
+                for item in self._agent.plan.activities_inside.get(branch, ())
             )
         return self._coded[branch]
 

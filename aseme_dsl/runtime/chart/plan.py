@@ -300,8 +300,24 @@ class Plan:
 
     def branch_of(self, label: str) -> str | None:
         """The label of the innermost protocol branch around a state, or None."""
-        around = [info.label for info in self.branches if (label + ".").startswith(info.label + ".")]
-        return max(around, key=len, default=None)
+        known = self._branch_of
+        if label not in known:
+            around = [info.label for info in self.branches if is_in(label, info.label)]
+            known[label] = max(around, key=len, default=None)
+        return known[label]
+
+    @cached_property
+    def _branch_of(self) -> dict[str, str | None]:
+        return {}
+
+    @cached_property
+    def activities_inside(self) -> dict[str, tuple[State, ...]]:
+        """The states with activities inside each protocol branch, in document order."""
+        states = [state for state in self.states if state.activity]
+        return {
+            branch: tuple(item for item in states if item.label.startswith(f"{branch}."))
+            for branch in self.branch_labels
+        }
 
     @cached_property
     def _sources(self) -> dict[str, list[Transition]]:
@@ -367,6 +383,16 @@ class Plan:
 
     def variable_of(self, name: str, label: str) -> Variable:
         """The variable that a state's activity means by a name: the innermost. Raises LookupError."""
+        known = self._variable_of.get((name, label))
+        if known is None:
+            known = self._variable_of[name, label] = self._find_variable(name, label)
+        return known
+
+    @cached_property
+    def _variable_of(self) -> dict[tuple[str, str], Variable]:
+        return {}
+
+    def _find_variable(self, name: str, label: str) -> Variable:
         found = [
             variable
             for variable in self.variables
