@@ -158,10 +158,10 @@ class Execution:
         """In virtual time, the moment from which what the activity does counts, until it has come."""
         self.held: list[c.Doing] = []
         self.dropped = 0
-        self.sent: Sent = set()
-        self.made: Sent = set()
+        self.sent: Sent = frozenset()
+        self.made: Sent = frozenset()
         """What has left the agent since its state was entered."""
-        self.earlier: Sent = set()
+        self.earlier: Sent = frozenset()
         """What of that an earlier start has sent, before the participant was suspended: not sent again."""
         self.timer: Timer | None = None
         self.generator: Generator[object, None, object] | None = None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Mapping
-from dataclasses import dataclass, field, is_dataclass, replace
+from dataclasses import dataclass, is_dataclass, replace
 from functools import partial
 from typing import cast
 
@@ -45,7 +45,7 @@ class _Node:
     next: Start | None = None
     held: Timer | None = None
     waits: bool = False
-    made: Sent = field(default_factory=set)
+    made: Sent = frozenset()
     """What the activity that was suspended here has sent."""
 
 
@@ -107,13 +107,13 @@ class Executions:
         for node in self._nodes.values():
             current = node.current
             if node.branch == branch and current is not None and current.cancelled:
-                node.made = set(current.made)
+                node.made = current.made
 
     def leave(self, branch: str) -> None:
         """The part of a protocol branch is over: nothing in it continues."""
         for node in self._nodes.values():
             if node.branch == branch:
-                node.made = set()
+                node.made = frozenset()
 
     def cancel_all(self) -> None:
         """Cancel everything: the agent stops."""
@@ -242,7 +242,8 @@ class Executions:
         execution = node.current = Execution(
             self, start, info, code, kind, node.starts, node.branch, board, now
         )
-        execution.earlier, execution.made, node.made = node.made, set(node.made), set()
+        execution.earlier = execution.made = node.made
+        node.made = frozenset()
         given = {name: to_json(value) for name, value in start.arguments}
         self._trace("start", start, **({"arguments": given} if given else {}))
         if node.program.error is not None:
@@ -277,9 +278,11 @@ class Executions:
 
     def _tell_undecided(self, branch: str, now: int) -> None:
         """Tell, once for a role, of a participant that agrees to nothing: no activity of it has code."""
+        if self._code.has_code_in(branch):
+            return
         plan = self.agent.plan
         found = undecided(plan, branch)
-        if not found.variables or self._code.has_code_in(branch):
+        if not found.variables:
             return
         info = self.agent.branch_info(branch)
         stay = f"{listed(found.variables, 'and')} {'stays' if len(found.variables) == 1 else 'stay'} false"

@@ -79,7 +79,8 @@ class Requests:
             repeatedly = check_move(agent.plan, info, activity, label, performative, message)
             receivers = agent.conversations.check_receiver(agent, branch, to)
             if not repeatedly:
-                check_once(execution.sent, info, activity, (performative, message), receivers)
+                said = performative, message
+                execution.sent = check_once(execution.sent, info, activity, said, receivers)
         except MoveError as error:
             agent.trace.fault(agent.driver.clock.now(), agent.name, str(error), activity=activity)
             raise
@@ -132,7 +133,7 @@ class Requests:
                 receivers = agent.conversations.send(
                     agent, branch, performative, name, message, to, reply_by=by, before=before
                 )
-                execution.made.update((*said, receiver) for receiver in receivers)
+                execution.made = execution.made.union([(*said, receiver) for receiver in receivers])
             case d.Offer() | d.Withdraw():
                 self.register(doing)
             case c.Log(text):

@@ -181,7 +181,7 @@ class Conversations:
             elif acl.performative == LOST:
                 key = acl.sender, acl.participant
                 if key in conversation.absent:  # its loss was told, and has been one
-                    conversation.absent.discard(key)
+                    conversation.absent -= {key}
                     conversation.past[key] = reason_of(acl)
                 elif key not in conversation.past:
                     self._delivery.losses.over(
@@ -245,7 +245,7 @@ class Conversations:
         with self._lock:
             place = self._members.desks[agent.name].branches.get(branch)
             if place is not None:
-                place.farewell.update(of)
+                place.farewell = place.farewell.union(of)
 
     def leaving(self, agent: Receiver, reason: Reason | None) -> None:
         """Parts of an agent that end from now on before their END do so for this reason; None: in silence."""

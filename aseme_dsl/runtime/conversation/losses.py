@@ -118,7 +118,7 @@ class Losses:
         if place.conversation != name or self._desks[agent.name].branches.get(place.info.label) is not place:
             return
         if reason == "completed" and _waits_from(place, who):
-            place.completed.append((who, part))
+            place.completed += ((who, part),)
             return
         identity = agent.identity()
         mail = AgentMessage(place.info.label, LOST, "", reason, part, who, identity)
@@ -130,9 +130,9 @@ class Losses:
 
     def consumed(self, agent: Receiver, place: Participation) -> None:
         """A message was taken: who has completed, and of whom nothing waits any more, is lost now."""
-        for item in place.completed[:]:
+        for item in place.completed:
             if not _waits_from(place, item[0]):
-                place.completed.remove(item)
+                place.completed = tuple(other for other in place.completed if other != item)
                 self._give(agent, place, place.conversation or "", *item, "completed")
 
     def joined(self, agent: Receiver, place: Participation, name: str, conversation: Conversation) -> None:

@@ -11,8 +11,9 @@ class MoveError(LookupError):
     """An activity sends what its protocol does not let it send; the text says what the protocol allows."""
 
 
-Sent = set[tuple[str, str, str]]
-"""What one start of an activity has sent: performative, message and agent."""
+Sent = frozenset[tuple[str, str, str]]
+"""What one start of an activity has sent: performative, message and agent. Most send nothing, and share one
+that is empty."""
 
 
 def check_move(
@@ -42,8 +43,8 @@ def check_move(
     return repeatedly
 
 
-def check_once(sent: Sent, info: BranchInfo, activity: str, said: tuple[str, str], to: Iterable[str]) -> None:
-    """Note that an activity sends a message to these agents.
+def check_once(sent: Sent, info: BranchInfo, activity: str, said: tuple[str, str], to: Iterable[str]) -> Sent:
+    """What an activity has sent when it has sent a message to these agents, too.
 
     Raises:
         MoveError: it has sent it to one of them since its state was entered.
@@ -56,7 +57,7 @@ def check_once(sent: Sent, info: BranchInfo, activity: str, said: tuple[str, str
             f"`sends {' '.join(said)} by {activity} repeatedly` in {info.protocol}.{info.participant} "
             "allows it"
         )
-    sent.update(keys)
+    return sent.union(keys)
 
 
 def made_before(earlier: Sent, info: BranchInfo, said: tuple[str, str]) -> frozenset[str]:

@@ -43,12 +43,12 @@ class Participation:
     """The last one taken of each sender: what is sent to it next is an answer to that."""
     said: dict[str, object] = field(default_factory=dict)
     """What it has sent last of each type of message."""
-    completed: list[tuple[str, str]] = field(default_factory=list)
+    completed: tuple[tuple[str, str], ...] = ()
     """Agents that have completed, each with its participant: lost once no message of them waits."""
     told: dict[str, str] = field(default_factory=dict)
     """The performative of what it has sent each agent last."""
     was_full: bool = False
-    farewell: set[str] = field(default_factory=set)
+    farewell: frozenset[str] = frozenset()
     """The agents that it has sent a message because it ends early."""
     suspended: bool = False
     """Whether the branch was left and may be resumed."""
@@ -76,7 +76,7 @@ class Conversation:
     members: dict[str, list[str]] = field(default_factory=dict)
     past: dict[tuple[str, str], Reason] = field(default_factory=dict)
     """Whose part is over, by agent and participant, and why."""
-    absent: set[tuple[str, str]] = field(default_factory=set)
+    absent: frozenset[tuple[str, str]] = frozenset()
     """Those of `past` who may only be out of reach: they take part again if they come back."""
     places: dict[tuple[str, str], Participation] = field(default_factory=dict)
     """The branches here that take part, by agent and participant."""

@@ -119,7 +119,7 @@ class Parts:
         """
         for known, conversation in list(self._members.conversations.items()):
             parts = [(who, part) for who, part in sorted(conversation.absent) if who == name]
-            conversation.absent.difference_update(parts)
+            conversation.absent -= frozenset(parts)
             for key in parts if same else ():
                 conversation.past.pop(key, None)
                 for (to, _), place in conversation.places.items():
@@ -142,7 +142,7 @@ class Parts:
             for part in parts:
                 self._delivery.losses.over(conversation, known, name, part, reason)
                 if elsewhere and name in self._members.plans:
-                    conversation.absent.add((name, part))
+                    conversation.absent |= {(name, part)}
             for to, place in places if elsewhere and parts else ():
                 if not any(part in place.info.loses for part in parts):
                     self._told.takes_part("gone", to, place, known, peer=name, reason=reason)
