@@ -179,7 +179,7 @@ def test_subpackages_use_only_those_before_them() -> None:
 PRINTERS = ("step", "plain", "batch")
 """The subpackages of `codegen` that only write what `codegen/program` has worked out."""
 
-ANALYSIS = {"FlatChart", "Registers", "Uses", "Following", "resting", "copies_of"}
+ANALYSIS = {"FlatChart", "History", "Registers", "Uses", "Following", "resting", "copies_of"}
 """What `codegen/program` puts together, once."""
 
 

@@ -172,7 +172,8 @@ def label_key(label: str) -> tuple[int, ...]:
 class Statechart(Displayed):
     """States in document order (each after its parent), transitions in the template's order.
 
-    `kind` is "EAC" or "IAC". Questions about the chart are its methods.
+    `kind` is "EAC" or "IAC". This is the reading interface of the model for all layers above. So it has many
+    small methods, each of which answers one question about the states or the transitions.
     """
 
     name: str

@@ -28,6 +28,7 @@ from aseme_dsl.codegen.code.tree import (
 )
 from aseme_dsl.codegen.plain.names import Method, Parameter, PlainNames
 from aseme_dsl.codegen.program import sizes
+from aseme_dsl.codegen.program.circling import circling
 from aseme_dsl.codegen.program.events import STEP
 from aseme_dsl.codegen.program.moves import assigned
 
@@ -222,8 +223,8 @@ class Head:
             yield Attribute("TRANSITIONS", rows=tuple(map(names.place, every)))
         if names.uses.wakes:
             yield Attribute("WAKING", rows=tuple(map(names.place, self._waking())))
-        if flat.circling:
-            yield Attribute("CIRCLING", rows=tuple(map(names.place, flat.circling)))
+        if numbers := circling(self._chart):
+            yield Attribute("CIRCLING", rows=tuple(map(names.place, numbers)))
         end = self._chart.end_of(self._chart.root.label)
         if end is not None and end.label in flat.leaf:
             yield Attribute("END", flat.leaf[end.label])

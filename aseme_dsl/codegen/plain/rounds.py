@@ -36,6 +36,7 @@ from aseme_dsl.codegen.plain.names import Method, PlainNames, with_locals
 from aseme_dsl.codegen.plain.taking import Taking
 from aseme_dsl.codegen.program import sizes
 from aseme_dsl.codegen.program.events import OTHER, STEP
+from aseme_dsl.codegen.program.flat import completes
 
 
 class Rounds:
@@ -284,7 +285,7 @@ class Rounds:
         for way in flat.ways(leaf.label):
             ways += self._conditions.candidates(mode, region, leaf.label, complete, way)
         for source in around:
-            ended = Const(flat.completes(leaf, source))
+            ended = Const(completes(leaf, source))
             for way in flat.ways(source.label):
                 ways += self._conditions.candidates(mode, region, source.label, ended, way)
         inside: list[Statement] = []

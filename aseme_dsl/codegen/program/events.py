@@ -11,7 +11,7 @@ from functools import cached_property
 
 from aseme_dsl.amola.expression import NEVER, After, Failed, Raised
 from aseme_dsl.amola.statechart import State, StateType
-from aseme_dsl.codegen.program.flat import FlatChart, Way, paths
+from aseme_dsl.codegen.program.flat import FlatChart, Way, completes, paths
 from aseme_dsl.codegen.program.resting import Resting, is_open
 from aseme_dsl.codegen.program.uses import Uses
 
@@ -79,8 +79,14 @@ class Events:
             for region in self._flat.with_around(inner):
                 around = self._chart.node(self._flat.regions[region].label).parent
                 if around is not None:
-                    found.setdefault(self._flat.region_number[around], set()).add(self._flat.order_of[around])
+                    found.setdefault(self._flat.region_number[around], set()).add(self._order[around])
         return found
+
+    @cached_property
+    def _order(self) -> dict[str, int]:
+        """The place of each leaf among the leaves of its region."""
+        regions = (self._flat.leaves(region.number) for region in self._flat.regions)
+        return {leaf.label: place for leaves in regions for place, leaf in enumerate(leaves)}
 
     def rests_in(self, target: str) -> Iterator[str]:
         """The leaves at which regions rest when `target` has been entered."""
@@ -112,7 +118,7 @@ class Events:
             if source is leaf:
                 complete = leaf.type is not StateType.BASIC or not (mode and self.is_left(leaf))
             else:
-                complete = self._flat.completes(leaf, source)
+                complete = completes(leaf, source)
             for way in (*self._flat.first_ways(source.label), *self._flat.ways(source.label)):
                 if complete or self._flat.waits_for_event(way):
                     yield way

@@ -38,7 +38,10 @@ class FlatRegion:
 
 
 class FlatChart:
-    """A statechart with its regions, its leaves, and the ways that lead out of its states."""
+    """A statechart with its regions, their leaves, and the outgoing transitions of its states.
+
+    The generators ask it many small questions; the answers are methods here, so that each is computed once.
+    """
 
     def __init__(self, chart: Statechart, width: Callable[[State], int] | None = None) -> None:
         """`width` says how many numbers a leaf needs, none if it is never active between two rounds."""
@@ -170,52 +173,9 @@ class FlatChart:
         """The states that are the branch of a participant."""
         return tuple(node for node in self.chart.states if self.chart.is_branch(node))
 
-    @cached_property
-    def leaving(self) -> tuple[State, ...]:
-        """The composites with something to do when they are left: branches, and what has an `exit`."""
-        return tuple(
-            node
-            for node in self.chart.states
-            if node.type is StateType.OR and (self.chart.is_branch(node) or self.chart.exits_of(node.label))
-        )
-
-    @cached_property
-    def resumed(self) -> tuple[State, ...]:
-        """The composites that some transition resumes."""
-        labels = {transition.target for transition in self.chart.transitions if transition.resume}
-        return tuple(node for node in self.chart.states if node.label in labels and node.type is StateType.OR)
-
-    @cached_property
-    def suspended(self) -> tuple[State, ...]:
-        """The branches that a composite which is resumed is or has inside."""
-        return tuple(
-            branch
-            for branch in self.branches
-            if any(f"{branch.label}.".startswith(f"{node.label}.") for node in self.resumed)
-        )
-
-    def suspends(self, node: State) -> bool:
-        """Whether a composite is resumed, and is or has inside a branch that is suspended."""
-        return node in self.resumed and any(
-            f"{branch.label}.".startswith(f"{node.label}.") for branch in self.suspended
-        )
-
     def regions_inside(self, label: str) -> list[FlatRegion]:
         """The regions inside a state, at any depth."""
         return [region for region in self.regions if region.label.startswith(f"{label}.")]
-
-    @cached_property
-    def entered_again(self) -> tuple[FlatRegion, ...]:
-        """The regions that a composite which is resumed may have inside, but for those in branches."""
-        return tuple(
-            region
-            for region in self.regions
-            if any(
-                region.label.startswith(f"{node.label}.")
-                and self.chart.branch_of(region.label) == self.chart.branch_of(node.label)
-                for node in self.resumed
-            )
-        )
 
     @cached_property
     def staying(self) -> Mapping[str, tuple[int, ...]]:
@@ -277,41 +237,6 @@ class FlatChart:
             if node.type is not StateType.CONDITION and self.chart.outgoing(node.label)
         )
 
-    @cached_property
-    def circling(self) -> tuple[int, ...]:
-        """The numbers of the transitions that may be taken again and again within one step."""
-        basic = {node.label for node in self.chart.states if node.type is StateType.BASIC}
-        ways: dict[str, dict[str, None]] = {}
-        for node in self.chart.states:  # enter at START, exit at END; ignore the states between
-            if node.parent is None:
-                continue
-            is_region = self.chart.node(node.parent).type is StateType.AND
-            if is_region or node.type is StateType.START:
-                ways.setdefault(node.parent, {})[node.label] = None
-            cut = any(way.expression.when for way in self.chart.outgoing_edges(node.parent))
-            if is_region or cut or node.type is StateType.END:
-                ways.setdefault(node.label, {})[node.parent] = None
-        quick: list[int] = []
-        for number, transition in enumerate(self.chart.transitions):
-            said = transition.expression
-            waits = said.events or said is NEVER or said.every or transition.reactive
-            if transition.changes_state and not waits and (said.when or transition.source not in basic):
-                quick.append(number)
-                ways.setdefault(transition.source, {})[transition.target] = None
-
-        def leads(source: str, target: str) -> bool:
-            seen, waiting = {source}, [source]
-            while waiting and target not in seen:
-                new = ways.get(waiting.pop(), {}).keys() - seen
-                seen |= new
-                waiting += new
-            return target in seen
-
-        ends = [(self.chart.transitions[n].target, self.chart.transitions[n].source) for n in quick]
-        return tuple(
-            number for number, (target, source) in zip(quick, ends, strict=True) if leads(target, source)
-        )
-
     def regions_around(self, region: int) -> Iterator[int]:
         """The regions around a region, innermost first."""
         around = self.enclosing(region)
@@ -324,14 +249,10 @@ class FlatChart:
         yield region
         yield from self.regions_around(region)
 
-    @cached_property
-    def order_of(self) -> Mapping[str, int]:
-        """Where a leaf stands among those of its region."""
-        return {leaf.label: order for leaves in self._leaves for order, leaf in enumerate(leaves)}
 
-    def completes(self, leaf: State, source: State) -> bool:
-        """Whether a state is complete because this leaf in it is active: its END is."""
-        return leaf.type is StateType.END and leaf.parent == source.label
+def completes(leaf: State, source: State) -> bool:
+    """Whether a state is complete because this leaf in it is active: its END is."""
+    return leaf.type is StateType.END and leaf.parent == source.label
 
 
 def _width(leaf: State) -> int:
@@ -347,4 +268,4 @@ def paths(way: Way) -> Iterator[tuple[int, ...]]:
             yield (way.number, *path)
 
 
-__all__ = ["FlatChart", "FlatRegion", "Way", "paths"]
+__all__ = ["FlatChart", "FlatRegion", "Way", "completes", "paths"]

@@ -12,7 +12,7 @@ from functools import cached_property
 from aseme_dsl.amola.expression import NEVER, After, Failed, Raised
 from aseme_dsl.amola.statechart import State, StateType, TransitionKind
 from aseme_dsl.codegen.program.events import OTHER, STEP, Events
-from aseme_dsl.codegen.program.flat import FlatChart, Way
+from aseme_dsl.codegen.program.flat import FlatChart, Way, completes
 from aseme_dsl.codegen.program.moves import move_of
 from aseme_dsl.codegen.program.resting import Resting
 
@@ -76,7 +76,7 @@ class Following:
         if self._rests.asked:
             return True
         for source in (leaf, *self._flat.around(leaf.label)):
-            done = source is leaf or (self._flat.completes(leaf, source))
+            done = source is leaf or completes(leaf, source)
             for way in (*self._flat.first_ways(source.label), *self._flat.ways(source.label)):
                 if self._is_open(mode, way, done, spent=spent, entered=False):
                     return True
@@ -114,7 +114,7 @@ class Following:
             complete = all(self._chart.node(rest).type is StateType.END for rest in rests)
         for source in (leaf, *self._flat.around(label)):
             is_new = source.label != scope and source.label.startswith(f"{scope}.")
-            ended = self._flat.completes(leaf, source)
+            ended = completes(leaf, source)
             done = complete if source is leaf else ended
             for way in (*self._flat.first_ways(source.label), *self._flat.ways(source.label)):
                 if self._is_open(mode, way, done, spent=spent, entered=is_new):
@@ -170,7 +170,7 @@ class Following:
         `complete`: it may be complete. What is left as soon as it is complete does not rest.
         """
         for source in (leaf, *self._flat.around(leaf.label)):
-            ended = complete if source is leaf else self._flat.completes(leaf, source)
+            ended = complete if source is leaf else completes(leaf, source)
             rests = ended and not self._events.is_left(source)
             for way in (*self._flat.first_ways(source.label), *self._flat.ways(source.label)):
                 waits = self._flat.waits_for_event(way)

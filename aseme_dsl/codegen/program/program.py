@@ -10,6 +10,7 @@ from aseme_dsl.codegen.program.copies import copies_of
 from aseme_dsl.codegen.program.events import Events
 from aseme_dsl.codegen.program.flat import FlatChart
 from aseme_dsl.codegen.program.following import Following
+from aseme_dsl.codegen.program.history import History
 from aseme_dsl.codegen.program.registers import Registers
 from aseme_dsl.codegen.program.resting import Resting, resting
 from aseme_dsl.codegen.program.uses import Uses
@@ -24,6 +25,7 @@ class Program:
     flat: FlatChart
     uses: Uses
     registers: Registers
+    history: History
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +44,7 @@ class EventProgram(Program):
 def lowered(system: System, chart: Statechart) -> Program:
     """A statechart as an agent runs it: it may rest in every leaf."""
     flat = FlatChart(chart)
-    return Program(system, chart, flat, Uses(flat), Registers(flat, system.activities))
+    return Program(system, chart, flat, Uses(flat), Registers(flat, system.activities), History(flat))
 
 
 def lowered_for_events(system: System, chart: Statechart, *, watched: bool) -> EventProgram:
@@ -57,7 +59,8 @@ def lowered_for_events(system: System, chart: Statechart, *, watched: bool) -> E
     following = Following(flat, rests, events)
     copied = copies_of(flat, uses, events, following, watched=watched)
     registers = Registers(flat, system.activities)
-    return EventProgram(system, chart, flat, uses, registers, rests, events, following, copied)
+    history = History(flat)
+    return EventProgram(system, chart, flat, uses, registers, history, rests, events, following, copied)
 
 
 __all__ = ["EventProgram", "Program", "lowered", "lowered_for_events"]

@@ -46,7 +46,7 @@ class Entering(Part):
                 self._enter_one(method, depth, region, label, target, resume)
                 return
             entered = self.chart.node(label)
-            if not again and self.flat.suspends(entered) and not (label == target and resume):
+            if not again and self.history.suspends(entered) and not (label == target and resume):
                 but = f", {target!r}" if resume else ""
                 method.add(depth, f"self.discard({label!r}{but})")
             if label != target or not (resume and self.chart.is_branch(entered)):
@@ -91,7 +91,7 @@ class Entering(Part):
         method.add(depth, f"self.r{region} = {self.flat.leaf[around]}")
         for inner in self.flat.regions_of(around):
             if inner.label == entered:
-                if self.flat.suspends(self.chart.node(entered)):
+                if self.history.suspends(self.chart.node(entered)):
                     method.add(depth, f"self.discard({entered!r})")
                 begin = self.names.writing(inner.number)
                 self.begin_region(begin, inner.number)
@@ -158,7 +158,7 @@ class Entering(Part):
         if node.label in self.registers.counted:
             method.add(depth, f"self.{self.names.count_name(node.label)} += 1")
         if self.chart.is_branch(node):
-            for inner in self.flat.resumed:
+            for inner in self.history.resumed:
                 if inner.label.startswith(f"{node.label}."):
                     method.add(depth, f"self.{self.names.kept(inner)} = None")
 
@@ -172,7 +172,7 @@ class Entering(Part):
     def enter_region(self, region: int) -> None:
         label = self.flat.regions[region].label
         method = self.names.writing(region)
-        if self.flat.suspends(self.chart.node(label)):
+        if self.history.suspends(self.chart.node(label)):
             method.add(2, f"self.discard({label!r})")
         self.begin_region(method, region)
         self.activate_start(method, 2, region, label)

@@ -76,12 +76,12 @@ def generate_step(system: System, chart: Statechart, class_name: str) -> StepCod
         for number in numbers:
             if names.has_mark(number):
                 actions.seen(number)
-    for node in flat.resumed:
+    for node in names.history.resumed:
         resuming.keep(node)
         resuming.resume(node)
-    for branch in flat.suspended:
+    for branch in names.history.suspended:
         resuming.proceed(branch)
-    for inner in flat.entered_again:
+    for inner in names.history.entered_again:
         resuming.again(inner.number)
     entering.enter_root()
     Frame(names).write()

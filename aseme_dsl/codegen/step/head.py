@@ -40,7 +40,9 @@ class Head(Part):
                 attributes.append((self.names.mark(number), "Seen | None", "None"))
             if self.names.has_time(number):
                 attributes.append((self.names.past(number), "int", "-1"))
-        attributes += [(self.names.kept(node), "dict[int, int] | None", "None") for node in self.flat.resumed]
+        attributes += [
+            (self.names.kept(node), "dict[int, int] | None", "None") for node in self.history.resumed
+        ]
         attributes += [(self.names.count_name(label), "int", "0") for label in self.registers.counted]
         for variable in self.chart.variables:
             attributes += [
@@ -144,7 +146,7 @@ class Head(Part):
         return [f"    MARKS: ClassVar[Mapping[int, tuple[str, str]]] = {marks!r}"] if marks else []
 
     def _memories(self) -> list[str]:
-        kept = {node.label: self.names.kept(node) for node in self.flat.resumed}
+        kept = {node.label: self.names.kept(node) for node in self.history.resumed}
         return [f"    KEPT: ClassVar[Mapping[str, str]] = {kept!r}"] if kept else []
 
     def _part_timers(self) -> list[str]:

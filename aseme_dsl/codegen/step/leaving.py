@@ -61,14 +61,14 @@ class Leaving(Part):
     def _kept(self, node: State) -> list[str]:
         """What remembers where a composite is left, while the region around it stays active."""
         lines = [f"self._keep_{key_of(node.label)}()"]
-        if self.flat.suspends(node):
+        if self.history.suspends(node):
             lines += [f"if self.{self.names.kept(node)} is not None:", f"    self.hold({node.label!r})"]
         return lines
 
     def leave_leaf(
         self, method: Method, depth: int, region: int, scope: str, leaf: State | None, complete: bool
     ) -> None:
-        for node in self.flat.resumed:
+        for node in self.history.resumed:
             if self.flat.region_number[node.label] != region or not node.label.startswith(scope + "."):
                 continue
             first, last = self.flat.range[node.label]
@@ -79,7 +79,7 @@ class Leaving(Part):
                 method.add(depth, *self._kept(node))
         if leaf is None:
             method.add(depth, f"self._leave_leaf_{region}()")
-            for node in reversed(self.flat.leaving):
+            for node in reversed(self.history.leaving):
                 if self.flat.region_number[node.label] == region and node.label.startswith(scope + "."):
                     first, last = self.flat.range[node.label]
                     method.add(depth, f"if {first} <= self.r{region} <= {last}:")
@@ -124,19 +124,19 @@ class Leaving(Part):
             f"_leave_leaf_{region}(self) -> None", f"Leave the active leaf of region {label}.", method
         )
         whole = self.names.writing(region)
-        for node in self.flat.resumed:
+        for node in self.history.resumed:
             if self.flat.region_number[node.label] == region:
                 first, last = self.flat.range[node.label]
                 whole.add(2, f"if {first} <= self.r{region} <= {last}:")
                 whole.add(3, f"self._keep_{key_of(node.label)}()")
         whole.add(2, f"self._leave_leaf_{region}()")
-        for node in reversed(self.flat.leaving):
+        for node in reversed(self.history.leaving):
             if self.flat.region_number[node.label] == region:
                 first, last = self.flat.range[node.label]
                 whole.add(2, f"if {first} <= self.r{region} <= {last}:")
                 whole.add(3, *self._left(node))
-        for node in self.flat.resumed:
-            if self.flat.region_number[node.label] == region and self.flat.suspends(node):
+        for node in self.history.resumed:
+            if self.flat.region_number[node.label] == region and self.history.suspends(node):
                 whole.add(2, f"self.discard({node.label!r})")
         whole.add(2, f"self.r{region} = INACTIVE")
         self.names.method(f"_leave_{region}(self) -> None", f"Leave region {label}.", whole)

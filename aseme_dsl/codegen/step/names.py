@@ -62,6 +62,7 @@ class StepNames(Face):
     def __init__(self, program: Program, class_name: str) -> None:
         super().__init__(program, (class_name,))
         self.class_name = class_name
+        self.history = program.history
         self.published: set[str] = set()
         self.methods: list[list[str]] = []
         self.tables: list[str] = []
@@ -156,6 +157,7 @@ class Part:
     def __init__(self, names: StepNames) -> None:
         self.names = names
         self.flat = names.flat
+        self.history = names.history
         self.chart = names.chart
         self.uses = names.uses
         self.registers = names.registers

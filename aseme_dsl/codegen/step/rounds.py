@@ -16,7 +16,7 @@ from aseme_dsl.codegen.code.tree import (
     Expr,
 )
 from aseme_dsl.codegen.program import sizes
-from aseme_dsl.codegen.program.flat import Way
+from aseme_dsl.codegen.program.flat import Way, completes
 from aseme_dsl.codegen.program.uses import signals
 from aseme_dsl.codegen.step.actions import Actions
 from aseme_dsl.codegen.step.events import Events
@@ -122,7 +122,7 @@ class Rounds(Part):
         if self._ways(method, depth, region, leaf.label, leaf, complete):
             return
         for around in self.flat.sources_around(leaf.label):
-            if self.flat.completes(leaf, around):
+            if completes(leaf, around):
                 if self._ways(method, depth, region, around.label, leaf, TRUE):
                     return
             elif any(self.flat.waits_for_event(way) for way in self.flat.ways(around.label)):

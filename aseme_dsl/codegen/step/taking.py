@@ -63,7 +63,7 @@ class Taking(Part):
             )
             self.leaving.leave_leaf(method, depth, place, scope, around, False)
             method.add(depth, f"self.out = {place}")
-        if self.flat.suspended:
+        if self.history.suspended:
             method.add(depth, "self.held.clear()")
         looked_at = self.actions.actions(method, depth, region, source, taken, place)
         self.entering.enter(method, depth, place, scope, move.target, resume=move.resume)

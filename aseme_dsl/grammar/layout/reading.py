@@ -5,12 +5,12 @@ All tokens come from the leaves of the tree, in their order; none can get lost b
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from aseme_dsl.grammar.formulas.filling import apart
-from aseme_dsl.grammar.layout.pieces import GLUED, ORDER, Block, Gap, Piece, Row
+from aseme_dsl.grammar.layout.gaps import Gaps
+from aseme_dsl.grammar.layout.pieces import GLUED, Block, Gap, Piece, Row
 from aseme_dsl.grammar.layout.rules import (
     DROPPED,
     EXPRESSIONS,
@@ -39,10 +39,11 @@ def read_blocks(source: Source, tree: ParseNode, comments: Sequence[Comment]) ->
 
 
 class _Reader:
+    """Collects the pieces of a file while it walks over the parse tree; `gaps` has the comments."""
+
     def __init__(self, source: Source, comments: Sequence[Comment]) -> None:
         self.text = source.text
-        self.comments = comments
-        self.comment_starts = [comment.span.start for comment in comments]
+        self.gaps = Gaps(source.text, comments)
         self.end = 0  # of the last token
         self.trailing: list[str] = []  # where comments go that end its line
         self.row = Row("")
@@ -73,7 +74,7 @@ class _Reader:
         if start is not None:
             self.finish(start)
             found.entries.append(start)
-        gap = self.gap(len(self.text))
+        gap = self.gaps.between(self.end, len(self.text))
         first = not found.entries
         own = gap.own
         if first or gap.newline:
@@ -135,7 +136,7 @@ class _Reader:
     def opening(self, node: ParseNode, found: Block) -> None:
         self.column = 1
         self.piece(node[0].value, 0)
-        following = self.next_gap()
+        following = self.gaps.after(self.end)
         found.one_line = not following.newline
         self.trailing = found.after_open
 
@@ -148,7 +149,7 @@ class _Reader:
         found.one_line = found.one_line and not self.broken
 
     def closing(self, brace: Token, found: Block) -> None:
-        gap = self.gap(brace.start)
+        gap = self.gaps.between(self.end, brace.start)
         self.end = brace.end
         if gap.newline:
             self.end_line(gap)
@@ -169,7 +170,7 @@ class _Reader:
         row: Row | None = None
         inline = 0  # braces that stay in their row
         for index, word in enumerate(words):
-            gap = self.next_gap(word.start)
+            gap = self.gaps.between(self.end, word.start)
             begins = row is None or (gap.newline and not inline)
             if begins and word != "}":
                 if row is not None:
@@ -330,8 +331,8 @@ class _Reader:
         begin = end = text.start
         written = ""
         for part in text.split():
-            start = self._find(part, end)
-            if bisect_left(self.comment_starts, end) != bisect_left(self.comment_starts, start):
+            start = self.gaps.find(part, end)
+            if self.gaps.has_comment(end, start):
                 self.add(token(self.text[begin:end], begin), replace(made, text=written))
                 made = replace(made, blanks=0, level=GLUED)
                 begin, written = start, ""
@@ -339,17 +340,8 @@ class _Reader:
             end = start + len(part)
         self.add(token(self.text[begin:end], begin), replace(made, text=written))
 
-    def _find(self, part: str, start: int) -> int:
-        """Where a part of a token stands, comments skipped."""
-        while True:
-            found = self.text.index(part, start)
-            index = bisect_left(self.comment_starts, found + 1) - 1
-            if index < 0 or self.comments[index].span.end <= found:
-                return found
-            start = self.comments[index].span.end
-
     def add(self, text: Token, piece: Piece) -> None:
-        gap = self.gap(text.start)
+        gap = self.gaps.between(self.end, text.start)
         row = self.row
         piece.starts_line = gap.newline
         if not row.pieces:
@@ -389,63 +381,6 @@ class _Reader:
         tight = text in _TIGHT_BEFORE or self.last in _TIGHT_AFTER or text in self.shape.tight.split()
         return 0 if tight else 1
 
-    # ---- gaps ----------------------------------------------------------------------------------
-
-    def gap(self, start: int) -> Gap:
-        """What stands between the last token and the one at `start`."""
-        first = bisect_left(self.comment_starts, self.end)
-        last = bisect_left(self.comment_starts, start)
-        if first == last:
-            newlines = self.text.count("\n", self.end, start)
-            return Gap(blank=newlines > 1, newline=newlines > 0)
-        lines: list[tuple[bool, int, list[str]]] = [(False, 0, [])]
-        at = self.end
-        for comment in self.comments[first:last]:
-            newlines = self.text.count("\n", at, comment.span.start)
-            column = comment.span.start - self.text.rfind("\n", 0, comment.span.start)
-            if newlines or not lines[-1][2]:
-                line = (newlines > 1, column, [_comment(comment.text)])
-                lines = [*lines, line] if newlines else [line]
-            else:
-                lines[-1][2].append(_comment(comment.text))
-            at = comment.span.end
-        newlines = self.text.count("\n", at, start)
-        if newlines:
-            lines.append((newlines > 1, 0, []))
-        (_, column, trailing), *own = lines
-        if not own:
-            return Gap(leading=tuple(trailing))
-        blank, _, leading = own.pop()
-        hanging: list[str] = []
-        while own and trailing and self.end and own[0][0] is False and own[0][1] == column:
-            if ORDER.search(own[0][2][0]):
-                break
-            hanging.append(" ".join(own.pop(0)[2]))
-        return Gap(
-            tuple(trailing),
-            tuple(hanging),
-            tuple((above, " ".join(texts)) for above, _, texts in own),
-            tuple(leading),
-            blank,
-            newline=True,
-        )
-
-    def next_gap(self, start: int | None = None) -> Gap:
-        """The gap before the next token: all blanks and comments up to it."""
-        if start is not None:
-            return self.gap(start)
-        at = self.end
-        index = bisect_left(self.comment_starts, at)
-        while at < len(self.text):
-            if index < len(self.comments) and self.comment_starts[index] == at:
-                at = self.comments[index].span.end
-                index += 1
-            elif self.text[at].isspace():
-                at += 1
-            else:
-                break
-        return self.gap(at)
-
 
 def _is_terminal(node: ParseNode) -> bool:
     return not isinstance(node, list)
@@ -474,9 +409,3 @@ def _closing(words: Sequence[str]) -> dict[int, int]:
         elif word == "}":
             pairs[open_.pop()] = index
     return pairs
-
-
-def _comment(text: str) -> str:
-    if text.startswith("//"):
-        return text.rstrip()
-    return text.replace("\r\n", "\n")
