@@ -75,6 +75,11 @@ class Piece:
         """Whether it is always a word of the language, independent of the following token."""
         return all(kind in KEYWORDS for _, kind in self.options)
 
+    @property
+    def is_sign(self) -> bool:
+        """Whether it is an operator or a punctuation mark."""
+        return all(kind in (Kind.OPERATOR, Kind.PUNCTUATION) for _, kind in self.options)
+
 
 @dataclass(frozen=True, slots=True)
 class Phrase:
@@ -351,6 +356,7 @@ class _Outline:
                     enters = terminal.rule
                     self.contexts[enters] = _list(enters, terminal)
                 phrases += _sure(pieces, enters)
+                phrases += _ends(pieces, enters)
         return phrases, tokens
 
 
@@ -360,6 +366,12 @@ def _sure(pieces: tuple[Piece, ...], enters: str = "") -> list[Phrase]:
     if pieces[0].optional and len(pieces) > 1:
         found += _sure(pieces[1:], enters)
     return found
+
+
+def _ends(pieces: tuple[Piece, ...], enters: str) -> list[Phrase]:
+    """What a line may have of a phrase that is broken: its ends that do not begin with a name."""
+    ends = (pieces[count:] for count in range(1, len(pieces)))
+    return [end for rest in ends if rest[0].is_sign or rest[0].is_word for end in _sure(rest, enters)]
 
 
 def _unsure(phrase: Phrase) -> int:

@@ -111,6 +111,10 @@ def _parts(phrase: Phrase, begins: bool) -> Iterator[Rule]:
     if not others:
         return
     pattern, kinds = _piece_groups(head.options)
+    if head.is_sign and not phrase.enters and not head.optional:
+        text, all_kinds = _nested(phrase.pieces)
+        yield Rule(rf"(?:{text})(?=\s*(?:$|//|/\*))", tuple(all_kinds))
+        return
     if not head.is_word:
         if begins and phrase.following:
             yield Rule(pattern + r"(?=\s*$)", tuple(kinds), phrase.enters)

@@ -51,19 +51,8 @@ def kinds(text: str, found: list[tuple[int, int, int, str]]) -> list[str]:
 
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.name)
 def test_the_scopes_are_those_of_the_lexer(path: Path) -> None:
-    """TextMate looks at one line at a time: a sign where a phrase is broken may have no scope."""
     text = path.read_text("utf-8")
-    lines = text.split("\n")
-    found = differences(text, kinds(text, tokens_of_programs()[path]))
-    assert [item for item in found if "without a scope" not in item or not is_broken(lines, item)] == []
-
-
-def is_broken(lines: list[str], difference: str) -> bool:
-    """Whether a binding or a function goes on from this line, or on it."""
-    number = int(difference.partition(":")[0]) - 1
-    before, after = lines[number - 1 : number], lines[number + 1 : number + 2]
-    goes_on = [line.lstrip().startswith("= ") for line in (lines[number], *after)]
-    return any(goes_on) or any(line.endswith(",") for line in before)
+    assert differences(text, kinds(text, tokens_of_programs()[path])) == []
 
 
 def test_a_word_that_is_a_name_here_has_no_scope_of_a_keyword() -> None:
