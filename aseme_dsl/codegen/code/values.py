@@ -355,8 +355,12 @@ def _conditional(value: Conditional, names: Names, known: Known) -> Piece:
     is_sure = not test.needs and not any(may_fail(part) for part in walk(value.condition))
     if is_sure and not yes.needs and not no.needs:
         return Piece(Group(Choice(test.code, *map(Group, codes))), known=known)
-    chosen = Group(Choice(Group(Bind(local, test.code)), *(Group(all_of(part.needs)) for part in (yes, no))))
-    return Piece(Group(Choice(local, *map(Group, codes))), (*test.needs, chosen), test.known)
+    # One expression gives the value, or None: so a type checker sees that what each one needs is there.
+    found = [
+        Group(Choice(all_of(part.needs), Group(code), NONE)) if part.needs else Group(code)
+        for part, code in ((yes, codes[0]), (no, codes[1]))
+    ]
+    return Piece(local, (*test.needs, _there(local, Choice(test.code, *found))), test.known)
 
 
 def _pair(left: Value, right: Value, names: Names, known: Known) -> tuple[Piece, Piece]:

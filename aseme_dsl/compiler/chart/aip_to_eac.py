@@ -8,42 +8,26 @@ from dataclasses import dataclass, replace
 from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.chart.chart import Part, Protocol, RelativeLine, World, chart_of
-from aseme_dsl.compiler.chart.playing import (
-    emptiness,
-    not_used,
-    other_parameters,
-    played_in,
-    read_plays,
-    unfit_formulas,
-    unused_plays,
-    with_inside,
-)
+from aseme_dsl.compiler.chart.playing import Woven, not_used, read_plays, unused_plays, weave, with_inside
 from aseme_dsl.compiler.control.choices import check_formulas, undecided_formulas, unsettled
 from aseme_dsl.compiler.control.control import (
     LabelledLine,
     Lines,
     check_labels,
     including_labels,
-    read_lines,
 )
-from aseme_dsl.compiler.control.stopping import stops_of
 from aseme_dsl.compiler.formula import formulas as formula_tables
 from aseme_dsl.compiler.formula.formula_to_statechart import (
-    FRAME,
-    Branch,
     expand_protocol,
-    too_large,
 )
-from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.read.blocks import participants_of
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.missing import Missing
-from aseme_dsl.compiler.types.given import give
 from aseme_dsl.compiler.types.scopes import TypedParticipant
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.diagnostics.problems.absences import NoFormulaOfProtocol
 from aseme_dsl.diagnostics.problems.control import ControlOfProtocol
-from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, ParticipantWithoutProcess
+from aseme_dsl.diagnostics.problems.formulas import ParticipantWithoutProcess
 from aseme_dsl.diagnostics.problems.missing import ProtocolEmpty
 from aseme_dsl.diagnostics.problems.names import FormulaAmbiguous
 from aseme_dsl.grammar.text import tree
@@ -54,14 +38,12 @@ PROCESS = "process"
 
 @dataclass(frozen=True, slots=True)
 class _Reading:
-    """A participant on the way: its formulas with their control blocks and lines."""
+    """A participant on the way: its formulas with their control blocks and lines, and what it plays."""
 
     written: tree.Participant
-    formulas: Formulas
+    woven: Woven
     controls: Sequence[tuple[tree.Control, str]]
-    lines: Lines
     plays: tuple[Plays, ...]
-    played: Mapping[str, Branch]
     inside: Mapping[tuple[str, str], Part]
 
     @property
@@ -98,12 +80,14 @@ def read_protocol(
         readings.append(reading)
         if is_sound:
             lines = Lines(
-                reading.lines.by_way, reactive=reading.lines.reactive, abandon=reading.lines.abandon
+                reading.woven.lines.by_way,
+                reactive=reading.woven.lines.reactive,
+                abandon=reading.woven.lines.abandon,
             )
             parts[name] = Part(
                 written.name.text,
                 name,
-                reading.formulas,
+                reading.woven.formulas,
                 typed[name].variables,
                 lines,
                 (),
@@ -112,7 +96,7 @@ def read_protocol(
                 typed[name].inputs,
                 typed[name].results,
                 reading.plays,
-                reading.played,
+                reading.woven.branches,
                 reading.inside,
             )
     outline = None
@@ -126,7 +110,7 @@ def read_protocol(
                 labels.setdefault(branch.participant, label)
         for reading in readings:
             label = labels[reading.name]
-            labelled[reading.name], problems = check_labels(outline, reading.lines.labelled, label)
+            labelled[reading.name], problems = check_labels(outline, reading.woven.lines.labelled, label)
             found += problems
             relative = _relative(labelled[reading.name], label)
             parts[reading.name] = replace(parts[reading.name], labelled=relative)
@@ -134,20 +118,20 @@ def read_protocol(
     if not participants and not is_damaged(written.span):
         missing.append(_no_participants(written))
     for reading in readings:
-        lines = reading.lines
+        lines = reading.woven.lines
         if outline is not None:
             lines = including_labels(lines, outline, labelled[reading.name])
         unsure = {formula for control, formula in reading.controls if is_damaged(control.span)}
         if is_damaged(reading.written.span):
-            unsure |= set(reading.formulas.named)
-        names = {name: reading.name if name == PROCESS else name for name in reading.formulas.named}
-        found += check_formulas(reading.formulas, names, lines, frozenset(unsure))
-        wrong = frozenset(unsure | unsettled(reading.formulas, found))
-        missing += undecided_formulas(reading.formulas, names, lines, written.span, wrong)
+            unsure |= set(reading.woven.formulas.named)
+        names = {name: reading.name if name == PROCESS else name for name in reading.woven.formulas.named}
+        found += check_formulas(reading.woven.formulas, names, lines, frozenset(unsure))
+        wrong = frozenset(unsure | unsettled(reading.woven.formulas, found))
+        missing += undecided_formulas(reading.woven.formulas, names, lines, written.span, wrong)
         if not is_damaged(reading.written.span):
             owner = f"{written.name}.{reading.name}"
-            for item in unused_plays(reading.formulas, reading.plays):
-                missing.append(not_used(owner, reading.formulas, item, reading.written.span))
+            for item in unused_plays(reading.woven.formulas, reading.plays):
+                missing.append(not_used(owner, reading.woven.formulas, item, reading.written.span))
     return Protocol(written, parts, outline, tuple(missing)), tuple(found)
 
 
@@ -171,31 +155,19 @@ def _participant(
         if not damaged:
             found.append(_no_process(written, participant))
         return None, False, tuple(found)
-    parts = with_inside(parts)
-    playing = played_in(formulas, plays, parts)
-    branches = playing.branches
-    formulas, problems = give(playing.formulas, typed.scope, playing.named)
-    found += problems
-    found += other_parameters(participant, plays, formulas, typed.scope.symbols)
-    is_empty, empty_bound = emptiness(branches, parts)
-    inside = {owner: part.formulas for owner, part in parts.items()}
-    lines, problems = read_lines(formulas, controls, typed.scope, inside, playing.named, of_participant=True)
-    found += problems
-    is_sound, problems = formula_tables.check(
-        formulas, is_empty, frozenset(playing.named), stops_of(lines.by_way)
+    woven, problems = weave(
+        participant,
+        formulas,
+        plays,
+        parts,
+        controls,
+        typed.scope,
+        largest,
+        damaged,
+        _regions(participant),
     )
-    # A formula that could not be read may be the one that uses another.
-    found += [item for item in problems if not (damaged and isinstance(item.problem, FormulaNotUsed))]
-    # What is played and could not be read would stand as an activity.
-    is_sound = is_sound and len(plays) == len(participant.plays) and len(branches) == len(playing.named)
-    too_many = None
-    if is_sound:
-        found += unfit_formulas(participant, plays, branches, parts, empty_bound)
-        too_many = too_large(formulas, branches, largest, participant.name.span, _regions(participant), FRAME)
-    if too_many is not None:
-        found.append(too_many)
-    reading = _Reading(participant, formulas, controls, lines, plays, branches, parts)
-    return reading, is_sound and too_many is None, tuple(found)
+    reading = _Reading(participant, woven, controls, plays, parts)
+    return reading, woven.expandable, (*found, *problems)
 
 
 def _regions(participant: tree.Participant) -> int:

@@ -10,20 +10,21 @@ from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.expression import Outcome, values_of
 from aseme_dsl.amola.liveness import called, names
 from aseme_dsl.compiler.chart.chart import Part, Protocol
+from aseme_dsl.compiler.control.control import Lines, read_lines
 from aseme_dsl.compiler.control.stopping import stops_of
 from aseme_dsl.compiler.formula import formulas as formula_tables
-from aseme_dsl.compiler.formula.formula_to_statechart import Branch
+from aseme_dsl.compiler.formula.formula_to_statechart import FRAME, Branch, too_large
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.missing import Missing
 from aseme_dsl.compiler.read.names import unknown
-from aseme_dsl.compiler.types.given import Supplied, supplied_names, supply
+from aseme_dsl.compiler.types.given import Supplied, give, supplied_names, supply
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.absences import NoActivityToBind, NoParticipant, NoProtocol
 from aseme_dsl.diagnostics.problems.activities import BoundToOtherParameters
-from aseme_dsl.diagnostics.problems.formulas import ProcessRestated
+from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, ProcessRestated
 from aseme_dsl.diagnostics.problems.missing import ParticipantNotUsed
 from aseme_dsl.diagnostics.problems.names import (
     BoundToExpression,
@@ -43,21 +44,67 @@ Player = tree.Srm | tree.Participant
 
 
 @dataclass(frozen=True, slots=True)
-class Played:
-    """What is played, by all the names that the player's formulas may use for it, with its processes.
+class Woven:
+    """The formulas of a player with their control, and what they may use of what is played.
 
-    `formulas` are the player's, which know what stands in the participants that they name.
+    `named` has it by all the names that the formulas may use for it, `branches` its processes, as far as they
+    could be read. `expandable` says whether all of it can become states.
     """
 
     formulas: Formulas
     named: Mapping[str, Plays]
     branches: Mapping[str, Branch]
+    lines: Lines
+    expandable: bool
 
 
-def played_in(formulas: Formulas, plays: Sequence[Plays], parts: Mapping[tuple[str, str], Part]) -> Played:
-    """What the formulas may use of what is played; `parts` are the sound ones among its processes."""
+def weave(
+    player: Player,
+    formulas: Formulas,
+    plays: Sequence[Plays],
+    parts: Mapping[tuple[str, str], Part],
+    controls: Iterable[tuple[tree.Control, str]],
+    scope: Scope,
+    largest: int,
+    damaged: bool,
+    regions: int = 1,
+) -> tuple[Woven, tuple[Diagnostic, ...]]:
+    """What a player says of itself, and all that is wrong with it.
+
+    `parts` are the sound ones among the processes that it plays, `controls` its control blocks, each with the
+    formula that it is about. `regions` is how often the whole stands in the chart.
+    """
+    of_participant = isinstance(player, tree.Participant)
+    formulas, named, branches = _played_in(formulas, plays, parts)
+    found: list[Diagnostic] = []
+    formulas, problems = give(formulas, scope, named)
+    found += problems
+    found += _other_parameters(player, plays, formulas, scope.symbols)
+    is_empty, empty_bound = _emptiness(branches, parts)
+    inside = {owner: part.formulas for owner, part in parts.items()}
+    lines, problems = read_lines(formulas, controls, scope, inside, named, of_participant=of_participant)
+    found += problems
+    expandable, problems = formula_tables.check(formulas, is_empty, frozenset(named), stops_of(lines.by_way))
+    # A formula that could not be read may be the one that uses another.
+    found += [item for item in problems if not (damaged and isinstance(item.problem, FormulaNotUsed))]
+    # What is played and could not be read would stand as an activity.
+    if expandable and len(plays) == len(player.plays) and len(branches) == len(named):
+        found += _unfit_formulas(player, plays, branches, parts, empty_bound)
+        frame = FRAME if of_participant else 0
+        problem = too_large(formulas, branches, largest, player.name.span, regions, frame)
+        found += [] if problem is None else [problem]
+        expandable = problem is None
+    else:
+        expandable = False
+    return Woven(formulas, named, branches, lines, expandable), tuple(found)
+
+
+def _played_in(
+    formulas: Formulas, plays: Sequence[Plays], parts: Mapping[tuple[str, str], Part]
+) -> tuple[Formulas, dict[str, Plays], dict[str, Branch]]:
+    """The formulas, which know what stands in the participants that they name; what is played, by all names."""
     own = {item.name: item for item in plays}
-    named = own | by_own_name(plays, own, formulas)
+    named = own | _by_own_name(plays, own, formulas)
     through = {
         name: tuple(other for _, other in item.bindings if other in formulas.named)
         for name, item in named.items()
@@ -67,7 +114,7 @@ def played_in(formulas: Formulas, plays: Sequence[Plays], parts: Mapping[tuple[s
         for name, item in named.items()
         if (item.protocol, item.participant) in parts
     }
-    return Played(replace(formulas, through=through), named, branches)
+    return replace(formulas, through=through), named, branches
 
 
 def in_order(
@@ -203,7 +250,7 @@ def read_plays(
         restated = formulas.named.get(name.text) if formulas is not None else None
         if restated is not None:
             found.append(_restated(restated, item, participants[item.participant.text]))
-    return tuple(plays.values()), parts, tuple(found)
+    return tuple(plays.values()), with_inside(parts), tuple(found)
 
 
 def _same_name(name: tree.Name, earlier: Plays) -> Diagnostic:
@@ -263,7 +310,7 @@ def _bindings(
     return bindings, tuple(found)
 
 
-def other_parameters(
+def _other_parameters(
     written: Player, plays: Iterable[Plays], formulas: Formulas, symbols: Symbols
 ) -> Iterable[Diagnostic]:
     """E525 for a binding to what is given something else than the protocol gives it."""
@@ -302,7 +349,7 @@ def _bound(written: Player, plays: Iterable[Plays]) -> Iterator[tuple[Plays, tre
                 yield item, binding, own
 
 
-def emptiness(
+def _emptiness(
     branches: Mapping[str, Branch], parts: Mapping[tuple[str, str], Part]
 ) -> tuple[formula_tables.IsEmpty, dict[tuple[str, str], tuple[Diagnostic, ...]]]:
     """Whether a participant may do nothing at all; and, filled meanwhile, loops over bound formulas that may.
@@ -326,7 +373,7 @@ def emptiness(
     return is_empty, loops
 
 
-def unfit_formulas(
+def _unfit_formulas(
     written: Player,
     plays: Iterable[Plays],
     branches: Mapping[str, Branch],
@@ -360,7 +407,7 @@ def _outcomes_asked(part: Part, activity: str, parts: Mapping[tuple[str, str], P
                 yield from _outcomes_asked(parts[branch.protocol, branch.participant], inner, parts)
 
 
-def by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: Formulas) -> dict[str, Plays]:
+def _by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: Formulas) -> dict[str, Plays]:
     """Participants that have another name in the role and may be called by their own as well."""
     found: dict[str, list[Plays]] = {}
     for item in plays:
@@ -372,7 +419,7 @@ def by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: F
 def unused_plays(formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Plays]:
     """What is played and no formula uses."""
     used = {node.name for item in formulas.named.values() for node in names(item.formula)}
-    named = by_own_name(plays, {item.name: item for item in plays}, formulas)
+    named = _by_own_name(plays, {item.name: item for item in plays}, formulas)
     used.update(item.name for name, item in named.items() if name in used)
     return (item for item in plays if item.name not in used and item.name not in formulas.named)
 
@@ -389,15 +436,11 @@ def _played_names(written: Player) -> dict[str, Span]:
 
 
 __all__ = [
-    "Played",
-    "by_own_name",
-    "emptiness",
+    "Woven",
     "in_order",
     "not_used",
-    "other_parameters",
-    "played_in",
     "read_plays",
-    "unfit_formulas",
     "unused_plays",
+    "weave",
     "with_inside",
 ]

@@ -8,32 +8,21 @@ from dataclasses import dataclass, replace
 from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.chart.chart import Part, Protocol, World, chart_of
-from aseme_dsl.compiler.chart.playing import (
-    emptiness,
-    not_used,
-    other_parameters,
-    played_in,
-    read_plays,
-    unfit_formulas,
-    unused_plays,
-    with_inside,
-)
+from aseme_dsl.compiler.chart.playing import not_used, read_plays, unused_plays, weave
 from aseme_dsl.compiler.control.choices import check_formulas, undecided_formulas, unsettled
-from aseme_dsl.compiler.control.control import LabelledLine, Lines, check_labels, including_labels, read_lines
-from aseme_dsl.compiler.control.stopping import stops_of
+from aseme_dsl.compiler.control.control import LabelledLine, Lines, check_labels, including_labels
 from aseme_dsl.compiler.formula import formulas as formula_tables
-from aseme_dsl.compiler.formula.formula_to_statechart import Outline, expand_role, too_large
+from aseme_dsl.compiler.formula.formula_to_statechart import Outline, expand_role
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.missing import Missing
-from aseme_dsl.compiler.types.given import give
 from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.diagnostics.problems.absences import (
     NoFormulaOfRole,
 )
 from aseme_dsl.diagnostics.problems.control import ControlOfProtocol
-from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, RoleWithoutFormula
+from aseme_dsl.diagnostics.problems.formulas import RoleWithoutFormula
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -78,42 +67,27 @@ def read_role(
         foreign = (item.name for item in formulas.named.values() if not _stands_in(item.span, written))
         formulas = replace(formulas, taken_over=frozenset(name.text for name in foreign))
     plays, parts, problems = read_plays(written, formulas, protocols, typed.scope, is_damaged)
-    parts = with_inside(parts)
     found += problems
     found += _foreign_controls(written, formulas, {item.name: item for item in plays}, protocols, damaged)
     if formulas is None:
         if not damaged:
             found.append(_no_formula(written))
         return Role(written, typed, None, plays, parts, Lines(), (), None, (), ()), tuple(found)
-    playing = played_in(formulas, plays, parts)
-    played, branches = playing.named, playing.branches
-    formulas, problems = give(playing.formulas, typed.scope, played)
-    found += problems
-    found += other_parameters(written, plays, formulas, typed.scope.symbols)
-    is_empty, empty_bound = emptiness(branches, parts)
     own = [
         (control, control.name.text) for control in written.controls if control.name.text in formulas.named
     ]
-    inside = {owner: part.formulas for owner, part in parts.items()}
-    lines, problems = read_lines(formulas, own, typed.scope, inside, played)
+    woven, problems = weave(written, formulas, plays, parts, own, typed.scope, largest, damaged)
     found += problems
-    expandable, problems = formula_tables.check(formulas, is_empty, frozenset(played), stops_of(lines.by_way))
-    found += [item for item in problems if not (damaged and isinstance(item.problem, FormulaNotUsed))]
+    formulas, lines = woven.formulas, woven.lines
     outline, labelled = None, tuple[LabelledLine, ...]()
-    # A played participant whose process could not be read would stand as an activity: no chart then.
-    if expandable and len(plays) == len(written.plays) and len(branches) == len(played):
-        found += unfit_formulas(written, plays, branches, parts, empty_bound)
-        problem = too_large(formulas, branches, largest, written.name.span)
-        if problem is not None:
-            found.append(problem)
-        else:
-            outline = expand_role(formulas, branches, written.name.span)
-            labelled, problems = check_labels(outline, lines.labelled)
-            found += problems
+    if woven.expandable:
+        outline = expand_role(formulas, woven.branches, written.name.span)
+        labelled, problems = check_labels(outline, lines.labelled)
+        found += problems
     unsure = frozenset(formulas.named if damaged else (f for c, f in own if is_damaged(c.span)))
     checked = including_labels(lines, outline, labelled) if outline is not None else lines
     found += check_formulas(formulas, {}, checked, unsure)
-    wrong = unsure.union(unsettled(formulas, found), played.keys() & formulas.named.keys())
+    wrong = unsure.union(unsettled(formulas, found), woven.named.keys() & formulas.named.keys())
     missing = undecided_formulas(formulas, {}, checked, written.span, wrong)
     unused = (
         ()
