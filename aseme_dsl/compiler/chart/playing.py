@@ -102,7 +102,7 @@ def weave(
 def _played_in(
     formulas: Formulas, plays: Sequence[Plays], parts: Mapping[tuple[str, str], Part]
 ) -> tuple[Formulas, dict[str, Plays], dict[str, Branch]]:
-    """The formulas, which know what stands in the participants that they name; what is played, by all names."""
+    """The formulas, which know what stands in the participants that they name; what is played, by name."""
     own = {item.name: item for item in plays}
     named = own | _by_own_name(plays, own, formulas)
     through = {
