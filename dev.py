@@ -133,6 +133,7 @@ LONG = [
     ("agents over SPADE and mango", ["tests/platforms/lane.py"], {}),
     ("what our layer costs over SPADE", ["tests/platforms/lane.py", "bench"], {}),
     ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
+    ("machine code", ["-m", "pytest", "tests/project/building/test_native.py"], {"NATIVE_EXAMPLES": "12"}),
     ("seeded faults", ["-m", "pytest", "-n", "auto", "tests/faults/test_seeded.py"], {"FAULT_RUNS": "1000"}),
     (
         "random networks",

@@ -6,6 +6,7 @@ import importlib
 import json
 import os
 import shutil
+import sysconfig
 import subprocess
 import sys
 from pathlib import Path
@@ -23,12 +24,13 @@ from tests.oracle.plain import without_limits
 from tests.oracle.test_plain import Game
 from tests.support.generated import Generated, generate, imported, system_of
 
-EXAMPLES = int(os.environ.get("NATIVE_EXAMPLES", "4"))
+EXAMPLES = int(os.environ.get("NATIVE_EXAMPLES", "2"))
 """So many random charts are compiled, which takes seconds."""
 GAMES = 20
 
 compiles = pytest.mark.skipif(
-    shutil.which("cc") is None, reason="NOT TRIED, for there is no C compiler here: apt install gcc libc6-dev"
+    shutil.which("cc") is None or not Path(sysconfig.get_path("include"), "Python.h").exists(),
+    reason="NOT TRIED, for there is no C compiler here, or Python's headers: apt install gcc python3-dev",
 )
 
 ROOM = """\
