@@ -6,9 +6,9 @@ import importlib
 import json
 import os
 import shutil
-import sysconfig
 import subprocess
 import sys
+import sysconfig
 from pathlib import Path
 
 import pytest
