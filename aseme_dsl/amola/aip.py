@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from aseme_dsl.amola.expression import Literal, Value, value_text
+from aseme_dsl.amola.expression import Fill, Literal, Value, value_text
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.messages import AGENT, Parameter, Type
 from aseme_dsl.display import Displayed
@@ -50,6 +50,29 @@ class NamedFormula:
 
 
 @dataclass(frozen=True, slots=True)
+class Busy:
+    """What who plays a participant answers to an invitation while all instances of it are in use.
+
+    Without a performative the invitation waits. Without `fills` the answer says what the invitation says;
+    with them, the other members have their defaults.
+    """
+
+    performative: str
+    message: str
+    fills: tuple[Fill, ...] | None
+    span: Span
+
+    @property
+    def text(self) -> str:
+        """`refuse Job { reason = "later" }`."""
+        if not self.performative:
+            return "queue"
+        said = ", ".join(f"{'.'.join(item.path)} = {value_text(item.value)}" for item in self.fills or ())
+        braces = "" if self.fills is None else f" {{ {said} }}" if said else " { .. }"
+        return " ".join(part for part in (self.performative, self.message) if part) + braces
+
+
+@dataclass(frozen=True, slots=True)
 class Plays:
     """`plays attack.center as striker with WalkTowardsGoal = WalkTowardsOpponentGoal`.
 
@@ -65,6 +88,7 @@ class Plays:
     span: Span
     inputs: tuple[tuple[str, Value], ...] = ()
     results: tuple[tuple[str, str], ...] = ()
+    busy: Busy | None = None
 
     @property
     def text(self) -> str:
@@ -72,7 +96,8 @@ class Plays:
         alias = f" as {self.name}" if self.name != self.participant else ""
         pairs = (*self.bindings, *((name, value_text(value)) for name, value in self.inputs), *self.results)
         bound = ", ".join(f"{name} = {text}" for name, text in pairs)
-        return f"{self.protocol}: {self.participant}{alias}{f' with {bound}' if bound else ''}"
+        busy = f" when busy {self.busy.text}" if self.busy is not None else ""
+        return f"{self.protocol}: {self.participant}{alias}{f' with {bound}' if bound else ''}{busy}"
 
 
 @dataclass(frozen=True, slots=True)

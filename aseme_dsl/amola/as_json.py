@@ -165,6 +165,7 @@ def _plays(item: Plays, folder: PurePath | None) -> Json:
         "bindings": dict(item.bindings),
         **({"given": {n: value_text(v) for n, v in item.inputs}} if item.inputs else {}),
         **({"results": dict(item.results)} if item.results else {}),
+        **({"busy": item.busy.text} if item.busy is not None else {}),
         "span": _span(item.span, folder),
     }
 

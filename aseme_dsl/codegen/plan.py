@@ -400,10 +400,10 @@ def _branches(
 ) -> list[str]:
     if versions is None:
         versions = protocol_versions(system) if flat.branches else {}
-    return [_branch(system, chart, node, versions.get(node.origin.owner, "")) for node in flat.branches]
+    return [_branch(system, chart, flat, node, versions.get(node.origin.owner, "")) for node in flat.branches]
 
 
-def _branch(system: System, chart: Statechart, node: State, version: str) -> str:
+def _branch(system: System, chart: Statechart, flat: FlatChart, node: State, version: str) -> str:
     participant = _participant(system, node.origin.owner, node.origin.name)
     sends = tuple((m.performative, m.message) for m in participant.sends) if participant else ()
     receives = tuple((m.performative, m.message) for m in participant.receives) if participant else ()
@@ -419,8 +419,36 @@ def _branch(system: System, chart: Statechart, node: State, version: str) -> str
             ("loses", _lost_in(chart, node.label), ()),
             ("counts", _counted_in(chart, node.label), ()),
             ("participants", _sizes(system, node.origin.owner), ()),
+            ("busy", _busy(system, chart, flat, node), None),
         ],
     )
+
+
+def _busy(
+    system: System, chart: Statechart, flat: FlatChart, branch: State
+) -> tuple[str, str, tuple[tuple[tuple[str, ...], object], ...] | None] | None:
+    """What invitations are answered, as the participant around the branch says it, or the role."""
+    plays = [item for srm in system.srms if srm.name == chart.name for item in srm.plays]
+    for around in flat.branches:
+        if branch.label.startswith(f"{around.label}."):
+            participant = _participant(system, around.origin.owner, around.origin.name)
+            plays = [*(participant.plays if participant is not None else ()), *plays]
+    for item in plays:
+        if (item.protocol, item.participant) == (branch.origin.owner, branch.origin.name):
+            busy = item.busy
+            if busy is None:
+                continue
+            if not busy.performative:
+                return None
+            fills = None
+            if busy.fills is not None:
+                fills = tuple(
+                    (fill.path, _constant(system, fill.value))
+                    for fill in busy.fills
+                    if isinstance(fill.value, e.Literal)
+                )
+            return busy.performative, busy.message, fills
+    return None
 
 
 def _opens(system: System, branch: State, participant: Participant | None) -> tuple[tuple[str, str], ...]:

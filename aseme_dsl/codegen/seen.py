@@ -5,8 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from aseme_dsl.amola.sag import Sag
+from aseme_dsl.amola.srm import Srm
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
+from aseme_dsl.source import Source, Span
+
+_NOWHERE = Span(Source("", ""), 0, 0)
 
 
 def seen_by_roles(system: System) -> tuple[System, ...]:
@@ -28,7 +32,7 @@ def seen_by_roles(system: System) -> tuple[System, ...]:
                 sag=Sag(),
                 suc=Suc(),
                 aips=tuple(aip for name, aip in aips.items() if name in played),
-                srms=(),
+                srms=tuple(_answers(srm) for srm in system.srms if srm.name == chart.name),
                 eacs=tuple(chart for chart in system.eacs if chart.name in played),
                 iacs=(chart,),
                 protos=(),
@@ -37,6 +41,13 @@ def seen_by_roles(system: System) -> tuple[System, ...]:
             )
         )
     return tuple(found)
+
+
+def _answers(srm: Srm) -> Srm:
+    """Of a role what it answers to invitations while it is busy."""
+    plays = tuple(replace(item, bindings=(), inputs=(), results=()) for item in srm.plays if item.busy)
+    span = plays[0].span if plays else _NOWHERE
+    return Srm(srm.name, plays, (), (), (), (), (), span)
 
 
 __all__ = ["seen_by_roles"]

@@ -201,6 +201,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E593": ("error", "unsuitable formula for an activity of a protocol"),
     "E594": ("error", "protocols that play each other in a circle"),
     "E595": ("error", "`delay` of a topic without `radio`"),
+    "E596": ("error", "unsuitable answer of a busy participant"),
     "W500": ("warning", "action without effect"),
     "W501": ("warning", "timer never started"),
     "W520": ("warning", "signal never read"),

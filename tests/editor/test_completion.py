@@ -600,6 +600,22 @@ def test_what_a_participant_plays_is_offered() -> None:
     assert "plays" in labels(instead(NESTED, "    var floor", f"    {CURSOR}\n    var floor"))
 
 
+SERVED = NESTED.replace("participant lift {", "participant lift { sends inform Ride ").replace(
+    "plays delivery.courier", "plays ride.lift"
+)
+
+
+def test_what_a_busy_participant_answers_is_offered() -> None:
+    busy = [
+        labels(instead(SERVED, "plays ride.lift", f"plays ride.lift {text}{CURSOR}"))
+        for text in ("", "when busy ", "when busy inform ", "when busy inform Ride { ")
+    ]
+    assert "when" in busy[0]
+    assert {"queue", "refuse", "inform"} <= set(busy[1])
+    assert busy[2][:1] == ["Ride"]
+    assert busy[3][:1] == ["floor"]
+
+
 def test_what_stands_inside_is_offered_to_the_role() -> None:
     """The activities to describe are those that are performed, under the names that they have got."""
     offered_here = labels(instead(NESTED, "activities { Move takes 1s", f"activities {{ {CURSOR}"))

@@ -20,6 +20,7 @@ from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.missing import Missing
 from aseme_dsl.compiler.read.names import unknown
+from aseme_dsl.compiler.types.busy import busy_of
 from aseme_dsl.compiler.types.given import Supplied, give, supplied_names, supply
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.absences import NoActivityToBind, NoParticipant, NoProtocol
@@ -231,6 +232,8 @@ def read_plays(
         part = protocol.parts.get(item.participant.text)
         bindings: dict[str, str] = {}
         supplied = Supplied()
+        busy, problems = busy_of(item, participants[item.participant.text], scope)
+        found += problems
         if part is not None:
             parts[protocol.name, part.participant] = part
             party = participants[item.participant.text]
@@ -246,6 +249,7 @@ def read_plays(
             item.span,
             supplied.inputs,
             supplied.results,
+            busy,
         )
         restated = formulas.named.get(name.text) if formulas is not None else None
         if restated is not None:

@@ -242,7 +242,8 @@ def _plain(one: object) -> object:
     match one:
         case tree.Plays():
             bindings = {(item.abstract.text, spelled(item.expression)) for item in one.bindings}
-            return one.protocol.text, one.participant.text, frozenset(bindings)
+            busy = "" if one.busy is None else " ".join(one.busy.span.text.split())
+            return one.protocol.text, one.participant.text, frozenset(bindings), busy
         case tree.Functionality():
             texts = (one.technology, one.permissions, one.environment, one.algorithm)
             return tuple(text.text if text is not None else "" for text in texts)

@@ -10,6 +10,7 @@ from aseme_dsl.compiler.chart.flow import check_timers
 from aseme_dsl.compiler.checks.conditions import check_conditions, without_ordered
 from aseme_dsl.compiler.checks.outcomes import check_deadlines
 from aseme_dsl.compiler.checks.standing_still import check_standing_still
+from aseme_dsl.compiler.checks.talk.busy import check_busy
 from aseme_dsl.compiler.checks.talk.dialogue import check_multiplicity, check_waits
 from aseme_dsl.compiler.checks.talk.moves import check_moves
 from aseme_dsl.compiler.checks.talk.races import check_races
@@ -62,6 +63,7 @@ def check_whole(
         races = check_races(processes.aips, charts.eacs, fulfilment.srms, memory)
         found.add((yield from races))
         found.add(check_moves(processes.aips, charts.eacs))
+        found.add(check_busy(processes.aips, charts.eacs, fulfilment.srms))
         found.add(too_few)
     yield
     settings = [

@@ -226,6 +226,66 @@ class DeadlineInThePast(Problem):
     hint = "write how long the receiver has: `reply_by 2s`"
 
 
+class AnswerWithoutMessage(Problem):
+    """A word behind `when busy` that is neither `queue` nor `refuse`, and no message behind it."""
+
+    code = "E596"
+    word: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.word}` alone does not answer an invitation"
+
+    hint = "write `queue`, `refuse`, or a message that the participant sends: `refuse Job { … }`"
+
+
+class AnswerNotConstant(Problem):
+    """A part of the content of an answer that depends on the agent or the invitation."""
+
+    code = "E596"
+    message = "the answer of a busy participant must be constant"
+    hint = "write a constant; without braces the content is that of the invitation"
+
+
+class AnswerWithoutContent(Problem):
+    """The answer is to say what the invitation says, which is a message of another type."""
+
+    code = "E596"
+    performative: str
+    type: str
+    invitation: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.performative} {self.type}` has no content; the invitation is `{self.invitation}`"
+
+    @property
+    def hint(self) -> str:
+        return f"write `{self.performative} {self.type} {{ … }}` with a value for each field, or `{{ .. }}`"
+
+
+class NeverInvited(Problem):
+    code = "E596"
+    participant: str
+
+    @property
+    def message(self) -> str:
+        return f"nothing invites `{self.participant}`: it opens its conversations itself"
+
+    hint = "remove `when busy`"
+
+
+class AnswersDiffer(Problem):
+    code = "E596"
+    participant: str
+
+    @property
+    def message(self) -> str:
+        return f"a busy `{self.participant}` answers in two ways"
+
+    hint = "say the same wherever the participant is played: an invitation does not name the instance"
+
+
 class BoundNameUnused(Problem):
     code = "W551"
     name: str

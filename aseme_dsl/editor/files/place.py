@@ -21,8 +21,9 @@ from aseme_dsl.grammar.text.token import Token, token
 _PIECE = re.compile(r'//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|"(?:[^"\\\n]|\\.)*"?|[{}]')
 _NAME_BEFORE = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z|[0-9]+(?:\.[0-9]*)*\Z")
 _DOTTED = re.compile(r"(?<![\w.])(?:[A-Za-z_][A-Za-z0-9_]*\s*\.\s*)+\Z")
-_FILLED = re.compile(r"\bsend\s+\w+\s+\w+\s*\Z")
+_FILLED = re.compile(r"\b(?:send|busy)\s+\w+\s+\w+\s*\Z")
 """A message that is sent, before the braces that fill it."""
+_IN_ONE_PIECE = ("ControlToken", "BusyToken")
 _NAME_AFTER = re.compile(r"[A-Za-z0-9_]*")
 _LONG = 12_000
 """How many characters of one open block are read at most."""
@@ -104,7 +105,7 @@ def place_at(text: str, offset: int) -> Place:
     path: tuple[str, ...] = ()
     if block >= 0 and _FILLED.search(read, max(0, block - 200), block):
         # The grammar reads a message with its braces in one piece: what was expected before them still is.
-        expected = tuple(item for item in _expected(read[:block]) if item.terminal == "ControlToken")
+        expected = tuple(item for item in _expected(read[:block]) if item.terminal in _IN_ONE_PIECE)
         block = _open_brace(read[:block])
     if not expected:
         read, expected, path = _in_dotted_name(read)

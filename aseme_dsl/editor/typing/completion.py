@@ -260,6 +260,34 @@ def _binding(ask: Ask) -> Iterator[Item]:
         yield from activities(ask)
 
 
+def _busy(ask: Ask) -> Iterator[Item]:
+    """What is answered to an invitation: a word, or a message of the participant with its members."""
+    tokens = [str(item) for item in ask.tokens("Part")]
+    protocol = ask.known.protocols.get(tokens[0]) if tokens else None
+    parts = protocol.participants if protocol is not None else ()
+    part = next((item for item in parts if item.name.text in tokens[2:3]), None)
+    sends = part.sends if part is not None else ()
+    said = tokens[tokens.index("busy") + 1 :] if "busy" in tokens else []
+    if not said:
+        yield Item("queue", ItemKind.WORD, "the invitation waits", rank=1)
+        yield Item("refuse", ItemKind.WORD, "the protocol's refusal", rank=1)
+        others = dict.fromkeys(item.performative.text for item in sends)
+        yield from performatives(name for name in others if name != "refuse")
+    elif len(said) == 1:
+        for item in sends:
+            if item.performative.text == said[0]:
+                yield Item(item.message.text, ItemKind.MESSAGE, said[0], rank=2)
+    elif "{" in said and said[-1] in ("{", ","):
+        yield from _members_to_fill(ask, said[1])
+
+
+def _members_to_fill(ask: Ask, message: str) -> Iterator[Item]:
+    filled = ask.known.symbols.message(message)
+    for field in filled.fields if filled is not None else ():
+        said = ask.known.documentation(field.span)
+        yield Item(field.name, ItemKind.MEMBER, str(field.type), said, f"{field.name} = ", rank=0)
+
+
 def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
     scope = ask.scope
     party = scope.parties.get(scope.participant) if scope.participant is not None else None
@@ -288,10 +316,7 @@ def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
                 agents = (name for name, (_, kind) in scope.variables.items() if kind == AGENT)
                 yield from (Item(name, ItemKind.VARIABLE, "agent", rank=3) for name in agents)
         case SlotKind.FILL:
-            filled = ask.known.symbols.message(slot.said[0])
-            for field in filled.fields if filled is not None else ():
-                said = ask.known.documentation(field.span)
-                yield Item(field.name, ItemKind.MEMBER, str(field.type), said, f"{field.name} = ", rank=0)
+            yield from _members_to_fill(ask, slot.said[0])
         case SlotKind.ACTION:
             yield from actions(scope, ask.known)
             if party is not None:
@@ -457,6 +482,7 @@ _FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
     "ControlToken": _expression,
     "SettingToken": _expression,
     "BindingToken": _binding,
+    "BusyToken": _busy,
     "Word": _stated,
 }
 """What is offered inside of what is a list of tokens for the grammar."""

@@ -43,6 +43,25 @@ def read_transition(source: Source, tokens: Sequence[Token], place: Span) -> tre
     return _transition(Reader(source, apart(tokens)))
 
 
+def read_busy(source: Source, terminals: Sequence[Token], place: Span) -> tree.Busy:
+    """`queue`, `refuse` or `refuse Job { reason = "later" }` behind `when busy`; `place` is all of it.
+
+    Raises:
+        Malformed: As `read_expression`.
+    """
+    reader = Reader(source, apart(terminals))
+    word = reader.need_name(Wanted.PERFORMATIVE)
+    answer: tree.Send | None = None
+    if reader.next:
+        message = reader.need_name(Wanted.MESSAGE)
+        fills, rest, braces = _braces(reader)
+        span = reader.since(word.span.start)
+        answer = tree.Send(word, message, None, span, fills, rest=rest, braces=braces)
+        if reader.next:
+            raise reader.unexpected(",", Wanted.NEXT_ENTRY)
+    return tree.Busy(word.text, answer, place)
+
+
 def _transition(reader: Reader) -> tree.TransitionExpression:
     start = reader.tokens[0].start
     events: list[tree.Event] = []
@@ -190,12 +209,8 @@ def _send(reader: Reader) -> tree.Send:
     start = reader.take().start
     performative = reader.need_name(Wanted.PERFORMATIVE)
     message = reader.need_name(Wanted.MESSAGE)
-    fills: tuple[tree.Fill, ...] | None = None
-    rest, braces, reply_by = None, None, None
-    if reader.next == "{":
-        opener = reader.span(reader.tokens[reader.index])
-        fills, rest = _content(reader)
-        braces = opener, reader.span(reader.tokens[reader.index - 1])
+    fills, rest, braces = _braces(reader)
+    reply_by = None
     if reader.next == "reply_by":
         reader.take()
         reply_by = operation(reader)
@@ -228,6 +243,17 @@ def _send(reader: Reader) -> tree.Send:
         reply_by,
         one,
     )
+
+
+def _braces(
+    reader: Reader,
+) -> tuple[tuple[tree.Fill, ...] | None, tree.Rest | None, tuple[Span, Span] | None]:
+    """The content of a message, if there is one, with the places of its braces."""
+    if reader.next != "{":
+        return None, None, None
+    opener = reader.span(reader.tokens[reader.index])
+    fills, rest = _content(reader)
+    return fills, rest, (opener, reader.span(reader.tokens[reader.index - 1]))
 
 
 def _one(reader: Reader) -> Span | None:

@@ -133,6 +133,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "Inclusion": Line(),
         "Plays": Line(),
         "Part": Part(breaks=frozenset(("with",))),
+        "Busy": Part(breaks=frozenset(("when",))),
         "Binding": Part(),
         "Capability": Line(breaks=frozenset("=")),
         "Liveness": Braces(),
@@ -181,7 +182,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
 )
 
 FORMULAS = frozenset(("FormulaToken", "ProcessToken", "TermToken"))
-EXPRESSIONS = frozenset(("ExpressionToken", "ControlToken", "SettingToken", "BindingToken"))
+EXPRESSIONS = frozenset(("ExpressionToken", "ControlToken", "SettingToken", "BindingToken", "BusyToken"))
 """The terminals whose lists have operators of their own (spacing.py)."""
 
 DROPPED = frozenset(("Separator",))

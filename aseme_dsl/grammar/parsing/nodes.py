@@ -205,6 +205,11 @@ class Part(Node):
     participant: Leaf
     alias: Leaf | None
     bindings: list[Binding]
+    busy: Busy | None
+
+
+class Busy(Node):
+    answer: list[Leaf]
 
 
 class Binding(Node):

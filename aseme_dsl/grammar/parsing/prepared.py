@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 3870530964
+CHECKSUM = 1291256684
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -557,7 +557,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     ),
     'Part': (
         'common',
-        {'protocol': 'one', 'participant': 'one', 'alias': 'one', 'bindings': 'many'},
+        {'protocol': 'one', 'participant': 'one', 'alias': 'one', 'bindings': 'many', 'busy': 'one'},
         (
             'series',
             ('=', 'protocol', 'Name'),
@@ -565,7 +565,18 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
             ('=', 'participant', 'Name'),
             ('?', ('series', ('word', 'as'), ('=', 'alias', 'Name'))),
             ('?', ('series', ('word', 'with'), ('+=', 'bindings', 'Binding', ('sign', ',')))),
+            ('?', ('=', 'busy', 'Busy')),
         ),
+    ),
+    'Busy': (
+        'common',
+        {'answer': 'many'},
+        ('series', ('word', 'when'), ('word', 'busy'), ('+=', 'answer', 'BusyToken')),
+    ),
+    'BusyToken': (
+        'match',
+        {},
+        ('pattern', '(?x)\n    (?! (?: liveness|activities|modules )\\s*\\{\n      | (?: engage|var|let|sends|receives|includes|capability|functionality|control )\\s+\\w\n      | (?: given|result )\\s+\\w+\\s*:\n      | plays\\s+\\w+\\s*\\. )\n    [A-Za-z_][A-Za-z0-9_]*\\b (?! \\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=) )\n  | \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | [^{}"] )* \\}\n'),
     ),
     'Binding': (
         'common',
@@ -575,7 +586,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'BindingToken': (
         'match',
         {},
-        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | (?:given|result)\\s+\\w+\\s*:\n    | (?:state|language|on|exit)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | , (?= [^(){}"]* (?: \\( [^(){}]* (?: \\( [^(){}]* \\) [^(){}]* )* \\) [^(){}"]* )* \\) | [^\\[\\]{}]* \\] )\n    | [^\\s{}"\\w:,] )\n'),
+        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | when\\s+busy\\b\n    | (?:given|result)\\s+\\w+\\s*:\n    | (?:state|language|on|exit)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc|when)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | , (?= [^(){}"]* (?: \\( [^(){}]* (?: \\( [^(){}]* \\) [^(){}]* )* \\) [^(){}"]* )* \\) | [^\\[\\]{}]* \\] )\n    | [^\\s{}"\\w:,] )\n'),
     ),
     'Clause': (
         'common',

@@ -628,12 +628,25 @@ class Binding:
 
 
 @dataclass(frozen=True, slots=True)
+class Busy:
+    """`when busy queue`, `when busy refuse`, `when busy refuse Job { reason = "later" }`.
+
+    `word` is the first one, `answer` the message where one is named.
+    """
+
+    word: str
+    answer: Send | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Plays:
     protocol: Name
     participant: Name
     alias: Name | None
     bindings: tuple[Binding, ...]
     span: Span
+    busy: Busy | None = None
 
 
 @dataclass(frozen=True, slots=True)

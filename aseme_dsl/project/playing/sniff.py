@@ -244,6 +244,12 @@ class Sniffer:
                 yield Mark(moment, name, "is suspended", conversation)
             case "resume":
                 yield Mark(moment, name, "is resumed", conversation)
+            case "queue":
+                yield Mark(moment, name, f"is busy: the invitation of {record['peer']} waits", conversation)
+            case "busy":
+                yield Mark(
+                    moment, name, f"is busy: the invitation of {record['peer']} is answered", conversation
+                )
             case "back":
                 yield Mark(moment, name, f"meets {record['peer']} again", conversation)
             case "gone" if record.get("reason") != "completed":  # that is how most parts end

@@ -64,7 +64,7 @@ class Prepared:
         if not drafts:
             return None
         own = [item for item in drafts if is_in(item.label, source)]
-        serial = [item for item in drafts if branch is None or not _are_concurrent(plan, item.label, source)]
+        serial = [item for item in drafts if branch is None or not plan.are_concurrent(item.label, source)]
         found = (own or serial or drafts)[-1]
         gone = {id(item) for item in (found, *(own or serial))}
         self._drafts[branch] = [item for item in self._drafts[branch] if id(item) not in gone]
@@ -129,18 +129,6 @@ def _around(plan: Plan, branch: str) -> Iterable[Branch]:
     """The branches around a branch, innermost first, and then what is in none."""
     outer = [info.label for info in plan.branches if branch.startswith(f"{info.label}.")]
     return (*sorted(outer, key=len, reverse=True), None)
-
-
-def _are_concurrent(plan: Plan, one: str, other: str) -> bool:
-    """Whether two states are in different regions of an AND."""
-    common = 0
-    first, second = one.split("."), other.split(".")
-    while common < min(len(first), len(second)) and first[common] == second[common]:
-        common += 1
-    if common in (len(first), len(second)):
-        return False
-    state = plan.by_label.get(".".join(first[:common]))
-    return state is not None and state.type == "AND"
 
 
 __all__ = ["Prepared"]

@@ -190,6 +190,9 @@ class BranchInfo:
     """The participants whose answers a condition counts (`all_answered(q)`)."""
     participants: tuple[tuple[str, int, int | None], ...] = ()
     """All participants of the protocol: name, and how many agents of each take part at least and at most."""
+    busy: tuple[str, str, tuple[tuple[tuple[str, ...], object], ...] | None] | None = None
+    """What an invitation is answered while all instances are in use, as (performative, message, members with
+    their values); without members the answer says what the invitation says. None: the invitation waits."""
 
     def knows(self, participant: str) -> bool:
         """Whether the protocol has a participant of that name."""
@@ -227,6 +230,17 @@ class Plan:
     @cached_property
     def by_label(self) -> dict[str, State]:
         return {state.label: state for state in self.states}
+
+    def are_concurrent(self, one: str, other: str) -> bool:
+        """Whether two states, by their labels, are in different regions of an AND."""
+        common = 0
+        first, second = one.split("."), other.split(".")
+        while common < min(len(first), len(second)) and first[common] == second[common]:
+            common += 1
+        if common in (len(first), len(second)):
+            return False
+        state = self.by_label.get(".".join(first[:common]))
+        return state is not None and state.type == "AND"
 
     def way(self, numbers: Sequence[int]) -> str:
         """What a compound transition leads from and to, and where it is written, for messages."""

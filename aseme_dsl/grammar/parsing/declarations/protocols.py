@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.grammar.formulas.expression import read_expression
+from aseme_dsl.grammar.formulas.transition import read_busy
 from aseme_dsl.grammar.parsing import nodes
 from aseme_dsl.grammar.parsing.declarations.control import control
 from aseme_dsl.grammar.parsing.declarations.formulas import formula, let, var
@@ -64,7 +65,12 @@ def plays(pieces: Pieces, node: nodes.Part) -> tree.Plays:
         pieces.new_name(node.alias, "participant", ("with",)) if node.alias else None,
         pieces.all(_binding, node.bindings),
         pieces.span(node),
+        _busy(pieces, node.busy) if node.busy is not None else None,
     )
+
+
+def _busy(pieces: Pieces, node: nodes.Busy) -> tree.Busy | None:
+    return pieces.tried(lambda: read_busy(pieces.source, node.answer, pieces.span(node)))
 
 
 def _binding(pieces: Pieces, node: nodes.Binding) -> tree.Binding | None:

@@ -9,6 +9,7 @@ from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation import fipa_translation
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
+from aseme_dsl.runtime.conversation.exchange.busy import answer_of, is_busy
 from aseme_dsl.runtime.conversation.exchange.external_outbox import ExternalOutbox
 from aseme_dsl.runtime.conversation.exchange.members import Members
 from aseme_dsl.runtime.conversation.free_messages import FreeMessages
@@ -91,6 +92,13 @@ class Delivery:
             members.append(agent.name)
         self._told.takes_part(what, agent.name, place, name)
         self.losses.joined(agent, place, name, conversation)
+        desk = self._members.desks[agent.name]
+        if place.info.busy is not None and desk.invitations.size and is_busy(agent, desk, place.info):
+            while waiting := desk.invitations.take(part):
+                for acl in waiting:
+                    self._members.conversations[acl.conversation].invitations -= 1
+                    self._turn_away(agent, place.info, acl)
+                self.close(waiting[0].conversation)
 
     def deliver(self, agent: Receiver, acl: AclMessage) -> None:
         """Give a message to the branch that takes part; else to a free one, or let it wait for one."""
@@ -152,8 +160,33 @@ class Delivery:
                 conversation.invitations -= 1
                 self.post(agent, place, early)
             return
+        if not is_invited and is_busy(agent, desk, info):
+            if info.busy is not None:
+                self._turn_away(agent, info, acl)
+                return
+            waits = Participation(info, acl.conversation)
+            self._told.takes_part("queue", agent.name, waits, acl.conversation, peer=acl.sender)
         invitations.add(part, acl)
         conversation.invitations += 1
+
+    def _turn_away(self, agent: Receiver, info: BranchInfo, acl: AclMessage) -> None:
+        """Answer an invitation that comes while all instances are in use: that part is over at once.
+
+        What else has waited in its conversation is unexpected.
+        """
+        conversation = self._members.conversations[acl.conversation]
+        reason = f"{agent.name} is in use as {acl.to} already"
+        place = Participation(info, acl.conversation)
+        is_first = (agent.name, acl.to) not in conversation.past
+        answer = answer_of(agent, info, acl)
+        if is_first:
+            self._told.takes_part("busy", agent.name, place, acl.conversation, peer=acl.sender)
+        if answer is None or not is_first or (acl.performative, acl.message) not in info.opens:
+            self.unexpected(agent, acl, reason)
+        elif not self.spend(agent, acl.conversation):
+            self._answer(agent, acl, *answer)
+        if is_first and not conversation.is_exhausted:
+            self.losses.ended(agent, place, acl.conversation, conversation, "completed")
 
     def spend(self, agent: Receiver, name: str) -> str:
         """Count a message of a conversation; why it may not have it, empty if it may.
@@ -211,17 +244,25 @@ class Delivery:
         self._told.unexpected(agent.name, acl, reason)
         self._counting.unexpected(agent, self._members.conversations.get(acl.conversation), acl)
         if acl.performative != NOT_UNDERSTOOD and not self.spend(agent, acl.conversation):
-            self._answer(agent, acl, reason)
+            self._answer(agent, acl, NOT_UNDERSTOOD, acl.message, acl.content, reason)
 
-    def _answer(self, agent: Receiver, acl: AclMessage, reason: str) -> None:
-        """Answer an unexpected message."""
+    def _answer(
+        self,
+        agent: Receiver,
+        acl: AclMessage,
+        performative: str,
+        message: str,
+        content: object,
+        reason: str = "",
+    ) -> None:
+        """Answer a message that no branch takes; an external agent learns the reason, if there is one."""
         identity = agent.identity()
         answer = AclMessage(
-            NOT_UNDERSTOOD,
+            performative,
             agent.name,
             (acl.sender,),
-            acl.message,
-            acl.content,
+            message,
+            content,
             acl.protocol,
             acl.conversation,
             acl.to,
@@ -241,7 +282,7 @@ class Delivery:
         known = conversation.outsiders if conversation is not None else {}
         to = known.get(acl.sender, (AgentIdentifier(acl.sender),))
         if conversation is not None:
-            conversation.note(answer.reply_with, NOT_UNDERSTOOD, answer.message, acl.sender)
+            conversation.note(answer.reply_with, performative, message, acl.sender)
         self._outside.carry(agent.name, fipa_translation.written(answer, to, reason), to)
 
     def finds(self, agent: Receiver, mail: AgentMessage, conversation: str | None) -> bool:
