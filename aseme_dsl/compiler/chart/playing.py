@@ -9,6 +9,7 @@ from itertools import pairwise
 from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.expression import Outcome, values_of
 from aseme_dsl.amola.liveness import called, names
+from aseme_dsl.compiler.chart.busy import busy_of
 from aseme_dsl.compiler.chart.chart import Part, Protocol
 from aseme_dsl.compiler.control.control import Lines, read_lines
 from aseme_dsl.compiler.control.stopping import stops_of
@@ -20,7 +21,6 @@ from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.missing import Missing
 from aseme_dsl.compiler.read.names import unknown
-from aseme_dsl.compiler.types.busy import busy_of
 from aseme_dsl.compiler.types.given import Supplied, give, supplied_names, supply
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.absences import NoActivityToBind, NoParticipant, NoProtocol
