@@ -196,6 +196,16 @@ _WITH_CONTENT = tuple(
 )
 """What brings the content of a message in braces: `send inform Done { by = 1 }`."""
 
+_ANSWER = Phrase(
+    (
+        Piece(((rf"{_NAME}\b(?=\s+{_NAME}\s*\{{)", Kind.REFERENCE),)),
+        Piece(((_NAME, Kind.REFERENCE),)),
+        Piece(((r"\{", Kind.PUNCTUATION),)),
+    ),
+    CONTENT,
+)
+"""What a busy participant answers: `refuse Job { reason = "later" }`, without `send`."""
+
 
 def _formula_operators() -> str:
     """The operators of formulas, and those of other languages that the parser explains.
@@ -259,6 +269,8 @@ def _list(name: str, terminal: Terminal) -> Context:
     """A list of tokens. In an expression, braces are the content of a message."""
     language = _language(terminal)
     phrases = _WITH_CONTENT if language is Tokens.EXPRESSION else ()
+    if name == "BusyToken":
+        phrases = (_ANSWER,)
     return Context(name, phrases, False, (), (language, terminal.pattern))
 
 
