@@ -215,3 +215,38 @@ def test_an_error_beside_another_event_takes_its_turn(play: Play) -> None:
     run.step(run.done("A"))
     run.step(run.crashed("B"))
     assert run.active == ["Stop"], "nothing inside takes this one"
+
+
+SHOP = """
+srm R {
+  liveness { R = (Sell . Give) [> (Refund | Alarm) }
+  control R { enter Alarm : bell  enter Refund : coin  enter Refund : when [t.state.M.on] }
+}
+"""
+
+
+def test_each_branch_of_a_choice_interrupts_by_its_own_trigger(play: Play) -> None:
+    run = play(SHOP).step()
+    run.step(run.event("coin"))
+    assert run.did == ["cancel Sell", "start Refund"] and run.taken == ["0.2 -> 0.3"]
+    run = play(SHOP).step()
+    run.step(run.done("Sell"))
+    run.step(run.event("bell"))
+    assert run.did == ["cancel Give", "start Alarm"] and run.taken == ["0.2 -> 0.4"]
+
+
+def test_branches_that_interrupt_are_tried_in_the_order_of_their_lines(play: Play) -> None:
+    run = play(SHOP).step()
+    run.step(run.event("coin"), run.event("bell"), run.heard("t.state.M", on=True))
+    assert run.active == ["Alarm"]
+
+
+def test_a_choice_that_a_line_names_interrupts_as_a_whole(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = Sell [> (Refund | Alarm) }
+          control R { enter (Refund | Alarm) : stop  enter Alarm : [t.state.M.on]  enter Refund : else }
+        }
+    """).step()
+    run.step(run.event("stop"))
+    assert run.did == ["cancel Sell", "start Refund"] and run.taken[0] == "0.2 -> 0.3"

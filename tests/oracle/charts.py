@@ -209,12 +209,16 @@ def lines(of: Formula, name: str) -> Iterator[Line]:
     stack: list[Formula] = [of]
     while stack:
         node = stack.pop()
-        stack += reversed(node.operands)
+        second = node.operands[1] if node.operator == "dis" else None
+        # A choice of two interrupts by its branches, one of three as a whole: no line names the former.
+        separate = second is not None and second.operator == "alt" and len(second.operands) == 2
+        operands = [node.operands[0], *second.operands] if second is not None and separate else node.operands
+        stack += reversed(operands)
         if node is not of or (of.operator == "name" and not of.name.startswith(HELPERS)):
             state = f"({node.text()})" if node.operator in INFIX else node.text()
             for verb in ("on", "exit"):
                 yield Line(f"{verb} {state}", source=next(numbers), stays=verb)
-        texts = [f"({o.text()})" if o.operator in INFIX else o.text() for o in node.operands]
+        texts = [f"({o.text()})" if o.operator in INFIX else o.text() for o in operands]
         own = name if node is of else f"({node.text()})" if node.operator in ("alt", "par") else node.text()
         here = next(numbers)
         match node.operator:
@@ -230,9 +234,11 @@ def lines(of: Formula, name: str) -> Iterator[Line]:
                     yield Line(f"leave {text}", source=next(numbers))
             case "dis":
                 yield Line(f"enter {texts[0]}", source=next(numbers))
-                yield Line(f"enter {texts[1]}", source=here, cuts=True)
+                for text in texts[1:]:
+                    yield Line(f"enter {text}", source=here, cuts=True)
                 yield Line(f"leave {texts[0]}", source=here)
-                yield Line(f"leave {texts[1]}", source=next(numbers))
+                for text in texts[1:]:
+                    yield Line(f"leave {text}", source=next(numbers))
             case "par" | "inst":
                 yield Line(f"start {own}", source=next(numbers))
                 yield Line(f"finish {own}", source=next(numbers))

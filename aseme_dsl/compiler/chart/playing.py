@@ -16,6 +16,7 @@ from aseme_dsl.compiler.control.stopping import stops_of
 from aseme_dsl.compiler.formula import formulas as formula_tables
 from aseme_dsl.compiler.formula.formula_to_statechart import FRAME, Branch, too_large
 from aseme_dsl.compiler.formula.formulas import Formulas
+from aseme_dsl.compiler.formula.interrupts import with_interrupts
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.damage import Damaged
@@ -82,6 +83,7 @@ def weave(
     found += problems
     found += _other_parameters(player, plays, formulas, scope.symbols)
     is_empty, empty_bound = _emptiness(branches, parts)
+    formulas = with_interrupts(formulas, controls)
     inside = {owner: part.formulas for owner, part in parts.items()}
     lines, problems = read_lines(formulas, controls, scope, inside, named, of_participant=of_participant)
     found += problems

@@ -176,11 +176,15 @@ def _alternatives(
 
 @dataclass(frozen=True, slots=True)
 class Interruption:
-    """What interrupts another term: its entry transition, and the term that it interrupts."""
+    """What interrupts another term: its entry transition, and the term that it interrupts.
+
+    `branches` are those of a choice that interrupts.
+    """
 
     way: Alternative
     term: str
     cut: str
+    branches: tuple[str, ...] = ()
 
 
 def _interruptions(terms: Terms, lines: Lines) -> list[Interruption]:
@@ -188,10 +192,14 @@ def _interruptions(terms: Terms, lines: Lines) -> list[Interruption]:
     found = []
     for term in terms.parents:
         if term.operator.row.template is Template.CUT:
-            first, second = (ungrouped(operand) for operand in term.operands)
-            name = spelling(terms, second)
-            way = Alternative(f"enter {name}", lines.of(("enter", second)), term.operands[1].span)
-            found.append(Interruption(way, name, spelling(terms, first)))
+            cut = spelling(terms, ungrouped(term.operands[0]))
+            for operand in terms.formulas.interrupts(term):
+                other = ungrouped(operand)
+                name = spelling(terms, other)
+                way = Alternative(f"enter {name}", lines.of(("enter", other)), operand.span)
+                choice = other.operands if other.operator.row.template is Template.BRANCHES else ()
+                branches = tuple(spelling(terms, ungrouped(branch)) for branch in choice)
+                found.append(Interruption(way, name, cut, branches))
     return found
 
 
@@ -199,7 +207,9 @@ def check_interruption(interruption: Interruption) -> Iterator[Diagnostic]:
     """`A [> B` wants an event or `when` on every entry transition of B (E420), and at least one (E421)."""
     way = interruption.way
     if not way.lines:
-        yield Diagnostic(InterruptUndecided(interruption.term, interruption.cut), way.span)
+        yield Diagnostic(
+            InterruptUndecided(interruption.term, interruption.cut, interruption.branches), way.span
+        )
     for line in way.lines:
         written = line.written
         if written.events or written.when:

@@ -453,13 +453,16 @@ class _Level:
             self._arrow(source, end, "leave", operand)
 
     def _cut(self, start: _Point) -> None:
-        first, second = self._formula.operands
-        body, other = self._term(2, first), self._term(3, second)
-        end = self._point(4, StateType.END)
+        first, interrupts = self._formula.operands[0], self._context.formulas.interrupts(self._formula)
+        body = self._term(2, first)
+        others = [self._term(number, operand) for number, operand in enumerate(interrupts, 3)]
+        end = self._point(len(interrupts) + 3, StateType.END)
         self._arrow(start, body, "enter", first)
-        self._arrow(body, other, "enter", second, first=True)
+        for operand, other in zip(interrupts, others, strict=True):
+            self._arrow(body, other, "enter", operand, first=True)
         self._arrow(body, end, "leave", first)
-        self._arrow(other, end, "leave", second)
+        for operand, other in zip(interrupts, others, strict=True):
+            self._arrow(other, end, "leave", operand)
 
     def _regions(self, start: _Point) -> None:
         formula, label = self._formula, self._label
@@ -594,6 +597,9 @@ def sizes(
             within = inside[node.name]
         else:
             row = node.operator.row
+            if node in formulas.separate:  # they stand beside what they interrupt
+                states = sum(own for own, _ in operands)
+                return states, states
             times = node.count if row.counted else 1
             within = times * sum(states + row.states_each for states, _ in operands) + row.states
         return within + 1, within

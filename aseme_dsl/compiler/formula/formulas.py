@@ -49,6 +49,7 @@ class Formulas:
     `taken_over` are those that stand in a role which this one includes: they need not be used.
     `parameters` are those of the formulas that have any, and `given` is what the names in formulas are given.
     `through` are the formulas that stand in a participant which a formula names, bound to its activities.
+    `separate` are the choices `B | C` of `A [> (B | C)` whose branches interrupt A each by itself.
     """
 
     owner: str
@@ -58,11 +59,17 @@ class Formulas:
     parameters: Mapping[str, tuple[Parameter, ...]] = field(default_factory=dict)
     given: Mapping[Formula, tuple[Argument, ...]] = field(default_factory=dict)
     through: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    separate: frozenset[Formula] = frozenset()
 
     def formula(self, name: str) -> Formula | None:
         """The formula called `name`, or None if there is none."""
         found = self.named.get(name)
         return found.formula if found is not None else None
+
+    def interrupts(self, term: Formula) -> tuple[Formula, ...]:
+        """What interrupts the first operand of a `[>`: the second, or the branches of that choice."""
+        second = ungrouped(term.operands[1])
+        return second.operands if second in self.separate else term.operands[1:]
 
     @property
     def activities(self) -> frozenset[str]:

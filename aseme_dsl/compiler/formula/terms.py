@@ -65,7 +65,10 @@ def terms_of(formulas: Formulas, formula: str, control: str, played: Played | No
         places.setdefault(keys[term], []).append(term)
         if term.arguments:
             bare.setdefault(term.name, []).append(term)
-        stack += [(ungrouped(operand), term) for operand in reversed(term.operands)]
+        operands = term.operands
+        if term.operator.row.template is Template.CUT:
+            operands = (operands[0], *formulas.interrupts(term))
+        stack += [(ungrouped(operand), term) for operand in reversed(operands)]
     found = {key: tuple(terms) for key, terms in places.items()}
     short = {name: tuple(terms) for name, terms in bare.items()}
     return Terms(formulas, formula, control, whole, parents, keys, found, played or {}, short)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal, assert_never
 
 from aseme_dsl.diagnostics.problem import Problem
-from aseme_dsl.diagnostics.wording import first_of
+from aseme_dsl.diagnostics.wording import first_of, listed
 
 NeverHappens = Literal["action", "repetition", "end", "entry"]
 """What comes of a transition that is never taken: nothing is done, repeated, at its end, or entered."""
@@ -226,11 +226,15 @@ class InterruptWaits(Problem):
 
 
 class InterruptUndecided(Problem):
-    """No line for `A [> B`, where `term` is B and `interrupted` is A."""
+    """No line for `A [> B`, where `term` is B and `interrupted` is A.
+
+    `branches` are those of B if it is a choice: each may have a line instead.
+    """
 
     code = "E421"
     term: str
     interrupted: str
+    branches: tuple[str, ...] = ()
 
     @property
     def message(self) -> str:
@@ -238,6 +242,9 @@ class InterruptUndecided(Problem):
 
     @property
     def hint(self) -> str:
+        if self.branches:
+            lines = listed(f"enter {branch} : when [ … ]" for branch in self.branches)
+            return f"write `enter {self.term} : when [ … ]`, or {lines}; an event may stand for `when`"
         return f"write `enter {self.term} : when [ … ]`, or name an event"
 
 

@@ -14,6 +14,7 @@ from aseme_dsl.compiler.chart.aip_to_eac import PROCESS
 from aseme_dsl.compiler.formula import formulas as formula_tables
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.holes import apart_from_holes
+from aseme_dsl.compiler.formula.interrupts import with_interrupts
 from aseme_dsl.compiler.formula.terms import Terms, terms_of
 from aseme_dsl.diagnostics import Diagnostic, Edit, Severity, has_errors
 from aseme_dsl.editor.files.place import begin_of_declaration, end_of_declaration
@@ -93,13 +94,21 @@ def _owners(declaration: tree.Srm | tree.Aip) -> Iterator[Owner]:
     if isinstance(declaration, tree.Srm):
         table = formula_tables.table(declaration.name.text, declaration.formulas)[0]
         if table is not None:
-            yield Owner(table, {name: name for name in table.named}, declaration)
+            titles = {name: name for name in table.named}
+            yield Owner(_interrupted(table, titles, declaration), titles, declaration)
         return
     for part in declaration.participants:
         table = formula_tables.table(f"{declaration.name}.{part.name}", part.formulas, PROCESS)[0]
         if table is not None:
             titles = {name: part.name.text if name == PROCESS else name for name in table.named}
-            yield Owner(table, titles, part)
+            yield Owner(_interrupted(table, titles, declaration), titles, part)
+
+
+def _interrupted(formulas: Formulas, titles: Mapping[str, str], declaration: tree.Srm | tree.Aip) -> Formulas:
+    """The formulas, with the branches that interrupt each by itself, as the control blocks say."""
+    formula = {title: name for name, title in titles.items()}
+    found = [(item, formula[item.name.text]) for item in declaration.controls if item.name.text in formula]
+    return with_interrupts(formulas, found)
 
 
 def same_owner(text: str, old: Owner) -> Owner:

@@ -72,6 +72,19 @@ def test_the_template_of_an_operator(formula: str) -> None:
     assert chart.root.name == "R" and chart.root.type == "OR"
 
 
+def test_the_template_of_a_choice_whose_branches_interrupt() -> None:
+    """With `enter B` and `enter C` alone; a line that names the choice keeps the template of `A [> B`."""
+    lines = "enter B : b  enter (C . D) : c"
+    chart = role_chart("R = A [> (B | (C . D))", f"control R {{ {lines} }}")
+    children = ["0.1 START", "0.2 BASIC A", "0.3 BASIC B", "0.4 OR (C . D)", "0.5 END"]
+    assert inside(chart, "0") == children
+    assert arrows(chart, "0") == spread("0.1->0.2, 0.2->0.3, 0.2->0.4, 0.2->0.5, 0.3->0.5, 0.4->0.5")
+    chart = role_chart(
+        "R = A [> (B | C)", "control R { enter (B | C) : d  enter B : [true]  enter C : else }"
+    )
+    assert inside(chart, "0") == ["0.1 START", "0.2 BASIC A", "0.3 OR (B | C)", "0.4 END"]
+
+
 @pytest.mark.parametrize(
     ("formula", "name", "terms"),
     [
