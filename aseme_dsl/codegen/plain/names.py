@@ -52,7 +52,7 @@ class Method:
 
 
 class PlainNames(Face):
-    """What a plain class calls what it has, and what it turned out to use."""
+    """The names in a plain class, each by a method for one kind of thing, and the names that are used."""
 
     def __init__(
         self, program: EventProgram, class_name: str, board_name: str, options: PlainOptions

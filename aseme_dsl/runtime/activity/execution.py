@@ -94,7 +94,7 @@ class Owner(Protocol):
 
 
 class Execution:
-    """One start of an activity: the port of its context.
+    """One start of an activity: the port of its context, with a method for each call that a context makes.
 
     Its methods for the context may be called from the activity's thread; all else happens while the agent is
     guarded.

@@ -3,29 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Mapping
-from dataclasses import dataclass, is_dataclass, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import cast
 
-from aseme_dsl.runtime.activity import access
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder
+from aseme_dsl.runtime.activity.checking import check_doing
+from aseme_dsl.runtime.activity.codeless import Codeless
 from aseme_dsl.runtime.activity.execution import Execution, Host
 from aseme_dsl.runtime.activity.plan_code import CodeOf, PlanCode
 from aseme_dsl.runtime.activity.returning import as_outcome, frames_of, is_cancellation, reason_of
-from aseme_dsl.runtime.chart.functions import TYPES
 from aseme_dsl.runtime.chart.inputs import Cancel, Completed, Crashed, Start
-from aseme_dsl.runtime.chart.missing_decisions import listed, undecided
-from aseme_dsl.runtime.chart.plan import ActivityInfo
-from aseme_dsl.runtime.conversation.directory import Offer, Withdraw
 from aseme_dsl.runtime.conversation.moves import Sent
 from aseme_dsl.runtime.message.as_json import to_json
-from aseme_dsl.runtime.message.convert import same_shape
-from aseme_dsl.runtime.time.clock import MILLISECOND, nanoseconds, shown
+from aseme_dsl.runtime.time.clock import MILLISECOND, nanoseconds
 from aseme_dsl.runtime.time.timers import Timer
 
-WITHOUT_CODE = 100 * MILLISECOND
-"""How long an activity lasts that has neither code nor `takes`."""
 TICK = 10 * MILLISECOND
 """How long a `step` activity sleeps that yields nothing."""
 
@@ -58,9 +52,7 @@ class Executions:
         self._nodes: dict[str, _Node] = {}
         self._former: list[_Node] = []
         """What the present plan does not have and is cancelled, but has not come to its end yet."""
-        self._late_codeless: set[str] = set()
-        self._codeless: set[str] = set()
-        """The branches of which an activity without code has begun."""
+        self._codeless = Codeless(agent, code)
 
     # ---- what the step asks for --------------------------------------------------------------
 
@@ -251,7 +243,10 @@ class Executions:
         elif info.waits:
             pass  # until it is cancelled
         elif execution.code is None:
-            self._last(execution, info, now)
+            lasts = self._codeless.begin(execution, now)
+            execution.timer = self.agent.driver.at(
+                now + lasts, lambda: self.agent.errand(lambda: self.returned(execution, None))
+            )
         else:
             if info.takes is not None and self.agent.driver.clock.virtual:
                 execution.opens = now + info.takes
@@ -260,35 +255,6 @@ class Executions:
                 self._advance(execution)
             else:
                 self.agent.driver.launch(execution)
-
-    def _last(self, execution: Execution, info: ActivityInfo, now: int) -> None:
-        """Let an activity without code last."""
-        if info.takes is None and info.name not in self._late_codeless:
-            self._late_codeless.add(info.name)
-            text = f"activity {info.name} has neither code nor `takes`: it lasts {shown(WITHOUT_CODE)}"
-            self.agent.trace.remark(now, self.agent.name, text, code="W201", activity=info.name)
-        self.agent.requests.prepared.begun_without_code(execution.branch)
-        if execution.branch is not None and execution.branch not in self._codeless:
-            self._codeless.add(execution.branch)
-            self._tell_undecided(execution.branch, now)
-        lasts = WITHOUT_CODE if info.takes is None else info.takes
-        execution.timer = self.agent.driver.at(
-            now + lasts, lambda: self.agent.errand(lambda: self.returned(execution, None))
-        )
-
-    def _tell_undecided(self, branch: str, now: int) -> None:
-        """Tell, once for a role, of a participant that agrees to nothing: no activity of it has code."""
-        if self._code.has_code_in(branch):
-            return
-        plan = self.agent.plan
-        found = undecided(plan, branch)
-        if not found.variables:
-            return
-        info = self.agent.branch_info(branch)
-        stay = f"{listed(found.variables, 'and')} {'stays' if len(found.variables) == 1 else 'stay'} false"
-        text = f"{plan.name} plays {info.protocol}.{info.participant} without code, so {stay}"
-        write = listed(found.activities, "or")
-        self.agent.trace.remark(now, self.agent.name, f"{text}: {write} would decide that")
 
     def _open(self, execution: Execution) -> None:
         """The activity has lasted what it takes: what it did counts."""
@@ -408,32 +374,8 @@ class Executions:
     # ---- what an activity does ---------------------------------------------------------------
 
     def check(self, execution: Execution, doing: c.Doing) -> None:
-        """Refuse at once what means nothing, and what was not declared.
-
-        Raises:
-            UndeclaredError: the activity does not declare that it writes the channel or variable.
-            LookupError: there is no such channel, variable or participant.
-            TypeError: a message or value is of another type.
-        """
-        match doing:
-            case c.Publish(channel, message):
-                c.check_message(channel, message)
-                self._check_kind(channel, message)
-                access.check_publish(execution.info, channel)
-            case c.SetVariable(name, value):
-                variable = self.agent.plan.variable_of(name, execution.label)
-                if not fits(variable.type, value):
-                    raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
-                access.check_set(execution.info, variable, name)
-            case c.Prepare(message):
-                if isinstance(message, type) or not is_dataclass(message):
-                    raise TypeError(f"what is prepared is a message, not {message!r}")
-            case c.Send(performative, message, to):
-                self.agent.requests.check_send(execution, performative, type(message).__name__, to)
-            case Offer(anew=anew):
-                self.agent.requests.check_registered(anew)
-            case Withdraw():
-                self.agent.requests.check_registered(True)
+        """Refuse at once an effect that is not declared or makes no sense; see `check_doing`."""
+        check_doing(self.agent, execution, doing)
 
     def frozen(self, execution: Execution) -> c.Port:
         """The port of a context that keeps what its activity sees just now."""
@@ -441,33 +383,10 @@ class Executions:
 
         return FrozenPort(execution)
 
-    def _check_kind(self, channel: str, message: object) -> None:
-        """Refuse a class that has only the name of a message; one of another version may be another class."""
-        agent, found = self.agent, type(message)
-        kind = agent.kinds.get(found.__name__)
-        if found is kind or kind is None:
-            return
-        if not is_dataclass(found) or not (agent.messages or same_shape(found, kind)):
-            text = (
-                f"{channel} carries {agent.plan.system}'s {found.__name__}, not the one of {found.__module__}"
-            )
-            raise TypeError(text)
-
     def _trace(self, what: str, effect: Start | Cancel, **members: object) -> None:
         agent = self.agent
         if agent.trace.active:
             agent.trace.activity(what, agent.driver.clock.now(), agent.name, effect, **members)
-
-
-_TYPES = {**TYPES, "agent": (str, type(None))}
-
-
-def fits(kind: str, value: object) -> bool:
-    """Whether a value is of the type of a variable."""
-    expected = _TYPES.get(kind)
-    if expected is None:
-        return type(value).__name__ == kind
-    return isinstance(value, expected) and (bool in expected or not isinstance(value, bool))
 
 
 def _outcome(execution: Execution) -> str | None:

@@ -48,6 +48,72 @@ class _Leaf:
     gone: bool = False
 
 
+class _Queue:
+    """The behaviours of one agent that act themselves, each once it is ready. Called while it is guarded."""
+
+    def __init__(self, host: Host, run: Callable[[], None]) -> None:
+        """`run` is called as an errand of the agent when there are ready behaviours; it takes them."""
+        self._host = host
+        self._run = run
+        self._ready: deque[_Leaf] = deque()
+        self._asked = False
+        self._spent: dict[int, tuple[int, int]] = {}
+        """How many actions of a root were in which span of `TICK`."""
+
+    def make_ready(self, leaf: _Leaf) -> None:
+        """Let a behaviour act in its turn."""
+        if leaf.gone or leaf.ready:
+            return
+        self.awake(leaf)
+        leaf.ready = True
+        self._ready.append(leaf)
+        self._ask()
+
+    def _ask(self) -> None:
+        if not self._asked:
+            self._asked = True
+            self._host.errand(self._run)
+
+    def awake(self, leaf: _Leaf) -> None:
+        """A behaviour does not wait any more."""
+        leaf.wakes = leaf.ready = False
+        if leaf.timer is not None:
+            leaf.timer.cancel()
+            leaf.timer = None
+
+    def sleep(self, leaf: _Leaf, until: int | None, wakes: bool = False) -> None:
+        """Let a behaviour act again at a moment, or (`wakes`) when a message has come."""
+        self.awake(leaf)
+        leaf.wakes = wakes
+        if until is not None:
+            leaf.timer = self._host.driver.at(
+                until, lambda: self._host.errand(lambda: self._ring(leaf, until))
+            )
+
+    def _ring(self, leaf: _Leaf, until: int) -> None:
+        if leaf.timer is not None and leaf.timer.moment <= max(until, self._host.driver.clock.now()):
+            leaf.timer = None
+            self.make_ready(leaf)
+
+    def take(self) -> list[_Leaf]:
+        """The behaviours that are ready, in order."""
+        self._asked = False
+        ready, self._ready = list(self._ready), deque()
+        return ready
+
+    def may_act(self, root: Behaviour) -> bool:
+        """Count an action of a root; False if it has had too many of them in this `TICK`."""
+        span = self._host.driver.clock.now() // TICK
+        known, count = self._spent.get(id(root), (span, 0))
+        count = count + 1 if known == span else 1
+        self._spent[id(root)] = span, count
+        return count <= AT_ONCE
+
+    def forget(self, root: Behaviour) -> None:
+        """A root behaviour has ended."""
+        self._spent.pop(id(root), None)
+
+
 class BehaviourScheduler:
     """The behaviours that were added to one agent. Called while the agent is guarded, but for `add`."""
 
@@ -57,11 +123,8 @@ class BehaviourScheduler:
         self.roots: tuple[Behaviour, ...] = ()
         """What was added and has not ended."""
         self._leaves: dict[int, _Leaf] = {}
-        self._ready: deque[_Leaf] = deque()
+        self._queue = _Queue(host, self._run)
         self._acting: _Leaf | None = None
-        self._asked = False
-        self._spent: dict[int, tuple[int, int]] = {}
-        """How many actions of a root were in which span of `TICK`."""
         self._stopped = False
 
     # ---- for the agent -----------------------------------------------------------------------
@@ -113,7 +176,7 @@ class BehaviourScheduler:
             box[identity] = message
             for leaf in list(self._leaves.values()):
                 if leaf.wakes:
-                    self._make_ready(leaf)
+                    self._queue.make_ready(leaf)
 
     # ---- for the behaviours ------------------------------------------------------------------
 
@@ -161,7 +224,7 @@ class BehaviourScheduler:
     def restart(self, behaviour: Behaviour) -> None:
         leaf = self._leaves.get(id(behaviour))
         if leaf is not None and leaf.wakes:
-            self._make_ready(leaf)
+            self._queue.make_ready(leaf)
 
     def log(self, behaviour: Behaviour, text: str) -> None:
         host = self._host
@@ -189,9 +252,9 @@ class BehaviourScheduler:
             leaf = self._leaves[id(item)] = _Leaf(item, root)
             due = item._due(self.now())
             if due is None:
-                self._make_ready(leaf)
+                self._queue.make_ready(leaf)
             else:
-                self._sleep(leaf, due)
+                self._queue.sleep(leaf, due)
 
     def _finish(self, behaviour: Behaviour, root: Behaviour) -> None:
         """A behaviour is done: the behaviour around it continues, or is done as well."""
@@ -241,7 +304,7 @@ class BehaviourScheduler:
 
     def _let_go(self, root: Behaviour) -> None:
         self.roots = tuple(item for item in self.roots if item is not root)
-        self._spent.pop(id(root), None)
+        self._queue.forget(root)
         for item in _inside(root):
             self._drop(item)
             item._runs_in = None
@@ -253,7 +316,7 @@ class BehaviourScheduler:
             if leaf is None:
                 continue
             leaf.gone = True
-            self._awake(leaf)
+            self._queue.awake(leaf)
             generator, leaf.generator = leaf.generator, None
             if generator is not None and leaf is not self._acting:
                 try:
@@ -266,63 +329,20 @@ class BehaviourScheduler:
 
     # ---- acting ------------------------------------------------------------------------------
 
-    def _make_ready(self, leaf: _Leaf) -> None:
-        if leaf.gone or leaf.ready:
-            return
-        self._awake(leaf)
-        leaf.ready = True
-        self._ready.append(leaf)
-        self._ask()
-
-    def _ask(self) -> None:
-        if not self._asked:
-            self._asked = True
-            self._host.errand(self._run)
-
-    def _awake(self, leaf: _Leaf) -> None:
-        """It waits for nothing any more."""
-        leaf.wakes = leaf.ready = False
-        if leaf.timer is not None:
-            leaf.timer.cancel()
-            leaf.timer = None
-
-    def _sleep(self, leaf: _Leaf, until: int | None, wakes: bool = False) -> None:
-        """It acts again at a moment, or (`wakes`) when a message has come."""
-        self._awake(leaf)
-        leaf.wakes = wakes
-        if until is not None:
-            leaf.timer = self._host.driver.at(
-                until, lambda: self._host.errand(lambda: self._ring(leaf, until))
-            )
-
-    def _ring(self, leaf: _Leaf, until: int) -> None:
-        if leaf.timer is not None and leaf.timer.moment <= max(until, self.now()):
-            leaf.timer = None
-            self._make_ready(leaf)
-
     def _run(self) -> None:
         """One action of each that is ready."""
-        self._asked = False
-        batch, self._ready = list(self._ready), deque()
-        for leaf in batch:
+        for leaf in self._queue.take():
             if leaf.gone or not leaf.ready:
                 continue
             leaf.ready = False
-            if not self._may_act(leaf.root):
-                self._sleep(leaf, self.now() + TICK)
+            if not self._queue.may_act(leaf.root):
+                self._queue.sleep(leaf, self.now() + TICK)
                 continue
             self._acting = leaf
             try:
                 self._act(leaf)
             finally:
                 self._acting = None
-
-    def _may_act(self, root: Behaviour) -> bool:
-        span = self.now() // TICK
-        known, count = self._spent.get(id(root), (span, 0))
-        count = count + 1 if known == span else 1
-        self._spent[id(root)] = span, count
-        return count <= AT_ONCE
 
     def _act(self, leaf: _Leaf) -> None:
         behaviour, root = leaf.behaviour, leaf.root
@@ -349,18 +369,18 @@ class BehaviourScheduler:
             return
         due = behaviour._due(self.now())
         if due is not None:
-            self._sleep(leaf, due)
+            self._queue.sleep(leaf, due)
         elif leaf.blocked:
-            self._sleep(leaf, leaf.until, wakes=True)
+            self._queue.sleep(leaf, leaf.until, wakes=True)
         elif leaf.took:
-            self._make_ready(leaf)
+            self._queue.make_ready(leaf)
         else:
-            self._sleep(leaf, self.now() + TICK)
+            self._queue.sleep(leaf, self.now() + TICK)
 
     def _pause(self, leaf: _Leaf, pause: object) -> None:
         """A generator waits: for what it has yielded."""
         if isinstance(pause, Pause):
-            self._sleep(leaf, pause.until, wakes=pause.message)
+            self._queue.sleep(leaf, pause.until, wakes=pause.message)
             return
         fine, moment = self._call(
             leaf.behaviour,
@@ -369,7 +389,7 @@ class BehaviourScheduler:
             "action",
         )
         if fine:
-            self._sleep(leaf, moment)
+            self._queue.sleep(leaf, moment)
 
     # ---- the trace ---------------------------------------------------------------------------
 

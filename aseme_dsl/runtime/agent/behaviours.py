@@ -17,8 +17,8 @@ from itertools import pairwise
 from typing import Any, ClassVar, TypeVar, cast
 
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, Executable
+from aseme_dsl.runtime.activity.checking import fits
 from aseme_dsl.runtime.activity.execution import Host
-from aseme_dsl.runtime.activity.executions import fits
 from aseme_dsl.runtime.activity.returning import frames_of, reason_of
 from aseme_dsl.runtime.agent import added_behaviours as added
 from aseme_dsl.runtime.agent import fipa_callbacks

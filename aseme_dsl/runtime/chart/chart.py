@@ -57,7 +57,10 @@ Seen = tuple[tuple[object, ...], tuple[object, ...]]
 
 
 class Chart(ChartState):
-    """A running statechart. Subclasses are generated; see `semantics.md` for what a step does."""
+    """A running statechart. Subclasses are generated; see `semantics.md` for what a step does.
+
+    Nearly all methods are operations of generated code, which calls each of them by its name.
+    """
 
     __slots__ = ()
 

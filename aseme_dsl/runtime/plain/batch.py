@@ -82,10 +82,12 @@ def _check_shape(name: str, shape: tuple[int, ...], size: int) -> None:
 
 
 class Batch:
-    """So many running instances of a statechart. Subclasses are generated.
+    """Many running instances of a statechart, which make their steps together. Subclasses are generated.
 
     `bb` has an array for each value of the plain blackboard, to be read and written between steps; whole
     numbers have 64 bits. Nothing is active before `start`: until then there are no steps and nothing to ask.
+
+    The class has the same public methods as a plain statechart, for arrays, and a few for generated code.
     """
 
     ARRAYS: ClassVar[tuple[tuple[str, str, bool | int | float, bool], ...]] = ()
