@@ -141,6 +141,7 @@ class ChannelRules:
     - `every`: the least time between two publications, in ns.
     - `queued`: a new signal does not replace an unread one.
     - `persist`: a state survives a restart.
+    - `expires`: the age at which an untaken signal is dropped, in ns.
     """
 
     channel: Channel
@@ -149,6 +150,7 @@ class ChannelRules:
     queued: bool
     persist: bool
     span: Span
+    expires: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

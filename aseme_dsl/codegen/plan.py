@@ -344,6 +344,7 @@ def plan_sections(system: System, chart: Statechart, versions: Mapping[str, str]
                         ("retention", kept.get(str(rules.channel), 0), 0),
                         ("every", rules.every, None),
                         ("persist", rules.persist, False),
+                        ("expires", rules.expires, None),
                         ("sources", rules.sources, ()),
                         ("radio", topic.radio, None),
                         ("delay", topic.delay or 0, 0),

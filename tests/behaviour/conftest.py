@@ -21,7 +21,7 @@ enum Colour { RED GREEN BLUE }
 message M { int x  bool on  double d  string s  Colour colour }
 message Note { string text }
 topic t { state M  signal M  data M }
-topic q { signal M queued }
+topic q { signal M queued  signal Note expires 20ms }
 
 team T { me, ann, bob, eve : R }
 

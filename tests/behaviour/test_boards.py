@@ -184,6 +184,21 @@ def test_a_newer_signal_replaces_an_unread_one_of_the_same_sender(play: Play) ->
     assert run.active == ["C"]
 
 
+def test_an_unread_signal_is_gone_when_it_expires(play: Play) -> None:
+    """ "gone once it is so old as its topic says with `expires`" """
+    run = play("""
+        srm R {
+          liveness { R = A . B . C }
+          control R { enter B : [has(q.signal.Note)]  enter C : when [has(q.signal.Note)] }
+        }
+    """).step()
+    run.step(run.heard("q.signal.Note"))
+    run.step(run.done("A"), ms=20)
+    assert run.active == ["A"]
+    run.step(run.heard("q.signal.Note"))
+    assert run.active == ["B"]
+
+
 def test_a_signal_of_one_sender(play: Play) -> None:
     """ "`host.t.signal.M` the oldest of that sender" """
     run = play("""

@@ -123,7 +123,7 @@ def test_a_topic_offers_messages_it_does_not_carry_yet() -> None:
 
 def test_behind_the_messages_of_a_topic() -> None:
     text = "system T\nmessage A { bool x }\ntopic t { state A ‸ }\n"
-    assert labels(text)[:4] == ["from", "every", "queued", "persist"]
+    assert labels(text)[:4] == ["from", "every", "expires", "queued"]
 
 
 @pytest.mark.parametrize(

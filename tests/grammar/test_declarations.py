@@ -49,7 +49,7 @@ def test_message() -> None:
 def test_topic() -> None:
     text = """topic team under world radio 10 delay 200ms {
       state Ball, Pose from camera, robot1 every 33ms queued persist
-      signal Whistle queued  data Track persist every 1s
+      signal Whistle queued expires 2s  data Track persist every 1s
       state Plain
     }"""
     assert short(declared(text)) == (
@@ -59,10 +59,10 @@ def test_topic() -> None:
         10,
         "200000000ns",
         (
-            ("TopicEntry", "state", ("Ball", "Pose"), ("camera", "robot1"), "33000000ns", True, True),
-            ("TopicEntry", "signal", ("Whistle",), (), None, True, False),
-            ("TopicEntry", "data", ("Track",), (), "1000000000ns", False, True),
-            ("TopicEntry", "state", ("Plain",), (), None, False, False),
+            ("TopicEntry", "state", ("Ball", "Pose"), ("camera", "robot1"), "33000000ns", True, True, None),
+            ("TopicEntry", "signal", ("Whistle",), (), None, True, False, "2000000000ns"),
+            ("TopicEntry", "data", ("Track",), (), "1000000000ns", False, True, None),
+            ("TopicEntry", "state", ("Plain",), (), None, False, False, None),
         ),
     )
     assert short(declared("topic a { }")) == ("Topic", "a", None, None, None, ())

@@ -21,7 +21,7 @@ message Inner { int y  optional int z }
 message M { int x  bool on  double d  string s  Colour colour  Inner inner  repeated int many }
 message Note { string text  int n }
 
-topic t { state M, Note  signal M, Note  data M }
+topic t { state M, Note  signal M  signal Note expires 15ms  data M }
 topic q { signal M queued  data Note }
 
 function even(int n) : bool = "tests.oracle.functions:even"

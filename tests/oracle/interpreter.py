@@ -293,6 +293,7 @@ class Reference:
         # "1. Inputs, in the order given"
         for item in inputs:
             self.take_in(item)
+        self.drop_expired()
         self.look_at_deadlines()
 
         # "A step that does not settle within a bound" is an error "that names the cycle". Rounds that take
@@ -487,6 +488,14 @@ class Reference:
 
     def reads(self, region: str, channel: str) -> bool:
         return any(r.label == region and channel in r.reads for r in self.plan.regions)
+
+    def drop_expired(self) -> None:
+        """ "A signal that is not taken is gone once it is so old as its topic says with `expires`." """
+        longest = {c.name: c.expires for c in self.plan.channels if c.expires is not None}
+        for region in self.regions.values():
+            for channel, signals in region.signals.items():
+                if channel in longest:
+                    region.signals[channel] = [s for s in signals if self.now - s.time < longest[channel]]
 
     def queued(self, channel: str) -> bool:
         return any(c.name == channel and c.queued for c in self.plan.channels)

@@ -26,6 +26,16 @@ class Boards(Part):
         label = self.flat.regions[region].label
         return next((r for r in self.chart.regions if r.label == label), Region(label, (), ()))
 
+    def expire(self) -> bool:
+        """Whether any region reads signals that expire."""
+        return any(self._expiring(self._reads(region.number)) for region in self.flat.regions)
+
+    def _expiring(self, reads: tuple[str, ...]) -> dict[str, int]:
+        """After how many ns the signals of these channels expire, of those that do."""
+        rules = (rules for topic in self.names.system.topics for rules in topic.channels)
+        found = {str(item.channel): item.expires for item in rules if item.expires is not None}
+        return {channel: found[channel] for channel in reads if channel in found}
+
     def board(self, number: int) -> list[str]:
         """The class of a region's blackboard."""
         region = self.flat.regions[number]
@@ -62,6 +72,9 @@ class Boards(Part):
         ]
         if queued:
             lines.append(f"    QUEUED = frozenset({queued!r})")
+        expiring = self._expiring(reads)
+        if expiring:
+            lines.append(f"    EXPIRES: ClassVar[Mapping[str, int]] = {expiring!r}")
         if kept:
             lines.append(f"    RETENTION: ClassVar[Mapping[str, int]] = {kept!r}")
         if table:

@@ -71,6 +71,7 @@ class Head(Part):
             f"    VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {variables!r}",
             f"    MESSAGES: ClassVar[Mapping[str, Any]] = {self._message_classes()}",
             f"    TIMES: ClassVar[Mapping[str, str]] = {times!r}",
+            *self._expiring(),
             *self._waiting(),
             *self._deadlines(),
             *self._wakes(),
@@ -92,6 +93,9 @@ class Head(Part):
         if any(agent.settings for agent in agents if agent.role == self.chart.name):
             lines.append("        self.settle()")
         return lines
+
+    def _expiring(self) -> list[str]:
+        return ["    EXPIRING = True"] if self.boards.expire() else []
 
     def _waiting(self) -> list[str]:
         found = sorted(node.label for node in self.chart.states if node.waits)

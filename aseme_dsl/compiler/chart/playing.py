@@ -65,7 +65,7 @@ def weave(
     formulas: Formulas,
     plays: Sequence[Plays],
     parts: Mapping[tuple[str, str], Part],
-    controls: Iterable[tuple[tree.Control, str]],
+    controls: Sequence[tuple[tree.Control, str]],
     scope: Scope,
     largest: int,
     damaged: bool,

@@ -17,7 +17,7 @@ from aseme_dsl.compiler.read.names import declared_twice, unknown
 from aseme_dsl.diagnostics import Related
 from aseme_dsl.diagnostics.problems import names as problems
 from aseme_dsl.diagnostics.problems.absences import NoCommunicationClass, NoMessage, NoPublisher, NoTopic
-from aseme_dsl.diagnostics.problems.expressions.paths import NotKept, NotQueued
+from aseme_dsl.diagnostics.problems.expressions.paths import NotExpiring, NotKept, NotQueued
 from aseme_dsl.grammar.text import tree
 
 
@@ -135,6 +135,8 @@ def _channels(
                 collector.diagnostics.append(unknown(NoPublisher, source, publishers))
         if entry.persist and comm is not ChannelKind.STATE:
             collector.report(NotKept(str(comm)), entry.span)
+        if entry.expires is not None and (comm is not ChannelKind.SIGNAL or not entry.expires.nanoseconds):
+            collector.report(NotExpiring(str(comm)), entry.expires.span)
         for name in entry.messages:
             if symbols.message(name.text) is None:
                 if not symbols.is_excused(name.text):
@@ -155,6 +157,7 @@ def _channels(
                 entry.queued,
                 entry.persist,
                 name.span,
+                None if entry.expires is None else entry.expires.nanoseconds,
             )
     return tuple(found.values())
 

@@ -163,6 +163,8 @@ def _rules(rules: ChannelRules) -> str:
         words.append("from " + ", ".join(rules.sources))
     if rules.every is not None:
         words.append("every " + duration_text(rules.every))
+    if rules.expires is not None:
+        words.append("expires " + duration_text(rules.expires))
     words += ["queued"] * rules.queued + ["persist"] * rules.persist
     return " ".join(words)
 

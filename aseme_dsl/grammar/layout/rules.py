@@ -95,6 +95,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "TopicMessages": Line({"messages": 1}),
         "TopicFrom": Part(),
         "TopicEvery": Part(),
+        "TopicExpires": Part(),
         "TopicFlag": Part(),
         "Function": Line(tight="(", breaks=frozenset("=")),
         "Parameter": Part(),

@@ -75,6 +75,10 @@ class TopicEvery(Node):
     every: Leaf
 
 
+class TopicExpires(Node):
+    duration: Leaf
+
+
 class TopicFlag(Node):
     flag: Leaf
 
@@ -484,7 +488,7 @@ if TYPE_CHECKING:
     EnumEntry: TypeAlias = EnumConstant | Leaf
     FieldEntry: TypeAlias = Field | Leaf
     TopicEntry: TypeAlias = TopicMessages | Leaf
-    TopicClause: TypeAlias = TopicFrom | TopicEvery | TopicFlag
+    TopicClause: TypeAlias = TopicFrom | TopicEvery | TopicExpires | TopicFlag
     SagEntry: TypeAlias = Actor | Leaf
     ActorEntry: TypeAlias = Goal | Leaf
     GoalClause: TypeAlias = Depends | Requirements

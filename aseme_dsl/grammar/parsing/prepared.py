@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 1291256684
+CHECKSUM = 705409970
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -249,7 +249,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'TopicClause': (
         'abstract',
         {},
-        ('choice', 'TopicFrom', 'TopicEvery', 'TopicFlag'),
+        ('choice', 'TopicFrom', 'TopicEvery', 'TopicExpires', 'TopicFlag'),
     ),
     'TopicFrom': (
         'common',
@@ -260,6 +260,11 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         'common',
         {'every': 'one'},
         ('series', ('word', 'every'), ('=', 'every', 'Duration')),
+    ),
+    'TopicExpires': (
+        'common',
+        {'duration': 'one'},
+        ('series', ('word', 'expires'), ('=', 'duration', 'Duration')),
     ),
     'TopicFlag': (
         'common',

@@ -67,7 +67,7 @@ BLOCKS: dict[str, Block] = {
     ),
     "JunkConstant": _names(separators=",;"),
     "JunkField": _names("optional repeated", separators=",;"),
-    "JunkTopic": _block("signal state data", clauses="from every queued persist"),
+    "JunkTopic": _block("signal state data", clauses="from every expires queued persist"),
     "JunkActor": _block("actor"),
     "JunkGoal": _block("goal", clauses="depends on", around="JunkActor"),
     "JunkSuc": _block("role usecase", clauses="by includes realises"),

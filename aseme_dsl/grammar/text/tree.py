@@ -410,7 +410,7 @@ class Message:
 
 @dataclass(frozen=True, slots=True)
 class TopicEntry:
-    """`state Ball, Pose from vision every 33ms queued persist`."""
+    """`state Ball, Pose from vision every 33ms queued persist`, or `signal Select expires 2s`."""
 
     comm: Name
     messages: tuple[Name, ...]
@@ -418,6 +418,7 @@ class TopicEntry:
     every: Duration | None
     queued: bool
     persist: bool
+    expires: Duration | None
     span: Span
 
 

@@ -236,6 +236,7 @@ class Execution:
         access.check_read(self.info, channel)
         agent = self.owner.agent
         with agent.driver.guard(agent):
+            self.board.expire(self.now())
             return self.board.newest(channel, host)
 
     def history(self, channel: str, host: str | None) -> tuple[Sample, ...]:
@@ -254,6 +255,7 @@ class Execution:
         access.check_read(self.info, channel)
         agent = self.owner.agent
         with agent.driver.guard(agent):
+            self.board.expire(self.now())
             item = self.board.take(channel, host)
             if item is not None:
                 agent.trace.write(

@@ -146,6 +146,7 @@ class SnapshotPort:
 
     def newest(self, channel: str, host: str | None) -> Sample | None:
         access.check_read(self._snapshot.info, channel)
+        self._snapshot.board.expire(self.now())
         return self._snapshot.board.newest(channel, host)
 
     def history(self, channel: str, host: str | None) -> tuple[Sample, ...]:
@@ -162,6 +163,7 @@ class SnapshotPort:
 
     def take(self, channel: str, host: str | None) -> Sample | None:
         access.check_read(self._snapshot.info, channel)
+        self._snapshot.board.expire(self.now())
         item = self._snapshot.board.take(channel, host)
         if item is not None:
             self._tell(TookSignal(channel, item.sender, item.identity))

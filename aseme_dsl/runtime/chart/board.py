@@ -34,6 +34,8 @@ class Board:
 
     CHANNELS: ClassVar[frozenset[str]] = frozenset()
     QUEUED: ClassVar[frozenset[str]] = frozenset()
+    EXPIRES: ClassVar[Mapping[str, int]] = {}
+    """The age in ns at which the untaken signals of a channel are dropped."""
     RETENTION: ClassVar[Mapping[str, int]] = {}
     SLOTS: ClassVar[Mapping[str, tuple[tuple[str, str | None], ...]]] = {}
     TIMED: ClassVar[frozenset[str]] = frozenset()
@@ -179,6 +181,14 @@ class Board:
                 self._refresh(item.channel)
                 return True
         return False
+
+    def expire(self, now: int) -> None:
+        """Drop the signals that are too old."""
+        for channel, longest in self.EXPIRES.items():
+            waiting = self._signals.get(channel)
+            if waiting and any(now - item.time >= longest for item in waiting):
+                waiting[:] = [item for item in waiting if now - item.time < longest]
+                self._refresh(channel)
 
     def end_step(self) -> tuple[str, ...]:
         """Drop the signals that were looked at; the channels of those that were still there."""

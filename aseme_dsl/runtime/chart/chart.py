@@ -36,6 +36,7 @@ from aseme_dsl.runtime.chart.stepping import (
     RECEIVE,
     count_waiting,
     end_step,
+    expire_signals,
     fail_late_activities,
     livelock,
     put,
@@ -80,6 +81,8 @@ class Chart(ChartState):
         self.now = now
         for item in inputs:
             RECEIVE[type(item)](self, item)
+        if self.EXPIRING:
+            expire_signals(self)
         if self.WITHIN:
             fail_late_activities(self)
         if not self.started:

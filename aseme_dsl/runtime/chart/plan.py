@@ -165,6 +165,8 @@ class ChannelInfo:
     """The most bytes a radio message of its topic may have, or None where it does not go by radio."""
     delay: int = 0
     """How old a radio message of its topic is when it arrives, in ns."""
+    expires: int | None = None
+    """The age at which an untaken signal is dropped, in ns."""
 
 
 @dataclass(frozen=True, slots=True)

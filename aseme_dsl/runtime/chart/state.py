@@ -79,6 +79,8 @@ class ChartState:
     MISSED: ClassVar[Mapping[str, tuple[tuple[int, str, tuple[tuple[int, int], ...]], ...]]] = {}
     """Of each signal that a condition may miss: the number of a region and the slot of its leaf.
     The first and last numbers of the leaves at which such a condition reads it follow."""
+    EXPIRING: ClassVar[bool] = False
+    """Whether any region reads signals that expire."""
     WITHIN: ClassVar[Mapping[str, int]] = {}
     """The deadlines of BASIC states: how long their activities have from the entry, in ns."""
     KEPT: ClassVar[Mapping[str, str]] = {}

@@ -74,6 +74,13 @@ def put(chart: ChartState, region: int, board: Board, item: Sample) -> None:
         board.put(item, chart.now)
 
 
+def expire_signals(chart: ChartState) -> None:
+    """Drop the signals that are too old for their topics."""
+    for board in chart.boards():
+        if board is not None and board.EXPIRES:
+            board.expire(chart.now)
+
+
 def fail_late_activities(chart: ChartState) -> None:
     """Cancel the activities whose deadline has passed: their states have failed."""
     for label, within in chart.WITHIN.items():

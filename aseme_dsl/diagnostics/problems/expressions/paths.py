@@ -268,6 +268,23 @@ class NotQueued(Problem):
     hint = "only signals wait in a queue"
 
 
+class NotExpiring(Problem):
+    code = "E503"
+    kind: str
+
+    @property
+    def message(self) -> str:
+        if self.kind == "signal":
+            return "a signal that expires after no time is never read"
+        return f"a {self.kind} does not expire"
+
+    @property
+    def hint(self) -> str:
+        if self.kind == "signal":
+            return "write a longer time"
+        return "a condition can ask for its age: `age(…) < 2s`"
+
+
 class NotKept(Problem):
     code = "E503"
     kind: str

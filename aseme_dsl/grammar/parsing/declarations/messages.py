@@ -52,6 +52,7 @@ def topic(pieces: Pieces, node: nodes.Topic) -> tree.Topic:
 def _topic_entry(pieces: Pieces, node: nodes.TopicMessages) -> tree.TopicEntry:
     sources: tuple[tree.Name, ...] = ()
     every: tree.Duration | None = None
+    expires: tree.Duration | None = None
     flags: set[str] = set()
     said = Once(pieces)
     for clause in node.clauses:
@@ -61,6 +62,9 @@ def _topic_entry(pieces: Pieces, node: nodes.TopicMessages) -> tree.TopicEntry:
         elif is_a(clause, nodes.TopicEvery):
             said.check("every", pieces.span(clause))
             every = pieces.duration(clause.every)
+        elif is_a(clause, nodes.TopicExpires):
+            said.check("expires", pieces.span(clause))
+            expires = pieces.duration(clause.duration)
         elif is_a(clause, nodes.TopicFlag):
             said.check(str(clause.flag), pieces.span(clause))
             flags.add(str(clause.flag))
@@ -71,6 +75,7 @@ def _topic_entry(pieces: Pieces, node: nodes.TopicMessages) -> tree.TopicEntry:
         every,
         "queued" in flags,
         "persist" in flags,
+        expires,
         pieces.span(node),
     )
 
