@@ -4,11 +4,8 @@ Nothing runs at once. At an instant the agents that are due step in the team's o
 of the activities that they started runs, in that order. The next wave of the instant takes what came of both.
 When nothing is left, time jumps to the next moment at which something is due.
 
-An activity that waits must let the others continue, and Python can suspend code only with a thread. So the
-thread that runs the loop is not always the same. If activity code waits, its thread (with the code on its
-stack) sleeps, and another one leads the loop. When the wait is over, the leader wakes the sleeper and hands
-the lead over to it. Still only one thread runs at any time, and code that never waits costs no switch.
-Nothing of the loop's state is on its stack while code runs; that is what makes this possible.
+The thread that runs the loop is not always the same (see `leading`). Nothing of the loop's state is on its
+stack while activity code runs; that is what makes this possible.
 
 The thread that asks for the run leads nothing: it waits for its end. It reports code that does not return,
 and leaves it behind, with its thread, when the run ends.
@@ -17,17 +14,16 @@ and leaves it behind, with its thread, when the run ends.
 from __future__ import annotations
 
 import sys
-import threading
 from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from contextvars import copy_context
 from typing import TYPE_CHECKING, cast
 
 from aseme_dsl.runtime.activity.context import Cancelled
 from aseme_dsl.runtime.activity.snapshot import run_snapshot
 from aseme_dsl.runtime.activity.stacks import activity_of, place_of
 from aseme_dsl.runtime.chart.input_queue import Errand, Posted
+from aseme_dsl.runtime.driver.leading import Seat, Threads
 from aseme_dsl.runtime.ports import Complain, Stepping
 from aseme_dsl.runtime.time.clock import VirtualClock, shown
 from aseme_dsl.runtime.time.timers import Timer, Timers
@@ -49,22 +45,6 @@ PATIENCE = 20
 """It reports code that has not returned, or has let no time pass, at so many looks."""
 
 _FREE = nullcontext()
-
-
-class _Seat:
-    """A thread's place: it leads, or it sleeps here until it is handed the lead."""
-
-    __slots__ = ("go", "queued", "steps_aside", "thread")
-
-    def __init__(self) -> None:
-        self.thread: int | None = None
-        self.go = threading.Lock()
-        self.go.acquire()
-        self.steps_aside = False
-        """Whether its thread has handed the lead over and is about to sleep here. It must, under any leader:
-        each release of `go` is for one sleep."""
-        self.queued = False
-        """Whether it is on the list of those that are handed the lead."""
 
 
 class VirtualDriver:
@@ -99,24 +79,13 @@ class VirtualDriver:
         self._woken = False
         self._interrupt: str | None = None
         self._closing = False
-        self._done = False
         self._things = 0
         self._rings = 0
         """How often timers were due at the present moment once more."""
-        self._still: dict[tuple[str, str], tuple[int, _Seat]] = {}
+        self._still: dict[tuple[str, str], tuple[int, Seat]] = {}
         """How often each activity has waited 0 s at the present moment, and its thread."""
         self._told: set[str] = set()
-        self._ending = threading.Lock()
-        """Held from the moment at which a thread ends the loop: it is ended once."""
-        self._over = threading.Lock()
-        """Held until it has ended."""
-        self._over.acquire()
-        self._context = copy_context()
-        self._error: BaseException | None = None
-        self._leader = _Seat()
-        self._spares: list[_Seat] = []
-        self._sleepers: list[_Seat] = []
-        self._threads: list[threading.Thread] = []
+        self._threads = Threads(self._one_thing)
         self._loop: VirtualLoop | None = None
 
     # ---- the driver's interface --------------------------------------------------------------
@@ -162,83 +131,32 @@ class VirtualDriver:
     def cancel(self, execution: Execution) -> None:
         """Tell an activity that waits; one that has not begun to run finds out by itself."""
         handle = execution.handle
-        if isinstance(handle, _Seat):
+        if isinstance(handle, Seat):
             self._queue(handle)
         elif handle is not None:
             cast("asyncio.Task[None]", handle).cancel()  # see `_launch_async`
 
     def wait(self, execution: Execution, duration: int) -> None:
         """Let virtual time pass in the code of an activity, which runs in the thread that leads."""
-        if execution.cancelled or self._done:
+        if execution.cancelled or self._threads.done:
             raise Cancelled
-        seat = execution.handle = self._leader
+        seat = execution.handle = self._threads.leader
         if duration <= 0:
             who = (execution.agent, execution.activity)
             self._still[who] = (self._still[who][0] + 1 if who in self._still else 1, seat)
         seat.queued = False
         timer = self.at(self.clock.now() + duration, lambda: self._queue(seat))
-        self._sleepers.append(seat)
-        self._call_spare()
-        seat.go.acquire()
-        self._sleepers.remove(seat)
+        self._threads.sleep(seat)
         execution.handle = None
         timer.cancel()
-        if execution.cancelled or self._done:
+        if execution.cancelled or self._threads.done:
             raise Cancelled
 
-    # ---- who leads ---------------------------------------------------------------------------
-
-    def _queue(self, seat: _Seat) -> None:
+    def _queue(self, seat: Seat) -> None:
         """Hand the lead to a sleeping thread in its turn."""
         if not seat.queued:
             seat.queued = True
-            self._jobs.append(lambda: self._resume(seat))
-
-    def _resume(self, seat: _Seat) -> None:
-        self._leader.steps_aside = True
-        self._spares.append(self._leader)
-        self._leader = seat
-        seat.go.release()
-
-    def _call_spare(self) -> None:
-        """Let another thread lead while this one sleeps."""
-        if self._spares:
-            self._leader = spare = self._spares.pop()
-            spare.go.release()
-            return
-        self._leader = spare = _Seat()
-        self._new_thread(spare)
-
-    def _new_thread(self, seat: _Seat) -> None:
-        context = self._context.copy()  # what `contextvars` keep is as for who asks for the run
-        run = context.run
-        thread = threading.Thread(target=run, args=(self._lead, seat), name="aseme leader", daemon=True)
-        self._threads.append(thread)
-        thread.start()
-
-    def _lead(self, seat: _Seat) -> None:
-        """Lead the loop; when another thread does, sleep until the lead comes back."""
-        seat.thread = threading.get_ident()
-        try:
-            while not self._done:
-                self._one_thing()
-                if seat.steps_aside:
-                    seat.steps_aside = False
-                    seat.go.acquire()
-        except BaseException as error:
-            self._error = error
-            self._finish()
-
-    def _finish(self) -> bool:
-        """End the loop, unless it has ended: every thread comes back from where it sleeps."""
-        if not self._ending.acquire(blocking=False):
-            return False
-        self._done = True
-        for seat in (*self._spares, *self._sleepers):
-            seat.go.release()
-        self._spares.clear()
-        self._over.release()
-        return True
+            self._jobs.append(lambda: self._threads.hand_over(seat))
 
     # ---- the loop ----------------------------------------------------------------------------
 
@@ -248,19 +166,16 @@ class VirtualDriver:
         Then the agents are stopped and their activities cancelled. Raises what the loop itself raises, never
         what activities raise.
         """
-        self._context = copy_context()
         if sys.gettrace() is None and sys.getprofile() is None:
-            self._new_thread(self._leader)
+            self._threads.start()
             self._look_after()
-        else:  # who debugs or profiles this thread wants to see the code
-            self._lead(self._leader)
-        for thread in self._threads:
-            if not self.left or thread.ident != self._leader.thread:
-                thread.join(timeout=1.0)
+        else:  # a debugger or profiler of this thread has to see the code
+            self._threads.lead()
+        self._threads.join(but_leader=bool(self.left))
         if self._loop is not None:
             self._loop.shut()
-        if self._error is not None:
-            raise self._error
+        if self._threads.error is not None:
+            raise self._threads.error
 
     def _look_after(self) -> None:
         """Wait for the end of the loop."""
@@ -268,7 +183,7 @@ class VirtualDriver:
         moment = -1
         looks = still = 0
         try:
-            while not self._over.acquire(timeout=LOOK):
+            while not self._threads.is_over(LOOK):
                 before, seen = seen, (self._things, self._interrupt)
                 looks = looks + 1 if seen == before else 0
                 earlier, moment = moment, self.clock.now()
@@ -280,7 +195,7 @@ class VirtualDriver:
                 elif still >= PATIENCE and self._rings >= STEPS:
                     self._tell_still(moment)
         except BaseException:  # a second signal
-            self._finish()
+            self._threads.finish()
             raise
 
     def _tell(self) -> None:
@@ -316,7 +231,7 @@ class VirtualDriver:
     def _leave(self, reason: str) -> None:
         """End the run with the code that does not return, and its thread, left behind."""
         name, activity, place = self._what_runs()
-        if not self._finish():
+        if not self._threads.finish():
             return
         self.left = (name,)
         self.complain(f"{name} has not ended {LOOK * GRACE:g} s after it was to{place}", *activity)
@@ -325,7 +240,7 @@ class VirtualDriver:
 
     def _what_runs(self) -> tuple[str, tuple[str, ...], str]:
         """Which code runs, the agent and activity if it is one's, and where in it."""
-        thread = self._leader.thread
+        thread = self._threads.leader.thread
         activity = activity_of(thread)
         name = f"activity {activity[1]} of {activity[0]}" if activity else "what runs"
         return name, activity, place_of(thread)
@@ -349,7 +264,7 @@ class VirtualDriver:
             self._wave.extend((agent, agent.take()) for agent in self.agents if agent.intake)
             self._bound()
         elif self._closing:
-            self._finish()
+            self._threads.finish()
         else:
             reason = self.settled()
             if reason is not None:
