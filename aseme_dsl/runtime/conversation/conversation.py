@@ -282,7 +282,9 @@ class Conversations:
                 return True
         if conversation is not None and mail.performative != LOST:
             with self._driver.holding(), self._lock:
-                self._delivery.give_back(agent, mail, conversation, "its part in the conversation is over")
+                if not self._delivery.was_returned(agent, mail):
+                    reason = "its part in the conversation is over"
+                    self._delivery.give_back(agent, mail, conversation, reason)
         return False
 
     def gone(self, agent: Receiver, reason: str = "") -> None:

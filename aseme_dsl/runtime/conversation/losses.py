@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from aseme_dsl.runtime.chart.inputs import LOST, REASONS, AgentMessage, Reason
+from aseme_dsl.runtime.chart.inputs import LOST, REASONS, AgentMessage, Identity, Reason
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
@@ -66,6 +66,31 @@ class Losses:
                 loss = _message(agent, place, name, to, theirs, LOST, reason, None)
                 owed.append((loss, {key: tuple(names) for key, names in conversation.members.items()}))
                 del owed[:-REMEMBERED]
+
+    def unanswered(
+        self, agent: Receiver, place: Participation, conversation: Conversation, reason: Reason
+    ) -> dict[Identity, AgentMessage]:
+        """What waits in a part that ends and is answered `not_understood`: nothing else tells its sender.
+
+        Who waits for the end of this part is told that it is lost, and so is who gets a farewell. The last
+        message of the part, sent in the step in which it ends, is an answer, too.
+        """
+        if reason == "crashed" or conversation.is_exhausted:
+            return {}
+        part = place.info.participant
+        found: dict[Identity, AgentMessage] = {}
+        for identity, mail in place.waiting.items():
+            who, theirs = mail.sender, mail.participant
+            if mail.performative in (LOST, NOT_UNDERSTOOD) or (who, theirs) in conversation.past:
+                continue
+            if who in place.farewell or place.spoken.get(who) == agent.steps:
+                continue
+            if who in self._plans and self._awaits(who, place.info.protocol, theirs, part):
+                continue
+            is_told = self._needs_word(who, theirs, place, conversation, reason)
+            if not is_told or self._farewell_to(place, who, theirs) is None:
+                found[identity] = mail
+        return found
 
     def exhausted(self, name: str, conversation: Conversation) -> None:
         """A conversation has had all the messages that it may have: all parts are over."""
@@ -177,15 +202,20 @@ class Losses:
         part = protocol, participant
         return [info for info in self._plans[agent].branches if (info.protocol, info.participant) == part]
 
-    def _bid_farewell(self, agent: Receiver, place: Participation, name: str, to: str, theirs: str) -> None:
-        """An agent is sent what its protocol has for a part that ends early, if it receives that."""
+    def _farewell_to(self, place: Participation, to: str, theirs: str) -> tuple[str, str] | None:
+        """What the protocol has for a part that ends early and an agent receives."""
         moves = [move for act in FAREWELLS for move in place.info.sends if move[0] == act]
         if to in self._plans:
             infos = self._infos(to, place.info.protocol, theirs)
             moves = [move for move in moves if any(move in info.receives for info in infos)]
-        if not moves:
+        return moves[0] if moves else None
+
+    def _bid_farewell(self, agent: Receiver, place: Participation, name: str, to: str, theirs: str) -> None:
+        """An agent is sent what its protocol has for a part that ends early, if it receives that."""
+        move = self._farewell_to(place, to, theirs)
+        if move is None:
             return
-        performative, message = moves[0]
+        performative, message = move
         content: object = place.said.get(message)
         if content is None:
             kind = agent.kinds.get(message)

@@ -47,6 +47,8 @@ class Participation:
     """Agents that have completed, each with its participant: lost once no message of them waits."""
     told: dict[str, str] = field(default_factory=dict)
     """The performative of what it has sent each agent last."""
+    spoken: dict[str, int] = field(default_factory=dict)
+    """In which step of the agent it has sent each agent the last message."""
     was_full: bool = False
     farewell: frozenset[str] = frozenset()
     """The agents that it has sent a message because it ends early."""
@@ -117,6 +119,9 @@ class Desk:
     """Why a part of the agent ends now, if it has not reached its END; None: the run is over."""
     heard: dict[tuple[object, ...], None] = field(default_factory=dict)
     """The messages from elsewhere that came last."""
+
+    returned: dict[Identity, None] = field(default_factory=dict)
+    """The messages that were answered when the part ended in which they waited, the newest last."""
 
     def first_free(self, part: Part) -> Participation | None:
         """The branch of a participant that was free first."""

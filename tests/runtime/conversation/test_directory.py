@@ -411,7 +411,8 @@ def test_an_agent_of_the_team_takes_what_is_for_the_directory() -> None:
         ("inform", [ALICE]),
         ("refuse", None),
     ]
-    assert [r for r in records if r["kind"] in ("received", "unexpected")] == []
+    early = [r for r in records if r.get("time", 0) < 5 * SECOND]  # then the parts of the team end
+    assert [r for r in early if r["kind"] in ("received", "unexpected")] == []
 
 
 def test_who_registers_twice_is_told() -> None:

@@ -85,6 +85,7 @@ def test_the_named_activity_sends_and_the_award_is_carried_out() -> None:
         "cfp Task -> r1 r2",
         "accept_proposal Award -> r1",
         "reject_proposal Award -> r2",
+        "not_understood Bid -> r1",  # nothing has taken it when the part ends
     ]
     assert said(played, "r1")[-1] == "inform Outcome -> desk"
     assert played.result.reason == "finished"

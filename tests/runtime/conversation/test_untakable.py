@@ -93,7 +93,7 @@ LATER = "no later state of guest takes it"
         pytest.param(
             "First . Second",
             "enter First : inform Note from clerk",
-            [],
+            ["6000 request: its part in the conversation is over"],
             id="an activity may take it",
         ),
         pytest.param(
@@ -121,3 +121,52 @@ def test_what_waits_is_answered_when_the_last_state_that_takes_it_is_left() -> N
     skip  Second : after(2s)""",
     )
     assert unexpected(run) == [f"5000 request: {LATER}"]
+
+
+ENDS = """
+system Shop
+message Job { string id }
+aip work {
+  participant boss {
+    sends request Job, cancel Job
+    receives inform Job, not_understood Job
+    process = Ask . Wait
+  }
+  participant hand {
+    sends inform Job
+    receives request Job, cancel Job
+    process = Do
+  }
+  control boss {
+    enter Ask  : / send request Job { id = "j" } to hand
+    enter Wait : after(1s) / send cancel Job { id = "j" } to hand
+    leave Wait : WAIT
+  }
+  control hand {
+    enter Do : request Job from boss
+    leave Do : after(3s) SAY
+    leave Do : cancel Job from boss [count(Do) == 2]
+  }
+}
+srm a { plays work.boss  liveness { a = boss . After }  activities { Ask waits  Wait waits  After takes 9s } }
+srm b { plays work.hand  liveness { b = hand . Rest }  activities { Do waits  Rest takes 9s } }
+team Shop { ann : a  bob : b }
+"""
+
+
+@pytest.mark.parametrize(
+    ("wait", "say", "answers"),
+    [
+        pytest.param("after(5s)", "", ["not_understood"], id="nothing tells the sender"),
+        pytest.param("lost hand", "", [], id="the sender hears that it is lost"),
+        pytest.param(
+            "inform Job from hand", "/ send inform Job { .. } to boss", ["inform"], id="the end is the answer"
+        ),
+    ],
+)
+def test_what_waits_at_the_end_of_a_part_is_answered_once(wait: str, say: str, answers: list[str]) -> None:
+    run = play(generate(ENDS.replace("WAIT", wait).replace("SAY", say)), until=8 * SECOND)
+    assert [record["performative"] for record in run.of("agent_message", agent="bob")] == answers
+    (leave,) = run.of("conversation", agent="bob", what="leave")
+    assert ("untaken" in leave) == (answers != ["not_understood"])
+    assert len(run.of("unexpected", agent="bob")) == (answers == ["not_understood"])

@@ -290,6 +290,10 @@ class Delivery:
         place = self._members.desks[agent.name].branches.get(mail.branch)
         return conversation is None or (place is not None and place.conversation == conversation)
 
+    def was_returned(self, agent: Receiver, mail: AgentMessage) -> bool:
+        """Whether a message was answered when the part ended in which it waited."""
+        return mail.identity in self._members.desks[agent.name].returned
+
     def give_back(self, agent: Receiver, mail: AgentMessage, conversation: str, reason: str) -> None:
         """A message that has reached a branch will not be taken: it is unexpected."""
         info = agent.branch_info(mail.branch)

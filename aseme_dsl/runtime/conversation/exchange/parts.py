@@ -10,7 +10,7 @@ from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity, Reason
 from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.conversation.exchange.members import Members
 from aseme_dsl.runtime.conversation.exchange.participant_delivery import Delivery, receives
-from aseme_dsl.runtime.conversation.participation import Participation
+from aseme_dsl.runtime.conversation.participation import Participation, remember
 from aseme_dsl.runtime.message.convert import Messages, mailed
 from aseme_dsl.runtime.ports import Receiver
 
@@ -78,14 +78,19 @@ class Parts:
         conversation = self._members.conversations[name]
         conversation.places.pop((agent.name, place.info.participant), None)
         reason: Reason | None = "completed" if completed else desk.leaving
+        losses = self._delivery.losses
+        answered = {} if reason is None else losses.unanswered(agent, place, conversation, reason)
         self._told.takes_part(
             "leave",
             agent.name,
             place,
             name,
-            untaken=tuple(place.waiting),
+            untaken=tuple(identity for identity in place.waiting if identity not in answered),
             reason=None if completed else reason,
         )
+        for identity, mail in answered.items():
+            remember(desk.returned, identity, None)
+            self._delivery.give_back(agent, mail, name, "its part in the conversation is over")
         if reason is None:
             conversation.past[agent.name, place.info.participant] = "left"
         elif not conversation.is_exhausted:  # then all have been told

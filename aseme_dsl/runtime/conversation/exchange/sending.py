@@ -194,6 +194,7 @@ class Sending:
         place.said[message] = content
         for name in receivers:
             place.told[name] = performative
+            place.spoken[name] = agent.steps
         self._told.sent(acl, [answered[name].identity for name in receivers if name in answered])
         self._choosing.sent(agent, receivers)
         if is_round:
