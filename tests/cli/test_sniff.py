@@ -98,9 +98,41 @@ def test_a_deadline_that_passes_is_shown(run: Path, here: Here) -> None:
     Path("activities/carry_out.py").write_text(BREAK.replace("wait(1)", "wait(600)"), "utf-8")
     here("run", "kitchen.aseme", "--activities", "activities", "-q", "--for", "5min")
     assert lines(here("sniff", "out/trace.jsonl", "--from", "10s").out) == [
-        "122.2 s ann ! waits no longer (2min) [contract_net-ann-1]",
+        "122.2 s ann ! goes on waiting (2min) [contract_net-ann-1]",
         "122.2 s ann -- cancel Contract --> bob [contract_net-ann-1]",
         "123.2 s bob -- inform Contract --> ann [contract_net-ann-1]",
+    ]
+
+
+ON = """
+system Shop
+message Job { string id }
+aip work {
+  participant boss { var late : bool  sends request Job  receives inform Job  process = Ask }
+  participant hand { sends inform Job  receives request Job  process = Do }
+  control boss {
+    enter Ask : / send request Job { id = "j" } to hand; start_timer(patience, 2s)
+    on Ask    : when [expired(patience)] / late = true
+    leave Ask : inform Job from hand [late]
+  }
+  control hand {
+    enter Do : request Job from boss
+    leave Do : / send inform Job { .. } to boss
+  }
+}
+srm a { plays work.boss  liveness { a = boss }  activities { Ask waits } }
+srm b { plays work.hand  liveness { b = hand }  activities { Do takes 3s simulated } }
+team Shop { ann : a  bob : b }
+"""
+
+
+def test_a_deadline_after_which_the_agent_goes_on_waiting(folder: Path, here: Here) -> None:
+    Path("shop.aseme").write_text(ON, "utf-8")
+    here("run", "shop.aseme", "-q", "--for", "5s", "--allow", "waiting")
+    assert lines(here("sniff", "out/trace.jsonl").out) == [
+        "0 s ann -- request Job (id j) --> bob [work-ann-1]",
+        "2 s ann ! goes on waiting (the timer patience) [work-ann-1]",
+        "3 s bob -- inform Job --> ann [work-ann-1]",
     ]
 
 

@@ -65,13 +65,23 @@ def _names_agent(checker: Checker, written: tree.Received) -> bool:
 
 
 def _senders(checker: Checker, written: tree.Received) -> tuple[str, ...]:
-    said = (written.performative.text, written.message.text)
-    return tuple(
+    performative, message = written.performative.text, written.message.text
+    parties = checker.scope.parties
+    own = parties[checker.scope.participant or ""]
+    others = [party for party in parties.values() if party is not own]
+    found = [
         party.name
-        for party in checker.scope.parties.values()
-        if party.name != checker.scope.participant
-        and said in [(item.performative, item.message) for item in party.sends]
-    )
+        for party in others
+        if (performative, message) in [(item.performative, item.message) for item in party.sends]
+    ]
+    if not found and is_answered(performative, message, [item.message for item in own.sends]):
+        asked = {(item.performative, item.message) for item in own.sends if item.message == message}
+        found = [
+            party.name
+            for party in others
+            if any((item.performative, item.message) in asked for item in party.receives)
+        ]
+    return tuple(found)
 
 
 def only_from(checker: Checker, written: tree.TransitionExpression) -> amola.Value | None:

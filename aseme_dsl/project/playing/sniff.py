@@ -271,13 +271,15 @@ def _deadlines(record: Record, agent: _Agent, moment: int, name: str) -> Iterato
         source, text = str(way["source"]), str(way["text"])
         head = text.partition(" / ")[0]
         place = _branch_of(source, agent)
+        stays = source == way["target"] and text.startswith("on ")
         if place is not None and "(" in head:
             entered = _entered(source, agent)
             passed = [limit for limit in _AFTER.findall(head) if moment - entered >= _nanoseconds(limit)]
             passed += [f"the timer {timer}" for timer in _EXPIRED.findall(head)]
             if passed:
-                yield Mark(moment, name, f"waits no longer ({passed[0]})", place)
-        if source != way["target"] or not text.startswith("on "):
+                what = "goes on waiting" if stays else "waits no longer"
+                yield Mark(moment, name, f"{what} ({passed[0]})", place)
+        if not stays:
             agent.entered[str(way["target"])] = moment
 
 

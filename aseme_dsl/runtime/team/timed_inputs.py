@@ -5,8 +5,9 @@ One line is an object:
     {"at": "1.5s", "agent": "robot1", "channel": "vision.state.Ball", "message": {"visible": true}}
     {"at": "2s", "event": "Bumped"}
 
-`at` is a duration as in a document, or whole nanoseconds. Without `agent` every agent of the team that reads
-the channel is given it; `sender` says whose message it is to be (for `host.` conditions).
+`at` is a duration as in a document, or whole nanoseconds (a millisecond or more). Without `agent` every agent
+of the team that reads the channel is given it; `sender` says whose message it is to be (for `host.`
+conditions).
 """
 
 from __future__ import annotations
@@ -22,6 +23,8 @@ from aseme_dsl.runtime.message.as_json import from_json
 
 _UNITS = {"ns": 1, "us": 1_000, "ms": 1_000_000, "s": 1_000_000_000, "min": 60_000_000_000}
 _MEMBERS = {"at", "agent", "channel", "message", "event", "sender"}
+_LEAST = 1_000_000
+"""The smallest number of nanoseconds that needs no unit: a smaller one is rather meant in seconds."""
 
 
 class InputFileError(ValueError):
@@ -86,6 +89,8 @@ def _read(line: str, messages: Mapping[str, object]) -> TimedInput:
         moment = duration(moment)
     if not isinstance(moment, int) or isinstance(moment, bool) or moment < 0:
         raise ValueError(f'`at` is a duration like "1.5s" or whole ns, not {moment!r}')
+    if isinstance(data.get("at"), int) and 0 < moment < _LEAST:
+        raise ValueError(f'`at` without a unit is in ns: write "{moment}s", "{moment}ms" or "{moment}ns"')
     for name in ("agent", "channel", "event", "sender"):
         if not isinstance(data.get(name, ""), str):
             raise ValueError(f"`{name}` is a text, not {data[name]!r}")

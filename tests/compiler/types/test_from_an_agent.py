@@ -31,6 +31,14 @@ def test_from_a_variable(new: str, found: list[str]) -> None:
     assert messages("inform Task from best", new) == [("E567", message) for message in found]
 
 
+def test_the_answer_that_nobody_lists() -> None:
+    """The runtime gives it for what was sent: it comes from who receives that."""
+    text = page("E567").right.files[0].text.replace("inform Task from best", "not_understood Task from best")
+    text = text.replace("receives propose Task,", "receives not_understood Task, propose Task,")
+    found = analyse(Source("/nowhere/team.aseme", text)).diagnostics
+    assert [item.code for item in found if item.code.startswith("E")] == []
+
+
 def test_a_misspelt_agent() -> None:
     assert [code for code, _ in messages("inform Task from best", "inform Task from bets")] == ["E205"]
 

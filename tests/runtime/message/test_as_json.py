@@ -111,11 +111,13 @@ def test_every_wrong_line_of_a_script_is_named() -> None:
         '{"agent": 7, "event": "Bell"}',
         '{"when": 1, "event": "Bell"}',
         '{"at": 1}',
+        '{"at": 1, "event": "Bell"}',
     ]
     with pytest.raises(InputFileError) as raised:
         read_inputs(lines, MESSAGES)
     told = str(raised.value).splitlines()
-    assert [line.split(":")[0] for line in told] == [f"line {n}" for n in range(3, 13)]
+    assert [line.split(":")[0] for line in told] == [f"line {n}" for n in range(3, 14)]
+    assert told[-1].endswith('`at` without a unit is in ns: write "1s", "1ms" or "1ns"')
     assert "'soon' is not a duration" in told[2]
     assert "i: a int is wanted" in told[6]
 
