@@ -98,7 +98,7 @@ def test_a_deadline_that_passes_is_shown(run: Path, here: Here) -> None:
     Path("activities/carry_out.py").write_text(BREAK.replace("wait(1)", "wait(600)"), "utf-8")
     here("run", "kitchen.aseme", "--activities", "activities", "-q", "--for", "5min")
     assert lines(here("sniff", "out/trace.jsonl", "--from", "10s").out) == [
-        "122.2 s ann ! goes on waiting (2min) [contract_net-ann-1]",
+        "122.2 s ann ! continues to wait (2min) [contract_net-ann-1]",
         "122.2 s ann -- cancel Contract --> bob [contract_net-ann-1]",
         "123.2 s bob -- inform Contract --> ann [contract_net-ann-1]",
     ]
@@ -131,7 +131,7 @@ def test_a_deadline_after_which_the_agent_goes_on_waiting(folder: Path, here: He
     here("run", "shop.aseme", "-q", "--for", "5s", "--allow", "waiting")
     assert lines(here("sniff", "out/trace.jsonl").out) == [
         "0 s ann -- request Job (id j) --> bob [work-ann-1]",
-        "2 s ann ! goes on waiting (the timer patience) [work-ann-1]",
+        "2 s ann ! continues to wait (the timer patience) [work-ann-1]",
         "3 s bob -- inform Job --> ann [work-ann-1]",
     ]
 

@@ -277,7 +277,7 @@ def _deadlines(record: Record, agent: _Agent, moment: int, name: str) -> Iterato
             passed = [limit for limit in _AFTER.findall(head) if moment - entered >= _nanoseconds(limit)]
             passed += [f"the timer {timer}" for timer in _EXPIRED.findall(head)]
             if passed:
-                what = "goes on waiting" if stays else "waits no longer"
+                what = "continues to wait" if stays else "waits no longer"
                 yield Mark(moment, name, f"{what} ({passed[0]})", place)
         if not stays:
             agent.entered[str(way["target"])] = moment
