@@ -70,10 +70,10 @@ class Losses:
     def unanswered(
         self, agent: Receiver, place: Participation, conversation: Conversation, reason: Reason
     ) -> dict[Identity, AgentMessage]:
-        """What waits in a part that ends and is answered `not_understood`: nothing else tells its sender.
+        """What waits in a part that ends and is answered `not_understood`: its sender learns nothing else.
 
-        Who waits for the end of this part is told that it is lost, and so is who gets a farewell. The last
-        message of the part, sent in the step in which it ends, is an answer, too.
+        Who waits for the end of this part learns of it by `lost`, others by a farewell. The last message of the
+        part, sent in the step in which it ends, is an answer, too.
         """
         if reason == "crashed" or conversation.is_exhausted:
             return {}
