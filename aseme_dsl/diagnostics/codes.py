@@ -245,6 +245,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E566": ("error", "message sent by a transition and an activity"),
     "E567": ("error", "unclear sender of a message from one agent"),
     "W575": ("warning", "sends that race"),
+    "W576": ("warning", "content that nothing prepares"),
     "N755": ("note", "message that any activity may send"),
     # Statecharts (E6xx): the structural rules of the papers' tools
     "E600": ("error", "statechart without a single root"),

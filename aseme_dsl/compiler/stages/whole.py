@@ -13,6 +13,7 @@ from aseme_dsl.compiler.checks.standing_still import check_standing_still
 from aseme_dsl.compiler.checks.talk.busy import check_busy
 from aseme_dsl.compiler.checks.talk.dialogue import check_multiplicity, check_waits
 from aseme_dsl.compiler.checks.talk.moves import check_moves
+from aseme_dsl.compiler.checks.talk.preparing import check_prepared
 from aseme_dsl.compiler.checks.talk.races import check_races
 from aseme_dsl.compiler.checks.unused import check_agents, check_exchange, check_unused
 from aseme_dsl.compiler.checks.unwritten import check_unwritten
@@ -63,6 +64,7 @@ def check_whole(
         races = check_races(processes.aips, charts.eacs, fulfilment.srms, memory)
         found.add((yield from races))
         found.add(check_moves(processes.aips, charts.eacs))
+        found.add(check_prepared(processes.aips, charts.eacs))
         found.add(check_busy(processes.aips, charts.eacs, fulfilment.srms))
         found.add(too_few)
     yield

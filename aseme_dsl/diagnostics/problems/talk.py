@@ -464,6 +464,24 @@ class SendsRace(Problem):
         )
 
 
+class ContentNotPrepared(Problem):
+    """`ends`: the message is sent on the way to END, where no state can fail."""
+
+    code = "W576"
+    performative: str
+    type: str
+    ends: bool
+
+    @property
+    def message(self) -> str:
+        failing = "the agent" if self.ends else "the state that is entered"
+        return f"nothing prepares the content of `{self.performative} {self.type}`: {failing} fails"
+
+    @property
+    def hint(self) -> str:
+        return f"write `send {self.performative} {self.type} {{ … }}`, or send it behind an activity"
+
+
 class SentByAnyActivity(Problem):
     """A message that no transition sends, without the activity that does."""
 

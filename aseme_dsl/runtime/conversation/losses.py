@@ -72,7 +72,7 @@ class Losses:
     ) -> dict[Identity, AgentMessage]:
         """What waits in a part that ends and is answered `not_understood`: its sender learns nothing else.
 
-        Who waits for the end of this part learns of it by `lost`, others by a farewell. The last message of the
+        Who waits for the end of this part learns of it by `lost`, others by a farewell. The last message of a
         part, sent in the step in which it ends, is an answer, too.
         """
         if reason == "crashed" or conversation.is_exhausted:

@@ -1,0 +1,91 @@
+"""Preparing: messages that are sent without content, and that nothing before can have prepared (W576)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from aseme_dsl.amola.aip import Aip
+from aseme_dsl.amola.expression import Received, Send
+from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition
+from aseme_dsl.codegen.moves import subchart_of
+from aseme_dsl.codegen.opening import openings_of
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.talk import ContentNotPrepared
+
+_ACTIVITY = ""
+"""Stands for an activity, which may prepare any message, among the types of messages."""
+
+
+def check_prepared(aips: Iterable[Aip], eacs: Mapping[str, Statechart | None]) -> Iterator[Diagnostic]:
+    """W576 for a `send` without braces before any activity, and before any message of its type.
+
+    Who opens conversations may have prepared a message before its part begins, and is not looked at.
+    """
+    for aip in aips:
+        eac = eacs.get(aip.name)
+        for participant in aip.participants if eac is not None else ():
+            subchart = subchart_of(eac, participant.name) if eac is not None else None
+            if eac is not None and subchart is not None and openings_of(eac, participant):
+                yield from _in_part(eac, subchart)
+
+
+def _in_part(eac: Statechart, subchart: State) -> Iterator[Diagnostic]:
+    within = f"{subchart.label}."
+    nodes = [node for node in eac.states if node.label.startswith(within)]
+    ways = [item for item in eac.transitions if item.source.startswith(within)]
+    if not any(_bare(item) for item in ways):
+        return
+    inner = {node.label: _inside(node.label, nodes, ways) for node in nodes}
+    known: dict[str, set[str]] = {node.label: set() for node in nodes}
+    known[subchart.label] = set()
+    changed = True
+    while changed:
+        before = sum(map(len, known.values()))
+        for node in nodes:
+            around = eac.node(node.parent or subchart.label)
+            if around.type is StateType.AND:
+                known[node.label] |= known[around.label]
+                for other in eac.children(around.label):
+                    known[node.label] |= inner[other.label] if other is not node else set()
+            elif node.type is StateType.START:
+                known[node.label] |= known[around.label]
+        for item in ways:
+            if item.target in known:
+                known[item.target] |= known[item.source] | inner[item.source] | _said(item)
+        changed = before != sum(map(len, known.values()))
+    for item in ways:
+        there = known[item.source] | inner[item.source]
+        there |= {event.message for event in item.expression.events if isinstance(event, Received)}
+        for action in item.expression.actions:
+            if isinstance(action, Send):
+                if action.fills is None and there and not there & {_ACTIVITY, action.message}:
+                    ends = eac.node(item.target).type is StateType.END
+                    problem = ContentNotPrepared(action.performative, action.message, ends)
+                    yield Diagnostic(problem, action.span)
+                there.add(action.message)
+
+
+def _bare(transition: Transition) -> bool:
+    return any(isinstance(item, Send) and item.fills is None for item in transition.expression.actions)
+
+
+def _said(transition: Transition) -> set[str]:
+    """The types of the messages that a transition takes or sends."""
+    expression = transition.expression
+    taken = {event.message for event in expression.events if isinstance(event, Received)}
+    return taken | {action.message for action in expression.actions if isinstance(action, Send)}
+
+
+def _inside(label: str, nodes: Iterable[State], ways: Iterable[Transition]) -> set[str]:
+    """What may have been said in a state, or been done, when it is left."""
+    found: set[str] = set()
+    for node in nodes:
+        if node.activity and (node.label == label or node.label.startswith(f"{label}.")):
+            found.add(_ACTIVITY)
+    for item in ways:
+        if item.source.startswith(f"{label}."):
+            found |= _said(item)
+    return found
+
+
+__all__ = ["check_prepared"]
