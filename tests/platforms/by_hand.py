@@ -146,6 +146,21 @@ ROLES: dict[str, Role] = {
         ("cancel", 1): [Does("inform", NEED, last=True)],
     },
 }
+WAYS = {
+    "honest": "as the protocol has it",
+    "twice": "each move twice",
+    "early": "all moves at once",
+    "lying": "also what only the other parts may say, in this conversation and in one that there is not",
+    "late": "each move only after the others' deadlines",
+    "foreign": "each answer with the name of a conversation that there is not",
+    "silent": "it begins or registers, and never answers",
+    "half": "its first answer, and no other",
+    "leaving": "its process is gone when it is to answer first",
+    "returning": "its process is gone after the first answer, and there is a new one",
+}
+"""How an agent plays its role."""
+LATE = 4.0
+"""How many seconds after what it has heard a late agent makes its moves."""
 OPENERS = {"request", "query-ref", "request-when", "cfp", "propose", "subscribe", "proxy"}
 """What begins a conversation, so that who says it has one of its own."""
 NAMES = {"auction": "fipa-auction-english", "dutch_auction": "fipa-auction-dutch", "resource": "resource"}
@@ -162,7 +177,7 @@ class Hand:
     directory: str
     """Who is told by agent management that this one offers its role."""
     way: str = "honest"
-    """How it does that: `twice` each move, `early` all moves at once, `lying` also what others may say."""
+    """How it does that, one of `WAYS`."""
     heard: list[str] = field(default_factory=list)
     over: bool = False
     refused: str = ""
@@ -170,6 +185,7 @@ class Hand:
 
     def __post_init__(self) -> None:
         self._numbers = itertools.count(1)
+        self._answers = 0
         self._has_said_all = False
         self._seen: dict[str, int] = {}
         self._conversation = f"by-hand-{self.role}"
@@ -208,8 +224,24 @@ class Hand:
         number = self._seen[act] = self._seen.get(act, 0) + 1
         return self._do((act, number), sender, headers.get("reply-with", ""))
 
+    @property
+    def waits(self) -> float:
+        """How many seconds go by before it makes a move."""
+        return LATE if self.way == "late" and self._answers > 0 else 0.0
+
+    @property
+    def breaks(self) -> bool:
+        """Whether its process is to end, at once and without a word."""
+        return self.way in ("leaving", "returning") and self._answers > 0
+
     def _do(self, when: tuple[str, int], sender: str, reply_with: str) -> list[Sent]:
         does = ROLES[self.role].get(when, [])
+        if when[0] and does:
+            self._answers += 1
+            if self.way in ("silent", "leaving") or (self.way in ("half", "returning") and self._answers > 1):
+                return []
+            if self.way in ("half", "returning"):
+                does = does[:1]
         if self.way == "early":
             does = [item for part in ROLES[self.role].values() for item in part] if does else []
             does, self._has_said_all = [] if self._has_said_all else does, bool(does) or self._has_said_all
@@ -223,13 +255,19 @@ class Hand:
         headers = {
             "performative": does.act,
             "protocol": self._protocol,
-            "conversation-id": conversation or self._conversation,
+            "conversation-id": conversation or self._called(does),
             "reply-with": f"{self.role}-{next(self._numbers)}",
         }
         if does.to == SENDER and reply_with:
             headers["in-reply-to"] = reply_with
         to = self.partners[does.to] if does.to != SENDER else sender or next(iter(self.partners.values()))
         return to, headers, json.dumps(does.content)
+
+    def _called(self, does: Does) -> str:
+        """The name of the conversation in which something is said."""
+        if self.way == "foreign" and does.act not in OPENERS:
+            return f"{self._conversation}-of-somebody-else"
+        return self._conversation
 
     def _lies(self) -> list[Sent]:
         """What the other parts say, to everybody, in this conversation and in one that there is not."""

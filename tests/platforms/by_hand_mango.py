@@ -1,6 +1,6 @@
 """An agent that somebody else has written for mango: it plays one role once, as `by_hand.py` has it.
 
-    python by_hand_mango.py NAME ROLE PARTNERS DIRECTORY
+    python by_hand_mango.py PORT NAME ROLE PARTNERS DIRECTORY WAY
 
 PARTNERS are a JSON object: the address of each other part, as host:port/name. It prints what it has heard, as
 JSON, when it is done. It uses mango alone.
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import os
 import sys
 from typing import Any
 
@@ -36,6 +37,7 @@ class Agent(mango.Agent):
         self.schedule_instant_task(self.send_all(sent))
 
     async def send_all(self, sent: list[by_hand.Sent]) -> None:
+        await asyncio.sleep(self.hand.waits if sent else 0)
         for address, headers, content in sent:
             place, _, name = address.partition("/")
             host, _, port = place.rpartition(":")
@@ -44,12 +46,17 @@ class Agent(mango.Agent):
             to = mango.AgentAddress((host, int(port)), name)
             message = mango.create_acl(content, to, self.addr, meta)
             await self.send_message(message, to)
+        if self.hand.breaks:
+            if self.hand.way == "returning":  # the same place, and nothing remembered
+                os.execv(sys.executable, [sys.executable, *sys.argv[:-1], "honest"])
+            os._exit(0)
 
 
 async def main() -> None:
-    name, role, partners, directory = sys.argv[1:]
-    container = mango.create_tcp_container(addr=("127.0.0.1", 0), codec=mango.JSON(), auto_port=True)
-    agent = container.register(Agent(by_hand.Hand(role, json.loads(partners), directory)), suggested_aid=name)
+    port, name, role, partners, directory, way = sys.argv[1:]
+    container = mango.create_tcp_container(addr=("127.0.0.1", int(port)), codec=mango.JSON())
+    hand = by_hand.Hand(role, json.loads(partners), directory, way)
+    agent = container.register(Agent(hand), suggested_aid=name)
     async with mango.activate(container):
         while not agent.hand.over and not agent.hand.refused:
             await asyncio.sleep(0.02)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from aseme_dsl.amola.aip import Aip
+from aseme_dsl.codegen.opening import openings_of
 from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage, fipa_name
 from aseme_dsl.runtime.team.team import Team
 from tests.runtime.playing import MS, SECOND, Played, check_line, make
@@ -116,6 +117,13 @@ def received_by(item: Protocol, part: str) -> list[Kind]:
     """What a participant may receive."""
     found = next(p for p in aip_of(item).participants if p.name == part)
     return [(message.performative, message.message) for message in found.receives]
+
+
+def openers_of(item: Protocol) -> set[Kind]:
+    """What begins a part in the protocol."""
+    eac = generated(item.name).system.eac(item.name)
+    assert eac is not None
+    return {kind for part in aip_of(item).participants for kind in openings_of(eac, part)}
 
 
 def team_of(

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from pathlib import Path
 from typing import Any
 
+from aseme_dsl.amola.aip import Aip
 from aseme_dsl.runtime import Context
-from tests.support.generated import Generated, generate
+from tests.support.generated import Generated, generate, system_of
 
 OPENERS = {
     "CloseLease",
@@ -334,6 +336,15 @@ PROTOCOLS = (
 
 def protocol(name: str) -> Protocol:
     return next(item for item in PROTOCOLS if item.name == name)
+
+
+@cache
+def of_the_library() -> tuple[Aip, ...]:
+    """Every protocol that a file of the library has, whether these tests know it or not."""
+    folder = Path(__file__).parents[2] / "stdlib"
+    names = sorted(file.stem for file in folder.glob("*.aseme"))
+    text = "\n".join(["system Library", *(f"import {name}" for name in names), ""])
+    return system_of(text).aips
 
 
 @cache

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from aseme_dsl.codegen.opening import openings_of
 from tests.runtime.playing import MS, Played
 from tests.stdlib.hostile import (
     MALLORY,
@@ -14,10 +13,10 @@ from tests.stdlib.hostile import (
     Mallory,
     Move,
     against,
-    aip_of,
     endings,
     finish,
     left_waiting,
+    openers_of,
     received_by,
     sent_by,
     taken,
@@ -25,7 +24,7 @@ from tests.stdlib.hostile import (
     wrongs,
 )
 from tests.stdlib.leaving import AGENTS
-from tests.stdlib.library import PROTOCOLS, Protocol, generated, protocol
+from tests.stdlib.library import PROTOCOLS, Protocol, protocol
 
 WAYS: dict[str, Callable[[list[Kind]], list[Move]]] = {
     "in order": lambda kinds: [Move(*kind) for kind in kinds],
@@ -100,12 +99,6 @@ def test_who_never_offers_hears_no_more_than_the_auction(name: str) -> None:
     assert left_waiting(run) == []
     heard = [message.performative for message in mallory.heard if message.conversation]
     assert heard[-1] == "inform" and "cancel" not in heard
-
-
-def openers_of(item: Protocol) -> set[Kind]:
-    eac = generated(item.name).system.eac(item.name)
-    assert eac is not None
-    return {kind for part in aip_of(item).participants for kind in openings_of(eac, part)}
 
 
 @pytest.mark.parametrize("item", PROTOCOLS, ids=str)
