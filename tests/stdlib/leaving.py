@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.team.faults import Crash, Faults
+from aseme_dsl.runtime.team.swap import Version
+from aseme_dsl.runtime.team.team import Team
+from tests.faults.changing import version
 from tests.runtime.playing import MS, SECOND, Played, make
 from tests.stdlib.hostile import LIMIT, finish
 from tests.stdlib.library import PROTOCOLS, Act, Protocol, kind_of
@@ -28,13 +32,18 @@ srm leaving_{part} {{
   activities {{ Clock writes stop }}
   control work {{ enter Halt : when [stop] }}
 }}
+srm idle_{part} {{
+  liveness {{ idle_{part} = Halt~ }}
+  activities {{ Halt takes 1min }}
+}}
 srm erring_{part} {{
 {entries}
   liveness {{ erring_{part} = {term} . Halt  {formulas} }}
   control erring_{part} {{ enter Halt : error }}
 }}
 """
-"""Roles that leave their part: cut short from outside, by the way to what follows, and by an error."""
+"""Roles that leave their part: cut short from outside, by the way to what follows, for another role, and by
+an error."""
 
 AGENTS = [(item.name, agent) for item in PROTOCOLS for agent in item.parts]
 """Each agent of each protocol."""
@@ -67,14 +76,24 @@ def clock(seconds: float) -> type[Any]:
 
 
 def _run(
-    item: Protocol, agent: str, role: str, acts: Mapping[str, Act], seconds: float, **options: Any
+    item: Protocol,
+    agent: str,
+    role: str,
+    acts: Mapping[str, Act],
+    seconds: float,
+    change: Callable[[Team], None] = lambda team: None,
+    **options: Any,
 ) -> Played:
     made = of(item)
     begins = item.acts[item.first]
     acts = {**item.acts, item.first: Act(0.05, begins.sets, begins.says, begins.breaks), **acts}
     classes = {name: kind_of(made, name, what) for name, what in acts.items()}
     agents = [(name, role if name == agent else f"{part}_role") for name, part in item.parts.items()]
-    return finish(*make(made, {**classes, "Clock": clock(seconds)}, agents=agents, until=LIMIT, **options))
+    classes["Clock"] = clock(seconds)
+    whole = version(made, classes)
+    team, records = make(made, classes, agents=agents, until=LIMIT, version=whole, **options)
+    change(team)
+    return finish(team, records)
 
 
 def abandons(item: Protocol, agent: str, seconds: float) -> Played:
@@ -93,6 +112,42 @@ def crashes(item: Protocol, agent: str, seconds: float) -> Played:
 def returns(item: Protocol, agent: str, seconds: float) -> Played:
     """It is gone, and begins anew."""
     return _crashing(item, agent, seconds, SECOND)
+
+
+def changes_role(item: Protocol, agent: str, seconds: float) -> Played:
+    """An operator has it play another role."""
+    moment = int(seconds * 1000) * MS
+
+    def change(team: Team) -> None:
+        team.select(agent, f"idle_{item.parts[agent]}", at=moment)
+
+    return _run(item, agent, f"{item.parts[agent]}_role", {}, 0, change=change)
+
+
+def swaps(item: Protocol, agent: str, seconds: float) -> Played:
+    """Another version of its role comes, which does not play the protocol, and waits a moment for it."""
+    moment = int(seconds * 1000) * MS
+
+    def change(team: Team) -> None:
+        team.swap(_without_part(item, item.parts[agent]), at=moment, within=10 * MS, agents=[agent])
+
+    return _run(item, agent, f"{item.parts[agent]}_role", {}, 0, change=change)
+
+
+@cache
+def _version(text: str) -> Version:
+    return version(text)
+
+
+def _without_part(item: Protocol, part: str) -> Version:
+    """The protocol's text, but the role of a part does something else."""
+    said = item.said_of(part)
+    formulas = "  ".join(filter(None, (said.term, said.formulas)))
+    mine = f"{said.entries}\n  liveness {{ {part}_role = {formulas} }}"
+    other = f"  liveness {{ {part}_role = Halt~ }}\n  activities {{ Halt takes 1min }}"
+    whole = item.text()
+    assert mine in whole
+    return _version(whole.replace(mine, other))
 
 
 def _crashing(item: Protocol, agent: str, seconds: float, gone: int) -> Played:
@@ -114,6 +169,9 @@ WAYS: dict[str, Way] = {
     "leaves": leaves,
     "crashes": crashes,
     "returns": returns,
+    "changes role": changes_role,
 }
 MOMENTS = (0.02, 0.06, 0.12, 0.25, 0.35, 0.5, 1.1, 1.6, 2.2, 2.6, 3.2, 4.2, 5.3, 7.4, 8.0)
 """In each phase of each protocol."""
+SOME = MOMENTS if "NETWORK_RUNS" in os.environ else MOMENTS[::4]
+"""Of these, for the way that costs more: all of them by `python3 dev.py long`."""
