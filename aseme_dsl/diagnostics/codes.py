@@ -95,6 +95,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E225": ("error", "duplicate field value"),
     "E226": ("error", "bound name already in use"),
     "E227": ("error", "`waits` beside another clause"),
+    "E228": ("error", "invalid alias of an import"),
     "W110": ("warning", "unsupported item in a foreign file"),
     "W111": ("warning", "foreign module without a frequency"),
     "W200": ("warning", "name similar to a declared name"),

@@ -50,6 +50,9 @@ def test_every_place_of_the_grammar_has_an_answer() -> None:
             "SystemName",
             "IncludedName",
             "OutcomeName",
+            "Reference",
+            "EntryReference",
+            "ProtocolName",
         )
         or terminal in ("Path", "Text", "Label")
     }

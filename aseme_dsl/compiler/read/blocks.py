@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from aseme_dsl.compiler.read.homonyms import told_apart
 from aseme_dsl.compiler.read.names import declared_twice
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar.text import tree
@@ -47,6 +48,7 @@ def blocks_of(files: Iterable[tree.File]) -> tuple[Blocks, tuple[Diagnostic, ...
                     if protocol is not item:
                         found.append(declared_twice("protocol", item.name, protocol.name.span))
                 case tree.Srm() | tree.Statechart():
+                    item = told_apart(item) if isinstance(item, tree.Srm) else item
                     role = roles.setdefault(item.name.text, item)
                     if role is not item:
                         found.append(declared_twice("role", item.name, role.name.span))

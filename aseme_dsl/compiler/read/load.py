@@ -11,8 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl import outside
+from aseme_dsl.compiler.read.aliases import Imported, qualified
 from aseme_dsl.diagnostics import Diagnostic, Problem, Related, closest, has_errors, surely
 from aseme_dsl.diagnostics.problems import files as problems
+from aseme_dsl.diagnostics.problems.names import AliasOfProto
 from aseme_dsl.grammar.parsing.parts import NO_PARTS, InParts, Layout
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source, library_path
@@ -78,7 +80,8 @@ class _Loader:
     sources: Mapping[str, str]
     buffers: Mapping[str, str]
     largest: int
-    files: list[tree.File] = field(default_factory=list)
+    files: list[tuple[str, tree.File]] = field(default_factory=list)
+    imports: list[Imported] = field(default_factory=list)
     protos: list[ProtoImport] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
     lost: set[str] = field(default_factory=set)
@@ -117,9 +120,13 @@ def load(
     parsed = _parsed(loader, root if isinstance(root, Source) else place, None)
     if parsed is not None:
         _follow(loader, _Reading(place, parsed, _imports(parsed), None))
+    all_read = not has_errors(loader.diagnostics)
+    files, found, lost = qualified(loader.files, loader.imports, all_read)
+    loader.diagnostics += found
+    loader.lost |= lost
     complete = not any(isinstance(item.problem, problems.Unread) for item in loader.diagnostics)
     return Loaded(
-        tuple(loader.files),
+        files,
         tuple(loader.protos),
         tuple(loader.diagnostics),
         frozenset(loader.lost),
@@ -161,11 +168,13 @@ def _follow(loader: _Loader, root: _Reading) -> None:
     while stack:
         reading = stack[-1]
         if not reading.waiting:
-            loader.files.append(reading.parsed)
+            loader.files.append((reading.place.key, reading.parsed))
             stack.pop()
             continue
         item = reading.waiting.pop()
         place = _target(item, reading.place)
+        if place is not None:
+            loader.imports.append(Imported(reading.place.key, place.key, item))
         if place is None or place.key in started:
             if place is None:
                 loader.diagnostics.append(_not_found(item, _library()))
@@ -175,6 +184,9 @@ def _follow(loader: _Loader, root: _Reading) -> None:
         started.add(place.key)
         loader.paths[place.shown] = place.key
         if place.key.endswith(".proto"):
+            if item.alias is not None:
+                problem = AliasOfProto(item.alias.text)
+                loader.diagnostics.append(Diagnostic(problem, item.alias.span))
             _load_proto(loader, place, item)
             continue
         parsed = _parsed(loader, place, item)

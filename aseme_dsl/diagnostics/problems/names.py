@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal, assert_never
 
 from aseme_dsl.diagnostics.problem import Problem
-from aseme_dsl.diagnostics.wording import a, listed
+from aseme_dsl.diagnostics.wording import a, did_you_mean, listed
 
 # ---- E201 and E202: names that cannot be had ----------------------------------------------------
 
@@ -699,3 +699,94 @@ class RoleRenamed(Problem):
     def hint(self) -> str:
         other = f"write an srm for `{self.name}`, and name `{self.meant}` in the use cases"
         return f"if it is the same: call it so, too; if not: {other}"
+
+
+# ---- E228: aliases of imports --------------------------------------------------------------------
+
+
+class AliasTwice(Problem):
+    code = "E228"
+    alias: str
+
+    @property
+    def message(self) -> str:
+        return f"two imports of this file have the alias `{self.alias}`"
+
+    hint = "rename one of them"
+
+
+class AliasIsName(Problem):
+    code = "E228"
+    alias: str
+
+    @property
+    def message(self) -> str:
+        return f"the alias `{self.alias}` is the name of a declaration of this file"
+
+    hint = "rename the alias"
+
+
+class AliasOfProto(Problem):
+    code = "E228"
+    alias: str
+    message = "a .proto file has no alias"
+
+    @property
+    def hint(self) -> str:
+        return f"remove `as {self.alias}`: its messages have a package of their own"
+
+
+class NoAlias(Problem):
+    """`near` is the alias that is spelt alike, `known` are all of the file."""
+
+    code = "E228"
+    alias: str
+    near: str | None
+    known: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"no import of this file has the alias `{self.alias}`"
+
+    @property
+    def hint(self) -> str:
+        if self.near is not None:
+            return did_you_mean(self.near)
+        return f"write `as {self.alias}` behind the import of the file that is meant"
+
+
+class NotBehindAlias(Problem):
+    """`sort` says what is looked for; `near` is the name that is spelt alike."""
+
+    code = "E228"
+    alias: str
+    sort: str
+    name: str
+    near: str | None
+    known: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"the file behind `{self.alias}` declares no {self.sort} `{self.name}`"
+
+    @property
+    def hint(self) -> str | None:
+        if self.near is not None:
+            return did_you_mean(self.near)
+        return f"it declares {listed(self.known)}" if self.known else None
+
+
+class OnlyBehindAlias(Problem):
+    """`places`: the name with each alias behind which it is declared."""
+
+    code = "E228"
+    name: str
+    places: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"`{self.name}` is declared in a file that has an alias"
+
+    @property
+    def hint(self) -> str:
+        return f"write {' or '.join(f'`{place}`' for place in self.places)}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -85,25 +85,26 @@ def renaming(
         return Refused(
             f"`{name}` is not a name: names consist of the letters A to Z and a to z, digits and '_'"
         )
-    if name == found.symbol.name:
+    word = view.program.whole(found.span).text
+    if name in (found.symbol.name, word):
         return Renaming({})
     programs = yield from _programs(workspace, view, found.symbol)
     if any(isinstance(item.problem, NotReadInTime) for program in programs for item in program.diagnostics):
         return Refused("a declaration was not read in time (E116): what it uses is not known")
-    names = {symbol: new for program in programs for symbol, new in _together(program, found.symbol, name)}
-    for program in programs:
+    all_names = [_names(program, view, found.symbol, name) for program in programs]
+    for program, names in zip(programs, all_names, strict=True):
         for symbol, new in names.items():
             taken = program.index.of(replace(symbol, name=new))
             if taken:
                 span = program.whole(taken[0].span)
                 where = f"{Path(span.source.path).name}:{span.line}"
                 return Refused(f"there is a {symbol.kind} `{new}` already: {where}")
-    edits = _edits(programs, names)
-    reason = yield from _spoilt(workspace, programs, edits, names)
+    edits = _edits(programs, all_names)
+    reason = yield from _spoilt(workspace, programs, edits, all_names)
     if reason is not None:
         return Refused(reason)
     try:
-        return Renaming(edits, renamed_code(names, activities))
+        return Renaming(edits, renamed_code(_names(view.program, view, found.symbol, name), activities))
     except Unreadable as problem:
         return Refused(str(problem))
 
@@ -141,6 +142,26 @@ def _programs(workspace: Workspace, view: View, symbol: Symbol) -> InPieces[tupl
     for root in roots:
         found.append((yield from workspace.programming(root)))
     return tuple(found)
+
+
+def _names(program: Program, view: View, symbol: Symbol, name: str) -> dict[Symbol, str]:
+    """What gets another name in a program. Behind an alias, a thing is called otherwise than in its file."""
+    own = view.program
+    declared = {own.whole(item.span) for item in own.index.declarations(symbol)}
+    if program is not own and declared:
+        places = {(own.path_of(span.source), span.start) for span in declared}
+        symbol = next(
+            (
+                item.symbol
+                for item in program.index.all()
+                if item.symbol.kind is symbol.kind
+                and (program.path_of(item.span.source), program.whole(item.span).start) in places
+            ),
+            symbol,
+        )
+    word = next((span.text for span in declared), symbol.name)
+    prefix = symbol.name.removesuffix(word) if symbol.name.endswith(f"_{word}") else ""
+    return dict(_together(program, symbol, prefix + name))
 
 
 def _together(program: Program, symbol: Symbol, name: str) -> Iterator[tuple[Symbol, str]]:
@@ -197,15 +218,23 @@ def _spelt_like(old: str, name: str) -> str:
     return class_name(name) if old[:1].isupper() and "_" not in old else name
 
 
-def _edits(programs: Iterable[Program], names: Mapping[Symbol, str]) -> dict[str, tuple[Edit, ...]]:
+def _edits(
+    programs: Sequence[Program], all_names: Sequence[Mapping[Symbol, str]]
+) -> dict[str, tuple[Edit, ...]]:
     found: dict[str, dict[tuple[int, int], Edit]] = {}
-    for program in programs:
+    for program, names in zip(programs, all_names, strict=True):
         for item in program.index.of(*names):
             span = program.whole(item.span)
-            if span.text == item.symbol.name or item.symbol.kind is Kind.AGENT:
-                edit = Edit(span, names[item.symbol])
-                found.setdefault(program.path_of(span.source), {})[span.start, span.end] = edit
-    for program in programs:  # an alias is not needed any more where it was the new name; realises stays
+            name, new = item.symbol.name, names[item.symbol]
+            prefix = name.removesuffix(span.text)
+            if name.endswith(f"_{span.text}") and new.startswith(prefix):  # behind an alias
+                new = new.removeprefix(prefix)
+            elif span.text != name and item.symbol.kind is not Kind.AGENT:
+                continue
+            found.setdefault(program.path_of(span.source), {})[span.start, span.end] = Edit(span, new)
+    for program, names in zip(
+        programs, all_names, strict=True
+    ):  # an alias is not needed any more where it was the new name; realises stays
         for path, edit in _other_spellings(program, names):
             found.setdefault(path, {}).setdefault((edit.span.start, edit.span.end), edit)
     return {path: tuple(edits[key] for key in sorted(edits)) for path, edits in found.items()}
@@ -223,11 +252,11 @@ def _spoilt(
     workspace: Workspace,
     programs: Iterable[Program],
     edits: Mapping[str, tuple[Edit, ...]],
-    names: Mapping[Symbol, str],
+    all_names: Sequence[Mapping[Symbol, str]],
 ) -> InPieces[str | None]:
     """What would be wrong, or mean something else, with the new names."""
     texts = {path: edited(workspace.text(path) or "", changes) for path, changes in edits.items()}
-    for program in programs:
+    for program, names in zip(programs, all_names, strict=True):
         known = {(item.code, item.severity) for item in program.diagnostics}
         counted = len(errors_in_texts(program.diagnostics))
         before = [

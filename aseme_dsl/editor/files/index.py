@@ -401,6 +401,7 @@ UNNAMED: frozenset[tuple[type, str]] = frozenset(
     {
         (tree.Way, "verb"),  # a word of the language
         (tree.Assign, "operator"),
+        (tree.Import, "alias"),  # what stands behind it has its own occurrences
         (tree.Roles, "type"),
         (tree.Activity, "kind"),
         (tree.StandingWay, "verb"),
@@ -897,8 +898,9 @@ class Index:
 
 
 def _may_name(part: Source, declarations: Sequence[tree.Declaration], names: Iterable[str]) -> bool:
-    """Whether one of the names may stand there; `realises` may spell one differently."""
-    return any(name in part.text for name in names) or any(
+    """Whether one of the names may stand there; `realises` may spell one differently. Of a name behind an
+    alias, only the end stands in the text."""
+    return any(name.rpartition("_")[2] in part.text for name in names) or any(
         isinstance(item, tree.Suc) for item in declarations
     )
 

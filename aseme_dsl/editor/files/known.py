@@ -28,6 +28,12 @@ class Known:
     def files(self) -> tuple[tree.File, ...]:
         return self.program.inspection.loaded.files
 
+    @cached_property
+    def aliases(self) -> frozenset[str]:
+        """The aliases of imports."""
+        imports = (item for file in self.files for item in file.declarations if isinstance(item, tree.Import))
+        return frozenset(item.alias.text for item in imports if item.alias is not None)
+
     @property
     def symbols(self) -> Symbols:
         return self.program.inspection.symbols

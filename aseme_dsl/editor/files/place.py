@@ -24,6 +24,7 @@ _DOTTED = re.compile(r"(?<![\w.])(?:[A-Za-z_][A-Za-z0-9_]*\s*\.\s*)+\Z")
 _FILLED = re.compile(r"\b(?:send|busy)\s+\w+\s+\w+\s*\Z")
 """A message that is sent, before the braces that fill it."""
 _IN_ONE_PIECE = ("ControlToken", "BusyToken")
+_MAY_BE_DOTTED = ("Path", "Reference", "EntryReference", "ProtocolName", "RoleName", "IncludedName")
 _NAME_AFTER = re.compile(r"[A-Za-z0-9_]*")
 _LONG = 12_000
 """How many characters of one open block are read at most."""
@@ -135,7 +136,7 @@ def _in_dotted_name(read: str) -> tuple[str, tuple[Expected, ...], tuple[str, ..
     dotted = _DOTTED.search(read, max(0, len(read) - 200))
     if dotted is None:
         return read, (), ()
-    expected = tuple(item for item in _expected(read[: dotted.start()]) if item.terminal == "Path")
+    expected = tuple(item for item in _expected(read[: dotted.start()]) if item.terminal in _MAY_BE_DOTTED)
     if not expected:
         return read, (), ()
     return read[: dotted.start()], expected, tuple(part.strip() for part in dotted.group().split(".")[:-1])

@@ -6,6 +6,7 @@ expressions say which names that means in this system.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
@@ -43,6 +44,7 @@ from aseme_dsl.source import Source
 MOST = 200
 """How many items are offered at most. An editor takes long to read more, and no author reads so many."""
 
+_ALIAS = re.compile(r'\bimport\s*"[^"\n]*"\s*as\s+([A-Za-z_]\w*)')
 _LATER = 10
 """By how much items are put behind those that continue the line."""
 
@@ -68,11 +70,28 @@ def offered(source: Source, offset: int, known: Known) -> tuple[tuple[Item, ...]
             known_item = found.get(item.label)
             if known_item is None or item.rank < known_item.rank:
                 found[item.label] = item
-    ordered = sorted(found.values(), key=lambda item: item.rank)
+    aliases = dict.fromkeys(_ALIAS.findall(source.text))
+    named = (_behind_alias(item, place, aliases) for item in found.values()) if aliases else found.values()
+    ordered = sorted((item for item in named if item is not None), key=lambda item: item.rank)
     if len(ordered) <= MOST:
         return tuple(ordered), True
     going = [item for item in ordered if _goes_with(source.text[item.start : offset], item.label)]
     return tuple(going[:MOST]), False
+
+
+def _behind_alias(item: Item, place: Place, aliases: Iterable[str]) -> Item | None:
+    """The item as it is written in this file: `alice.Ball` in the place of `alice_Ball`. None if what has
+    been typed is an alias that it does not stand behind."""
+    alias = next((name for name in aliases if item.label.startswith(f"{name}_")), None)
+    typed = place.path[-1] if place.path and place.path[-1] in aliases else None
+    if typed is not None and alias != typed:
+        return None if item.label not in aliases else item
+    if alias is None or item.is_snippet or item.insert != item.label:
+        return item
+    rest = item.label.removeprefix(f"{alias}_")
+    return replace(
+        item, label=rest if typed else f"{alias}.{rest}", insert=rest if typed else f"{alias}.{rest}"
+    )
 
 
 def _goes_with(typed: str, label: str) -> bool:

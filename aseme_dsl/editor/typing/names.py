@@ -547,6 +547,7 @@ NEW = frozenset(
         ("Outcome", "text"),
         ("Engage", "text"),
         ("Part", "alias"),
+        ("Import", "alias"),
         ("Capability", "name"),
         ("Capability", "description"),
         ("ModuleCode", "target"),

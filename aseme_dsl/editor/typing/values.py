@@ -8,6 +8,7 @@ from aseme_dsl.amola.expression import Member, duration_text
 from aseme_dsl.amola.messages import BOOL, ChannelKind, ChannelRules, EnumType, Function, Kind, Message, Type
 from aseme_dsl.compiler.names.paths import unnamed
 from aseme_dsl.compiler.names.scope import Scope, TypedLet
+from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.builtins import ACTIONS, FORMS
 from aseme_dsl.compiler.types.typecheck import type_value
 from aseme_dsl.editor.files.known import Known
@@ -169,12 +170,28 @@ def _rules(rules: ChannelRules) -> str:
     return " ".join(words)
 
 
+def _behind(alias: str, symbols: Symbols) -> Iterator[Item]:
+    """What a file that has an alias declares for expressions."""
+    kinds = {item.name: ItemKind.TOPIC for item in symbols.topics}
+    kinds |= {item.name: ItemKind.ENUM for item in symbols.enums}
+    kinds |= {item.name.text: ItemKind.LET for item in symbols.lets}
+    kinds |= {item.name: ItemKind.FUNCTION for item in symbols.functions}
+    for name, kind in kinds.items():
+        if name.startswith(f"{alias}_"):
+            yield Item(name.removeprefix(f"{alias}_"), kind)
+
+
 def members(scope: Scope, known: Known, path: Sequence[str], comms: Sequence[str] = ()) -> Iterator[Item]:
     """What may follow the dot behind a path; `comms` limits the classes of messages, if it names any."""
     symbols = scope.symbols
     first, rest = path[0], list(path[1:])
     if not rest and first in scope.variables:
         return
+    if first in known.aliases and first not in scope.lets:
+        if not rest:
+            yield from _behind(first, symbols)
+            return
+        first = f"{first}_{rest.pop(0)}"
     if first in scope.lets:
         yield from _members_of_let(scope, known, scope.lets[first], rest)
         return

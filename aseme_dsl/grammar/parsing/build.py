@@ -42,7 +42,8 @@ def _system(pieces: Pieces, node: nodes.System) -> tree.System:
 
 def _import(pieces: Pieces, node: nodes.Import) -> tree.Import:
     if node.path:
-        return tree.Import(pieces.text(node.path), pieces.span(node))
+        alias = pieces.new_name(node.alias, "alias") if node.alias else None
+        return tree.Import(pieces.text(node.path), pieces.span(node), alias)
     assert node.library is not None  # the grammar has one or the other
     return tree.Import(pieces.name(node.library), pieces.span(node))
 

@@ -45,6 +45,9 @@ _OTHER_WORDS = {
 _TERMINALS = {
     "Name": Wanted.NAME,
     "EntryName": Wanted.NAME,
+    "Reference": Wanted.NAME,
+    "EntryReference": Wanted.NAME,
+    "ProtocolName": Wanted.NAME,
     "SystemName": Wanted.NAME,
     "RoleName": Wanted.ROLE,
     "OutcomeName": Wanted.NAME,

@@ -29,6 +29,7 @@ class System(Node):
 class Import(Node):
     library: Leaf | None
     path: Leaf | None
+    alias: Leaf | None
 
 
 class Enum(Node):

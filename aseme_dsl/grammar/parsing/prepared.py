@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 705409970
+CHECKSUM = 1810615285
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -61,8 +61,16 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     ),
     'Import': (
         'common',
-        {'library': 'one', 'path': 'one'},
-        ('series', ('word', 'import'), ('choice', ('=', 'library', 'Name'), ('=', 'path', 'Text'))),
+        {'library': 'one', 'path': 'one', 'alias': 'one'},
+        (
+            'series',
+            ('word', 'import'),
+            (
+                'choice',
+                ('=', 'library', 'Name'),
+                ('series', ('=', 'path', 'Text'), ('?', ('series', ('word', 'as'), ('=', 'alias', 'Name')))),
+            ),
+        ),
     ),
     'JunkDeclaration': (
         'match',
@@ -74,10 +82,20 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         {},
         ('pattern', '[A-Za-z_][A-Za-z0-9_]*\\b'),
     ),
+    'Reference': (
+        'match',
+        {},
+        ('pattern', '[A-Za-z_][A-Za-z0-9_]*(?:\\.[A-Za-z_][A-Za-z0-9_]*)?\\b'),
+    ),
     'EntryName': (
         'match',
         {},
         ('pattern', '[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*\\{|\\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{)'),
+    ),
+    'EntryReference': (
+        'match',
+        {},
+        ('pattern', '[A-Za-z_][A-Za-z0-9_]*(?:\\.[A-Za-z_][A-Za-z0-9_]*)?\\b(?!\\s*\\{|\\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{)'),
     ),
     'Path': (
         'match',
@@ -184,7 +202,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         (
             'series',
             ('?', ('=', 'label', 'FieldLabel')),
-            ('=', 'type', 'EntryName'),
+            ('=', 'type', 'EntryReference'),
             ('=', 'name', 'EntryName'),
             ('?', ('series', ('sign', '='), ('=', 'number', 'Integer'))),
             ('?', 'Separator'),
@@ -216,7 +234,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
                 '*',
                 (
                     'choice',
-                    ('series', ('word', 'under'), ('=', 'under', 'Name')),
+                    ('series', ('word', 'under'), ('=', 'under', 'Reference')),
                     ('series', ('word', 'radio'), ('=', 'radio', 'Integer')),
                     ('series', ('word', 'delay'), ('=', 'delay', 'Duration')),
                 ),
@@ -237,7 +255,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         (
             'series',
             ('=', 'comm', 'CommType'),
-            ('+=', 'messages', 'Name', ('sign', ',')),
+            ('+=', 'messages', 'Reference', ('sign', ',')),
             ('*=', 'clauses', 'TopicClause'),
         ),
     ),
@@ -292,7 +310,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
             ('*=', 'parameters', 'Parameter', ('sign', ',')),
             ('sign', ')'),
             ('sign', ':'),
-            ('=', 'result', 'Name'),
+            ('=', 'result', 'Reference'),
             ('sign', '='),
             ('=', 'target', 'Text'),
         ),
@@ -300,7 +318,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'Parameter': (
         'common',
         {'type': 'one', 'name': 'one'},
-        ('series', ('=', 'type', 'Name'), ('=', 'name', 'Name')),
+        ('series', ('=', 'type', 'Reference'), ('=', 'name', 'Name')),
     ),
     'Sag': (
         'common',
@@ -479,7 +497,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'Given': (
         'common',
         {'name': 'one', 'type': 'one'},
-        ('series', ('word', 'given'), ('=', 'name', 'Name'), ('sign', ':'), ('=', 'type', 'Name')),
+        ('series', ('word', 'given'), ('=', 'name', 'Name'), ('sign', ':'), ('=', 'type', 'Reference')),
     ),
     'Result': (
         'common',
@@ -489,7 +507,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
             ('word', 'result'),
             ('=', 'name', 'Name'),
             ('sign', ':'),
-            ('=', 'type', 'Name'),
+            ('=', 'type', 'Reference'),
             ('?', ('series', ('sign', '='), ('+=', 'tokens', 'ExpressionToken'))),
         ),
     ),
@@ -565,13 +583,18 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         {'protocol': 'one', 'participant': 'one', 'alias': 'one', 'bindings': 'many', 'busy': 'one'},
         (
             'series',
-            ('=', 'protocol', 'Name'),
+            ('=', 'protocol', 'ProtocolName'),
             ('sign', '.'),
             ('=', 'participant', 'Name'),
             ('?', ('series', ('word', 'as'), ('=', 'alias', 'Name'))),
             ('?', ('series', ('word', 'with'), ('+=', 'bindings', 'Binding', ('sign', ',')))),
             ('?', ('=', 'busy', 'Busy')),
         ),
+    ),
+    'ProtocolName': (
+        'match',
+        {},
+        ('pattern', '[A-Za-z_][A-Za-z0-9_]*(?:\\.[A-Za-z_][A-Za-z0-9_]*(?=\\s*\\.))?\\b'),
     ),
     'Busy': (
         'common',
@@ -772,7 +795,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
             ('word', 'var'),
             ('=', 'name', 'Name'),
             ('sign', ':'),
-            ('=', 'type', 'Name'),
+            ('=', 'type', 'Reference'),
             ('?', ('series', ('sign', '='), ('+=', 'tokens', 'ExpressionToken'))),
         ),
     ),
@@ -825,7 +848,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'IncludedName': (
         'match',
         {},
-        ('pattern', '(?!(?:liveness|activities|modules)\\s*\\{|(?:includes|plays|capability|var|let|functionality|control)\\s+\\w)[A-Za-z_][A-Za-z0-9_]*\\b'),
+        ('pattern', '(?!(?:liveness|activities|modules)\\s*\\{|(?:includes|plays|capability|var|let|functionality|control)\\s+\\w)[A-Za-z_][A-Za-z0-9_]*(?:\\.[A-Za-z_][A-Za-z0-9_]*)?\\b'),
     ),
     'Capability': (
         'common',
@@ -884,7 +907,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'ActivityParameter': (
         'common',
         {'name': 'one', 'type': 'one'},
-        ('series', ('=', 'name', 'Name'), ('sign', ':'), ('=', 'type', 'Name')),
+        ('series', ('=', 'name', 'Name'), ('sign', ':'), ('=', 'type', 'Reference')),
     ),
     'ActivityName': (
         'match',
@@ -1147,7 +1170,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'RoleName': (
         'match',
         {},
-        ('pattern', '[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*[\\[:,])'),
+        ('pattern', '[A-Za-z_][A-Za-z0-9_]*(?:\\.[A-Za-z_][A-Za-z0-9_]*)?\\b(?!\\s*[\\[:,])'),
     ),
     'AgentName': (
         'common',

@@ -370,10 +370,11 @@ class System:
 
 @dataclass(frozen=True, slots=True)
 class Import:
-    """`import soccer` (a Name: the standard library) or `import "path"` (a Text)."""
+    """`import soccer` (a Name: the standard library) or `import "path" as alias` (a Text)."""
 
     target: Name | Text
     span: Span
+    alias: Name | None = None
 
 
 @dataclass(frozen=True, slots=True)
