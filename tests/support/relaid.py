@@ -66,6 +66,8 @@ def relaid(text: str, choose: random.Random, often: float, commented: float) -> 
             if choose.random() < commented:
                 new += choose.choice(COMMENTS).format(number) + choose.choice(GAPS)
             gap = new or (" " if gap else "")
+            if gap.startswith("/") and parts and parts[-1].endswith("/"):
+                gap = f" {gap}"  # behind the `/` of an action, `/*` would begin with `//`
         end = start + len(token)
         token = text[start:end]
         is_path = (terminal.endswith("Token") or terminal == "Path") and token[:1].isalpha() and "." in token
