@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Fill, Literal, Value, value_text
 from aseme_dsl.amola.liveness import Formula
-from aseme_dsl.amola.messages import AGENT, Parameter, Type
+from aseme_dsl.amola.messages import AGENT, Bounds, Parameter, Type
 from aseme_dsl.display import Displayed
 from aseme_dsl.source import Span
 
@@ -33,12 +33,14 @@ class DeclaredVariable:
     type: Type
     initial: Literal
     span: Span
+    bounds: Bounds | None = None
 
     @property
     def text(self) -> str:
-        """`bids : int = 0`; `best : agent` without a value, since an agent variable has no initial value."""
+        """`bids : int 0..10 = 0`; `best : agent`, which has no initial value."""
         said = "" if self.type == AGENT else f" = {value_text(self.initial)}"
-        return f"{self.name} : {self.type}{said}"
+        bounds = "" if self.bounds is None else f" {self.bounds}"
+        return f"{self.name} : {self.type}{bounds}{said}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ from pathlib import PurePath
 from aseme_dsl.amola.aip import Aip, DeclaredVariable, NamedFormula, Participant, Plays
 from aseme_dsl.amola.expression import Literal, action_text, duration_text, events_text, value_text
 from aseme_dsl.amola.liveness import canonical
-from aseme_dsl.amola.messages import AGENT, DURATION, Parameter
+from aseme_dsl.amola.messages import AGENT, DURATION, Bounds, Parameter
 from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Module, Srm, Subscription
 from aseme_dsl.amola.statechart import State, Statechart
@@ -217,7 +217,12 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
         "states": states,
         "transitions": transitions,
         "variables": [
-            {"name": item.name, "type": str(item.type), "initial": _initial(item.initial)}
+            {
+                "name": item.name,
+                "type": str(item.type),
+                **_bounds(item.bounds),
+                "initial": _initial(item.initial),
+            }
             for item in chart.variables
         ],
         "regions": [
@@ -284,11 +289,16 @@ def _variables(variables: Iterable[DeclaredVariable], folder: PurePath | None) -
         {
             "name": item.name,
             "type": str(item.type),
+            **_bounds(item.bounds),
             "initial": _initial(item.initial),
             "span": _span(item.span, folder),
         }
         for item in variables
     ]
+
+
+def _bounds(bounds: Bounds | None) -> Json:
+    return {} if bounds is None else {"bounds": {"least": bounds.least, "most": bounds.most}}
 
 
 def _inputs(inputs: Iterable[DeclaredVariable], folder: PurePath | None) -> list[Json]:

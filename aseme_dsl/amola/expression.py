@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from aseme_dsl.amola.messages import AGENT, BOOL, DOUBLE, DURATION, INT, Channel, Function, Kind, Type
+from aseme_dsl.amola.messages import AGENT, BOOL, DOUBLE, DURATION, INT, Bounds, Channel, Function, Kind, Type
 from aseme_dsl.source import Source, Span
 
 # ---- values ------------------------------------------------------------------------------------
@@ -43,6 +43,7 @@ class VariableValue:
     name: str
     type: Type
     span: Span
+    bounds: Bounds | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -51,6 +51,21 @@ AGENT = Type(Kind.AGENT)
 """An agent of the team: what a variable may hold, and no member of a message."""
 
 
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """`0..10`: the least and the greatest number that a variable may hold."""
+
+    least: int | float
+    most: int | float
+
+    def __str__(self) -> str:
+        return f"{self.least}..{self.most}"
+
+    def hold(self, value: object) -> bool:
+        """Whether a constant is between them."""
+        return isinstance(value, int | float) and self.least <= value <= self.most
+
+
 def list_of(element: Type | None) -> Type:
     """The type of a list of such elements."""
     return Type(Kind.LIST, element=element)

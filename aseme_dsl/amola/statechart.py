@@ -16,7 +16,7 @@ from aseme_dsl.amola.expression import (
     values_of,
     walk,
 )
-from aseme_dsl.amola.messages import Channel, Type
+from aseme_dsl.amola.messages import Bounds, Channel, Type
 from aseme_dsl.amola.srm import Module
 from aseme_dsl.display import Displayed
 from aseme_dsl.source import Span
@@ -148,6 +148,7 @@ class Variable:
     initial: Literal
     scope: str | None
     span: Span
+    bounds: Bounds | None = None
 
 
 @dataclass(frozen=True, slots=True)

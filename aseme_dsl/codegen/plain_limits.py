@@ -10,6 +10,7 @@ from aseme_dsl.amola.expression import (
     Assign,
     At,
     Bound,
+    Failed,
     Index,
     LossReason,
     Lost,
@@ -73,9 +74,12 @@ def _limits(chart: Statechart, activities: Iterable[Activity]) -> Iterator[Limit
         elif transition.kind is TransitionKind.ON and chart.is_region(transition.source):
             yield Limit(AgentFeature.STAYING, transition.span)
         yield from _of_transition(transition)
+    has_error = any(isinstance(e, Failed) for item in chart.transitions for e in item.expression.events)
     for variable in chart.variables:
         if variable.type == AGENT:
             yield Limit(AgentFeature.AGENTS, variable.span)
+        if variable.bounds is not None and has_error:
+            yield Limit(AgentFeature.BOUNDS, variable.span)
 
 
 def _of_transition(transition: Transition) -> Iterator[Limit]:

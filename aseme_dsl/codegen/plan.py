@@ -213,7 +213,12 @@ def _transition(transition: Transition, placed: bool = True) -> str:
 
 def _variable(system: System, variable: Variable) -> str:
     initial = None if variable.type == AGENT else _constant(system, variable.initial)
-    return _call("Variable", [variable.name, str(variable.type), initial], [("scope", variable.scope, None)])
+    bounds = None if variable.bounds is None else (variable.bounds.least, variable.bounds.most)
+    return _call(
+        "Variable",
+        [variable.name, str(variable.type), initial],
+        [("scope", variable.scope, None), ("bounds", bounds, None)],
+    )
 
 
 def _topics_reached(system: System, name: str, reach: str) -> list[Topic]:

@@ -182,6 +182,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E515": ("error", "non-constant duration"),
     "E516": ("error", "number out of range"),
     "E517": ("error", "condition without brackets"),
+    "E518": ("error", "invalid bounds of a variable"),
     "E520": ("error", "unknown outcome"),
     "E521": ("error", "outcome outside a comparison"),
     "E522": ("error", "invalid deadline or outcome clause"),

@@ -87,6 +87,11 @@ class Encoder:
         self.unknowns[key] = unknown
         symbol = self.symbols[key] = self._symbol(f"u{len(self.symbols)}", unknown.type)
         kind = unknown.type.kind
+        if unknown.bounds is not None:
+            least, most = (
+                self._z3.RealVal(str(n), self._context) for n in (unknown.bounds.least, unknown.bounds.most)
+            )
+            self.facts.append(self._z3.And(symbol >= least, symbol <= most))
         if kind is Kind.ENUM:
             enum = self._vocabulary.enums.get(unknown.type.name)
             numbers = sorted({number for _, number in enum.constants}) if enum is not None else []

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import cast
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.messages import AGENT, BOOL, ChannelKind, EnumType, Function, Kind, Message, Type
+from aseme_dsl.amola.messages import AGENT, BOOL, Bounds, ChannelKind, EnumType, Function, Kind, Message, Type
 
 Key = tuple[object, ...]
 """Which unknown it is: two places that read the same in one snapshot have the same key."""
@@ -38,6 +38,8 @@ class Unknown:
     type: Type
     needs: tuple[Key, ...] = ()
     """The presences without which it has no value."""
+    bounds: Bounds | None = None
+    """Between which numbers it is, of a variable that says so."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,7 +189,8 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                     yield Unknown(identity(part), e.value_text(part), part.type, needs)
             case e.VariableValue():
                 yield from _presence_unknowns(part, vocabulary)
-                yield Unknown(identity(part), e.value_text(part), part.type, presences(part, vocabulary))
+                needs = presences(part, vocabulary)
+                yield Unknown(identity(part), e.value_text(part), part.type, needs, part.bounds)
             case (
                 e.Expired()
                 | e.Outcome()

@@ -421,6 +421,7 @@ def test_what_is_taken_is_all_that_a_module_has() -> None:
 REFUSED = {
     AgentFeature.AGENT_MESSAGES: "the messages of agents",
     AgentFeature.AGENTS: "variables of type `agent`",
+    AgentFeature.BOUNDS: "the bounds of a variable beside an `error` transition",
     AgentFeature.PROTOCOLS: "protocols",
     AgentFeature.PUBLISHING: "publishing",
     AgentFeature.SIGNALS: "signals",

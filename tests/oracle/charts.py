@@ -275,6 +275,8 @@ VARIABLES = {
     "c": ("Colour", "Colour.GREEN"),
     "w": ("duration", "10ms"),
 }
+BOUNDS = {"k": " -1..4"}
+"""Those of the variables that have some."""
 OWN_VARIABLES = {"i": ("int", "1"), "b": ("bool", "true"), "f": ("double", "2")}
 
 
@@ -648,6 +650,8 @@ class Words:
         match pick.weighted(assign=7, fill=4, publish=4, timer=4, read=2, call=1, send=send):
             case "assign":
                 name = pick.one_of(list(self.variables))
+                if name in BOUNDS:  # a constant may be outside, which the compiler says
+                    return f"{name} += {self._assigned(self.variables[name])}"
                 return f"{name} = {self._assigned(self.variables[name])}"
             case "fill":
                 channel = pick.one_of(self.channels)
@@ -807,7 +811,10 @@ def _some(choices: Choices, variables: dict[str, tuple[str, str]]) -> dict[str, 
 
 
 def _variables(variables: dict[str, tuple[str, str]]) -> list[str]:
-    return [f"  var {name} : {kind} = {initial}" for name, (kind, initial) in variables.items()]
+    return [
+        f"  var {name} : {kind}{BOUNDS.get(name, '')} = {initial}"
+        for name, (kind, initial) in variables.items()
+    ]
 
 
 def _protocol(outer: Words, name: str = "p", part: str = "a", own_name: str = "P") -> tuple[str, bool]:

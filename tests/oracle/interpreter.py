@@ -206,6 +206,8 @@ class Reference:
         """The branches that are suspended by the transition which is being taken."""
         self.waited: dict[int, int] = {}
         """The longest `after` by which an `on` transition was taken, since its state was entered."""
+        self.breach: tuple[str, str] | None = None
+        """The state that is entered though a write on the way was outside of the bounds, and why."""
         self.outcome = Outcome()
 
     # ---- what the plan says -----------------------------------------------------------------
@@ -302,7 +304,7 @@ class Reference:
         rounds = 0
         can_wait = any(region.reads for region in self.plan.regions) or self.mailbox
         waited = None if can_wait else 0
-        while self.failure is None and self.visit(self.root()):
+        while self.failure is None and (self.visit(self.root()) or self.fails_for_breach()):
             rounds += 1
             if rounds % ROUNDS == 0:
                 waits = self.how_much_waits()
@@ -1104,6 +1106,11 @@ class Reference:
         given = self.given(label)
         if given is None:
             return
+        # "The state that is entered fails: the first activity that would start there does not."
+        if self.breach is not None and self.breach[0] in (label, *self.around(label)):
+            self.failed[label] = self.breach[1]
+            self.breach = None
+            return
         self.tokens += 1
         self.token[label] = self.tokens
         self.outcome.effects.append(Start(label, activity, self.tokens, given))
@@ -1124,6 +1131,22 @@ class Reference:
                 return None
             found.append((name, value))
         return tuple(found)
+
+    def fails_for_breach(self) -> bool:
+        """ "Where none starts, the first that runs there is cancelled. Without one, the agent stops." """
+        if self.breach is None:
+            return False
+        (target, reason), self.breach = self.breach, None
+        inside = [s.label for s in self.plan.states if target in (s.label, *self.around(s.label))]
+        running = [label for label in inside if self.type_of(label) == "BASIC" and self.runs(label)]
+        if not running:
+            self.stop(reason)
+            return False
+        self.failed[running[0]] = reason
+        activity = self.plan.by_label[running[0]].activity
+        assert activity is not None
+        self.outcome.effects.append(Cancel(running[0], activity, self.token[running[0]], reason))
+        return True
 
     # ---- actions ----------------------------------------------------------------------------
 
@@ -1152,6 +1175,17 @@ class Reference:
             case ("assign", name, _):
                 # "A write to a variable is seen at once in its own region, and by regions entered later in
                 # the same step inside it (they start with a copy); elsewhere from the next step."
+                bounds = next(v.bounds for v in self.plan.variables if v.name == name)
+                if bounds is not None and not bounds[0] <= values[0] <= bounds[1]:
+                    # "A write outside of the bounds is not made"
+                    own = f"variable {name.partition('@')[0]} of {bounds[0]}..{bounds[1]}"
+                    reason = f"{own} cannot be {values[0]!r}"
+                    self.fault(number, reason)
+                    if self.breach is None and self.failure is None:
+                        way = self.way()
+                        target = self.plan.transitions[way[-1]].target if way else self.root()
+                        self.breach = target, f"{reason} ({self.plan.transitions[number].at})"
+                    return
                 region.variables[name] = place.variables[name] = values[0]
                 self.writes.append((place.label, name, values[0]))
             case ("fill", ("member", host, channel, path), _):

@@ -56,7 +56,10 @@ def _tamed(chart: Statechart, simple: bool) -> Statechart:
     channels = {value.channel for value in _members(transitions)}
     reads = tuple(sorted(channels, key=str))
     regions = tuple(replace(region, reads=reads, writes=()) for region in chart.regions)
-    return replace(chart, transitions=transitions, regions=regions)
+    variables = chart.variables
+    if any(isinstance(event, Failed) for item in transitions for event in item.expression.events):
+        variables = tuple(replace(item, bounds=None) for item in variables)
+    return replace(chart, transitions=transitions, regions=regions, variables=variables)
 
 
 def _members(transitions: tuple[Transition, ...]) -> list[Member]:

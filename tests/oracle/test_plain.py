@@ -78,6 +78,7 @@ class Game:
     now: int = 0
     running: dict[str, int] = field(default_factory=dict)
     numbers: int = 0
+    is_over: bool = False
     story: list[str] = field(default_factory=list)
     first: tuple[str, ...] = ()
     """The configuration after the first of the steps of an instant."""
@@ -103,7 +104,7 @@ class Game:
     def play(self, choices: Choices) -> None:
         self.step([], None)
         for _ in range(choices.number(1, 25)):
-            if self.expected.finished or self.expected.failure is not None:
+            if self.is_over or self.expected.finished or self.expected.failure is not None:
                 break
             self.now += choices.one_of((0, MS, 5 * MS, 10 * MS, 20 * MS))
             board = [self.on_board(choices) for _ in range(choices.weighted(none=3, one=2, two=1) != "none")]
@@ -144,6 +145,10 @@ class Game:
             actual = self.actual.step(self.now, inputs)
         except CannotDo:
             self.compare("the failure", expected.failure is not None, True)
+            return
+        if self.actual.is_outside:  # the program is told at once, whatever would follow
+            self.compare("a fault", any(isinstance(item, Fault) for item in expected.effects), True)
+            self.is_over = True
             return
         self.compare("the step", _seen(expected, self.plan), _seen(actual, self.plan))
         if expected.failure is not None:

@@ -27,7 +27,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Start,
     Written,
 )
-from aseme_dsl.runtime.plain.plain import ActivityFailed, Plain, Unsettled
+from aseme_dsl.runtime.plain.plain import ActivityFailed, OutOfBounds, Plain, Unsettled
 from tests.support.generated import Generated
 
 
@@ -66,6 +66,8 @@ class PlainEngine:
         self.outcome = Outcome()
         self.started = False
         self.failure: str | None = None
+        self.is_outside = False
+        """Whether a write outside of its variable's bounds has ended it."""
         self.tokens = 0
         self.token: dict[str, int] = {}
         kind = plain_class(made, role, PlainOptions(watched=True))
@@ -110,8 +112,9 @@ class PlainEngine:
         try:
             self.call(calls)
             self.check_that_nothing_is_enabled()
-        except Unsettled as error:
+        except (Unsettled, OutOfBounds) as error:
             self.failure = str(error)
+            self.is_outside = isinstance(error, OutOfBounds)
         except ActivityFailed as error:
             raise CannotDo("stopping: the program is told of the failure") from error
         self.outcome.failure = self.failure
@@ -181,6 +184,8 @@ def _telling(kind: Any, engine: PlainEngine) -> Any:
         engine.outcome.taken.append(transitions)
 
     def fault(self: Any, transition: int, reason: object) -> bool:
+        if isinstance(reason, OutOfBounds):
+            raise reason
         if transition not in self.faulty:
             self.faulty = (*self.faulty, transition)
             engine.outcome.effects.append(Fault(transition, str(reason)))

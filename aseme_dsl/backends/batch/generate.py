@@ -108,6 +108,8 @@ def _limits(chart: Statechart) -> Iterator[Limit]:
     for variable in chart.variables:
         if not _is_number(variable.type):
             yield Limit(SingleFeature.TYPES, variable.span)
+        elif variable.bounds is not None:
+            yield Limit(SingleFeature.BOUNDS, variable.span)
     for transition in chart.transitions:
         yield from _of_expression(transition)
     for _, value in chart.values():

@@ -105,6 +105,17 @@ class Face:
             return kind.name
         return _PYTHON[kind.kind]
 
+    def bounded(self, name: str, code: Expr) -> Expr:
+        """What a variable gets: code that raises where the value is outside of its bounds."""
+        bounds = self.variables[name].bounds
+        if bounds is None:
+            return code
+        return own_call("inside", Const(name), Const(bounds.least), Const(bounds.most), code)
+
+    def is_bounded(self, name: str) -> bool:
+        """Whether a write to a variable may fail for its value."""
+        return self.variables[name].bounds is not None
+
     def initial(self, variable: Variable) -> str:
         """What a variable holds at first."""
         value = variable.initial.value

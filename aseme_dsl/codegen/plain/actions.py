@@ -67,14 +67,14 @@ class Actions:
         names.asked_by(number, values)
         found: list[Statement] = []
 
-        def after(value: Value, use: Callable[[Piece], Block]) -> None:
+        def after(value: Value, use: Callable[[Piece], Block], can_raise: bool = False) -> None:
             """Compute a value and use it; an absent or raising one is a fault."""
             result = computed((value,), values)
             block = use(result.pieces[0])
             if result.needs:
                 fault = Do(own_call("fault", Const(number), Name("ABSENT")))
                 block = (If((Arm(all_of(result.needs), block),), (fault,)),)
-            if result.raises:
+            if result.raises or can_raise:
                 fault = Do(own_call("fault", Const(number), Name("error")))
                 block = (Guarded(block, (fault,)),)
             found.extend(block)
@@ -82,7 +82,10 @@ class Actions:
         def assign(target: VariableValue, value: Value) -> None:
             after(
                 value,
-                lambda piece: self._assignment(region, target, converted(piece, value.type, target.type)),
+                lambda piece: self._assignment(
+                    region, target, names.bounded(target.name, converted(piece, value.type, target.type))
+                ),
+                names.is_bounded(target.name),
             )
 
         def start(place: Expr, duration: Value) -> None:

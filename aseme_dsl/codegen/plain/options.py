@@ -25,6 +25,7 @@ TAKEN = frozenset(dir(builtins)) | {
     ),
     *(
         "NotStarted",
+        "OutOfBounds",
         "Unsettled",
         "annotations",
         "cache",

@@ -121,6 +121,7 @@ class Actions(Part):
                     number,
                     (value,),
                     lambda piece: self._assignment(method, region, target, value, piece, place),
+                    can_raise=isinstance(target, VariableValue) and self.names.is_bounded(target.name),
                 )
             case Evaluate(value=value):
                 self.computed(method, depth, number, (value,), lambda piece: [method.code(piece.code)])
@@ -134,7 +135,10 @@ class Actions(Part):
         piece: Piece,
         place: int,
     ) -> list[str]:
-        code = method.code(converted(piece, value.type, target.type))
+        result = converted(piece, value.type, target.type)
+        if isinstance(target, VariableValue):
+            result = self.names.bounded(target.name, result)
+        code = method.code(result)
         if isinstance(target, Member):
             return [f"{method.b}.fill({str(target.channel)!r}, {target.host!r}, {target.path!r}, {code})"]
         lines = self.names.writing(region)
@@ -229,11 +233,14 @@ class Actions(Part):
         number: int,
         values: Sequence[Value],
         use: Callable[..., list[str]],
+        *,
+        can_raise: bool = False,
     ) -> None:
-        """Compute values and use them; an absent or raising one is a fault."""
+        """Compute values and use them; an absent or raising one is a fault. `can_raise`: the use may, too."""
         self.names.asked_by(number, method.names)
         found = computed(values, method.names)
-        if found.raises:
+        can_raise = can_raise or found.raises
+        if can_raise:
             method.add(depth, "try:")
             depth += 1
         if found.needs:
@@ -242,7 +249,7 @@ class Actions(Part):
             method.add(depth, "else:", f"    self.fault({number}, {method.code(Name('ABSENT'))})")
         else:
             method.add(depth, *use(*found.pieces))
-        if found.raises:
+        if can_raise:
             method.add(depth - 1, "except Exception as error:", f"    self.fault({number}, error)")
 
 

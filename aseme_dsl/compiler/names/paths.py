@@ -145,7 +145,7 @@ def _variable(checker: Checker, path: tree.Path) -> Value | None:
     name = path.segments[0].text
     key, kind = checker.scope.variables[name]
     if len(path.segments) == 1:
-        return VariableValue(key, kind, path.span)
+        return VariableValue(key, kind, path.span, checker.scope.bounds.get(name))
     hides = checker.scope.symbols.topic(name) is not None
     _no_members(checker, path.segments[1], "variable", name, str(kind), hides)
     return None

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from aseme_dsl.amola.aip import AgentMessage
 from aseme_dsl.amola.expression import Value
-from aseme_dsl.amola.messages import Type
+from aseme_dsl.amola.messages import Bounds, Type
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.source import Span
 
@@ -68,6 +68,8 @@ class Scope:
     participant: str | None = None
     parties: Mapping[str, Party] = field(default_factory=dict)
     taken: Taken | None = None
+    bounds: Mapping[str, Bounds] = field(default_factory=dict)
+    """Of the variables that have some."""
     parameters: Mapping[str, Type | None] = field(default_factory=dict)
     """Those of the formula whose control, or whose arguments, the expression is in: they hide other names.
 

@@ -19,6 +19,7 @@ from aseme_dsl.diagnostics import Diagnostic, Related, surely
 from aseme_dsl.diagnostics.problems import names as of_names
 from aseme_dsl.diagnostics.problems.absences import NoType
 from aseme_dsl.diagnostics.problems.expressions import arguments as problems
+from aseme_dsl.diagnostics.problems.expressions.bounds import ResultWithOtherBounds
 from aseme_dsl.diagnostics.problems.expressions.values import RandomInCondition
 from aseme_dsl.diagnostics.problems.names import ReservedName
 from aseme_dsl.grammar.text import tree
@@ -302,6 +303,11 @@ def supply(
             related = (Related(result.span, "the result"),)
             problem = of_names.ResultOfOtherType(result.name, str(result.type), str(target[1]))
             found.append(Diagnostic(problem, binding.expression.span, related))
+        elif (own := scope.bounds.get(target[0])) != result.bounds:
+            related = (Related(result.span, "the result"),)
+            named = (str(item) if item is not None else "" for item in (result.bounds, own))
+            unlike = ResultWithOtherBounds(result.name, target[0], *named)
+            found.append(Diagnostic(unlike, binding.expression.span, related))
         else:
             targets.append((result.name, target[0]))
     return Supplied(tuple(values), tuple(targets)), tuple(found)

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import AgentMessage, DeclaredVariable
 from aseme_dsl.amola.expression import Literal
-from aseme_dsl.amola.messages import AGENT, BOOL, BYTES, DOUBLE, STRING, Kind, Type
+from aseme_dsl.amola.messages import AGENT, BOOL, BYTES, DOUBLE, STRING, Bounds, Kind, Type
 from aseme_dsl.amola.python_names import taken_as_member
+from aseme_dsl.compiler.names.bounds import bounds_of
 from aseme_dsl.compiler.names.scope import Party, Scope, TypedLet
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.builtins import OTHER_SPELLINGS, PERFORMATIVES, reserved
@@ -51,7 +52,7 @@ def global_scope(symbols: Symbols) -> tuple[Scope, tuple[Diagnostic, ...]]:
 def role_scope(owner: tree.Srm | tree.Statechart, outer: Scope) -> tuple[TypedRole, tuple[Diagnostic, ...]]:
     """The scope inside a role: `outer` (the global one) with the role's variables and lets."""
     variables, found = type_variables(owner.variables, outer)
-    scope = replace(outer, variables=_keys(variables))
+    scope = replace(outer, variables=_keys(variables), bounds=_bounds_of(variables))
     scope, more = with_lets(scope, owner.lets)
     return TypedRole(scope, variables), found + more
 
@@ -93,6 +94,7 @@ def protocol_scopes(
             scope,
             participant=name,
             variables=_keys(own_variables),
+            bounds=_bounds_of(own_variables),
             parameters={one.name.text: None for one in item.inputs} | {one.name: one.type for one in inputs},
         )
         own, wrong_lets = with_lets(own, item.lets)
@@ -111,6 +113,10 @@ def _variables_of(item: tree.Participant) -> tuple[tree.Var, ...]:
 
 def _keys(variables: Iterable[DeclaredVariable]) -> dict[str, tuple[str, Type]]:
     return {item.name: (item.name, item.type) for item in variables}
+
+
+def _bounds_of(variables: Iterable[DeclaredVariable]) -> dict[str, Bounds]:
+    return {item.name: item.bounds for item in variables if item.bounds is not None}
 
 
 # ---- variables ---------------------------------------------------------------------------------
@@ -151,7 +157,11 @@ def type_variables(
             written, problems = constant(item.initial, kind, scope)
             diagnostics += problems
             initial = written or initial
-        found[name.text] = DeclaredVariable(name.text, kind, replace(initial, span=item.span), name.span)
+        bounds, wrong = bounds_of(item, kind, initial)
+        diagnostics += wrong
+        found[name.text] = DeclaredVariable(
+            name.text, kind, replace(initial, span=item.span), name.span, bounds
+        )
     return tuple(found.values()), tuple(diagnostics)
 
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
+from aseme_dsl.amola.aip import DeclaredVariable
 from aseme_dsl.amola.expression import INSTANCE, Literal, Value, substituted
-from aseme_dsl.amola.messages import DOUBLE, INT, Type
+from aseme_dsl.amola.messages import DOUBLE, INT
 from aseme_dsl.amola.system import Agent, Team
+from aseme_dsl.compiler.names.bounds import outside
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.compiler.read.names import unknown
@@ -27,7 +29,7 @@ def settle(
 ) -> tuple[tuple[Team, ...], tuple[Diagnostic, ...]]:
     """The teams with what is set in their agents (E514, E610, E611)."""
     found: list[Diagnostic] = []
-    settings: dict[Span, tuple[tuple[str, Value, Type], ...]] = {}
+    settings: dict[Span, tuple[tuple[DeclaredVariable, Value], ...]] = {}
     for file in files:
         for team in file.declarations:
             if isinstance(team, tree.Team):
@@ -43,13 +45,13 @@ def settle(
 
 def _line(
     line: tree.TeamAgents, roles: Mapping[str, TypedRole], top: Scope, found: list[Diagnostic]
-) -> tuple[tuple[str, Value, Type], ...]:
+) -> tuple[tuple[DeclaredVariable, Value], ...]:
     """The variables that a line sets, with their values and types."""
     role = roles.get(line.role.text)
     if role is None:
         return ()
     variables = {item.name: item for item in role.variables}
-    values: dict[str, tuple[Value, Type]] = {}
+    values: dict[str, tuple[DeclaredVariable, Value]] = {}
     first: dict[str, tree.Name] = {}
     for item in line.settings:
         name = item.name
@@ -65,13 +67,15 @@ def _line(
         value, problems = type_value(item.value, top, variable.type)
         found += problems
         if value is not None:
-            values[name.text] = (value, variable.type)
-    return tuple((name, value, kind) for name, (value, kind) in values.items())
+            values[name.text] = (variable, value)
+    return tuple(values.values())
 
 
-def _settled(agent: Agent, values: Iterable[tuple[str, Value, Type]], found: list[Diagnostic]) -> Agent:
+def _settled(
+    agent: Agent, values: Iterable[tuple[DeclaredVariable, Value]], found: list[Diagnostic]
+) -> Agent:
     settings: list[tuple[str, Literal]] = []
-    for name, value, kind in values:
+    for variable, value in values:
         number = Literal(agent.index, INT, value.span)
         try:
             constant = fold(substituted(value, {INSTANCE: number}))
@@ -81,10 +85,15 @@ def _settled(agent: Agent, values: Iterable[tuple[str, Value, Type]], found: lis
         except ArithmeticError as problem:
             found.append(Diagnostic(NotComputed(str(problem)), value.span))
             continue
-        if kind == DOUBLE:
+        if variable.type == DOUBLE:
             assert not isinstance(constant, str)
             constant = float(constant)
-        settings.append((name, Literal(constant, kind, value.span)))
+        literal = Literal(constant, variable.type, value.span)
+        wrong = outside(variable.name, variable.bounds, literal)
+        if wrong is not None:
+            found.append(wrong)
+            continue
+        settings.append((variable.name, literal))
     return replace(agent, settings=tuple(settings)) if settings else agent
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Named, Value, operands, walk
 from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, STRING, Kind, Type
+from aseme_dsl.compiler.names.bounds import stays_inside
 from aseme_dsl.compiler.names.checker import Checker
 from aseme_dsl.compiler.names.paths import channel_of, member_of, through_optional, value_of_path
 from aseme_dsl.compiler.names.scope import Scope
@@ -501,6 +502,8 @@ def _assign(checker: Checker, written: tree.Assign) -> amola.Action | None:
         sides = tree.Binary(operator, written.target, written.value, written.operator.span, written.span)
         value = arithmetic(checker, sides, target, value)
     if value is None or not assignable(checker, value, target.type):
+        return None
+    if isinstance(target, amola.VariableValue) and not stays_inside(checker, target, value):
         return None
     if isinstance(value, amola.VariableValue) and target == replace(value, span=target.span):
         checker.report(problems.AssignedItself(target.name), written.span)

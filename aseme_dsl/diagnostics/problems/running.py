@@ -486,6 +486,7 @@ class AgentFeature(Enum):
     AGENT_MESSAGES = "the messages of agents"
     AGENTS = "other agents"
     AGES = "how old a message is"
+    BOUNDS = "the bounds of a variable beside an `error` transition"
     DATA = "data with its time of measurement, and looking back"
     DEADLINES = "the deadline of an activity"
     ENTERING = "leading into a region of an AND"
@@ -503,6 +504,7 @@ class AgentFeature(Enum):
 class SingleFeature(Enum):
     """What one statechart can do and a batch cannot; the value is what it is called."""
 
+    BOUNDS = "the bounds of variables"
     CHANCE = "random numbers (draw the values of variables for all at once)"
     CONDITIONALS = "a choice between two values, `c ? a : b` (two transitions it can)"
     DIVISION = "division by what may be zero (by a number that is written there it can)"

@@ -318,7 +318,8 @@ def _variable(program: Program, symbol: Symbol) -> Iterator[str]:
     for node in _nodes(program, symbol):
         if isinstance(node, tree.Var):
             initial = f" = {_text(program, node.initial.span)}" if node.initial is not None else ""
-            yield _fence(f"var {node.name} : {node.type}{initial}")
+            bounds = f" {_text(program, node.bounds.span)}" if node.bounds is not None else ""
+            yield _fence(f"var {node.name} : {node.type}{bounds}{initial}")
         elif isinstance(node, tree.Given):
             yield _fence(f"given {node.name} : {node.type}")
     yield f"Variable of `{symbol.owner}`"

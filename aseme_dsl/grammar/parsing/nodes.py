@@ -172,6 +172,8 @@ class Given(Node):
 class Result(Node):
     name: Leaf
     type: Leaf
+    least: Leaf | None
+    most: Leaf | None
     tokens: list[Leaf]
 
 
@@ -291,6 +293,8 @@ class Let(Node):
 class Var(Node):
     name: Leaf
     type: Leaf
+    least: Leaf | None
+    most: Leaf | None
     tokens: list[Leaf]
 
 

@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 1810615285
+CHECKSUM = 3088344540
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -501,13 +501,14 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     ),
     'Result': (
         'common',
-        {'name': 'one', 'type': 'one', 'tokens': 'many'},
+        {'name': 'one', 'type': 'one', 'least': 'one', 'most': 'one', 'tokens': 'many'},
         (
             'series',
             ('word', 'result'),
             ('=', 'name', 'Name'),
             ('sign', ':'),
             ('=', 'type', 'Reference'),
+            ('?', ('series', ('=', 'least', 'Bound'), ('sign', '..'), ('=', 'most', 'Bound'))),
             ('?', ('series', ('sign', '='), ('+=', 'tokens', 'ExpressionToken'))),
         ),
     ),
@@ -789,15 +790,21 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     ),
     'Var': (
         'common',
-        {'name': 'one', 'type': 'one', 'tokens': 'many'},
+        {'name': 'one', 'type': 'one', 'least': 'one', 'most': 'one', 'tokens': 'many'},
         (
             'series',
             ('word', 'var'),
             ('=', 'name', 'Name'),
             ('sign', ':'),
             ('=', 'type', 'Reference'),
+            ('?', ('series', ('=', 'least', 'Bound'), ('sign', '..'), ('=', 'most', 'Bound'))),
             ('?', ('series', ('sign', '='), ('+=', 'tokens', 'ExpressionToken'))),
         ),
+    ),
+    'Bound': (
+        'match',
+        {},
+        ('pattern', '-?\\s*[0-9]+(?:\\.[0-9]+)?(?!\\w|\\.[0-9])'),
     ),
     'ExpressionToken': (
         'match',

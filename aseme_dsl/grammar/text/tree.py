@@ -507,9 +507,21 @@ class Suc:
 
 @dataclass(frozen=True, slots=True)
 class Var:
+    """`var bids : int 0..10 = 0`"""
+
     name: Name
     type: Name
     initial: Expression | None
+    span: Span
+    bounds: VarBounds | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class VarBounds:
+    """`0..10`"""
+
+    least: int | float
+    most: int | float
     span: Span
 
 

@@ -14,7 +14,7 @@ from typing import assert_never
 
 from aseme_dsl.amola.expression import Literal, Raised, Received
 from aseme_dsl.amola.messages import Kind, Type
-from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.statechart import Statechart, Variable
 from aseme_dsl.amola.system import System
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun
 from aseme_dsl.runtime.chart.chart import Chart
@@ -155,7 +155,7 @@ class _Drawing:
                 return Completed(label, getattr(chart, chart.RUNNING[label][1]), outcome)
             case "write":
                 variable = self.chance.choice(self.variables)
-                return Written(variable.name, self.value(variable.type))
+                return Written(variable.name, _inside(variable, self.value(variable.type)))
             case _:
                 branch, performative, message, participant = self.chance.choice(mails)
                 content = self.content(message) if message else None
@@ -199,6 +199,14 @@ class _Drawing:
                 return None
             case _:
                 assert_never(kind.kind)
+
+
+def _inside(variable: Variable, value: object) -> object:
+    """The nearest value that a variable can hold."""
+    bounds = variable.bounds
+    if bounds is None or not isinstance(value, int | float):
+        return value
+    return min(max(value, bounds.least), bounds.most)
 
 
 __all__ = ["STARTS", "drawn", "drawn_anew"]

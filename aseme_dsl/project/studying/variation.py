@@ -193,6 +193,8 @@ def _setting(system: System, role: str, name: str, written: str) -> Literal:
         raise VariationError(
             f"{written!r} is not of the type {variable.type}, which {name} of {role} is"
         ) from None
+    if variable.bounds is not None and not variable.bounds.hold(value):
+        raise VariationError(f"{name} of {role} cannot be {written}: its bounds are {variable.bounds}")
     return replace(variable.initial, value=value)
 
 

@@ -7,6 +7,7 @@ from dataclasses import is_dataclass
 from aseme_dsl.runtime.activity import access
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.execution import Execution, Host
+from aseme_dsl.runtime.chart.bounds import check_variable
 from aseme_dsl.runtime.chart.functions import TYPES
 from aseme_dsl.runtime.conversation.directory import Offer, Withdraw
 from aseme_dsl.runtime.message.convert import same_shape
@@ -19,6 +20,7 @@ def check_doing(agent: Host, execution: Execution, doing: c.Doing) -> None:
         UndeclaredError: the activity does not declare that it writes the channel or variable.
         LookupError: there is no such channel, variable or participant.
         TypeError: a message or value is of another type.
+        OutOfBounds: a bounded variable cannot hold the number.
     """
     match doing:
         case c.Publish(channel, message):
@@ -30,6 +32,7 @@ def check_doing(agent: Host, execution: Execution, doing: c.Doing) -> None:
             if not fits(variable.type, value):
                 raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
             access.check_set(execution.info, variable, name)
+            check_variable(variable, value)
         case c.Prepare(message):
             if isinstance(message, type) or not is_dataclass(message):
                 raise TypeError(f"what is prepared is a message, not {message!r}")

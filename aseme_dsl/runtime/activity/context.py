@@ -283,7 +283,11 @@ class Context:
         self._port.do(Publish(channel, message, to))
 
     def set_variable(self, name: str, value: object) -> None:
-        """Write a variable. Raises LookupError if there is none, TypeError if it is of another type."""
+        """Write a variable.
+
+        Raises LookupError if there is none, TypeError if it is of another type, OutOfBounds if it is bounded
+        and cannot hold the number.
+        """
         self._port.do(SetVariable(name, value))
 
     def raise_event(self, name: str) -> None:

@@ -24,6 +24,7 @@ from aseme_dsl.runtime.agent import added_behaviours as added
 from aseme_dsl.runtime.agent import fipa_callbacks
 from aseme_dsl.runtime.agent.behaviour_scheduler import ROOT, BehaviourScheduler
 from aseme_dsl.runtime.agent.data_store import HasDataStore
+from aseme_dsl.runtime.chart.bounds import check_variable
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.following import Following, Shape
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Happened, Identity, Outcome, Written
@@ -582,6 +583,7 @@ class JadeLikeAgent:
         shell, variable = self._shell, self.plan.variable_of(name, label)
         if not fits(variable.type, value):
             raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
+        check_variable(variable, value)
         identity = shell.identity()
         shell.trace.write(
             "variable",

@@ -20,6 +20,7 @@ from dataclasses import dataclass, replace
 from random import Random
 
 from aseme_dsl.runtime.chart.board import Board
+from aseme_dsl.runtime.chart.bounds import admits
 from aseme_dsl.runtime.chart.chart import INACTIVE, Chart
 from aseme_dsl.runtime.chart.history import History
 from aseme_dsl.runtime.chart.inputs import Cancel, Effect, Sample
@@ -384,6 +385,8 @@ class _Carrying:
                 value = like(self.old.variable(name), new.variable(variable.name), self.messages)
             except LookupError:
                 continue
+            if not admits(variable, value):
+                continue
             new.set_variable(variable.name, value)
             kept.add(name)
         self.lost += [v.name for v in self.old.PLAN.variables if v.name not in kept]
@@ -562,7 +565,8 @@ def variables_of(old: Chart, new: Chart, messages: Messages) -> None:
                 value = like(old.variable(variable.name), new.variable(variable.name), messages)
             except LookupError:
                 continue
-            new.set_variable(variable.name, value)
+            if admits(variable, value):
+                new.set_variable(variable.name, value)
 
 
 def knowledge_of(old: Chart, new: Chart, messages: Messages) -> None:

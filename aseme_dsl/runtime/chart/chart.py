@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
 from random import Random
-from typing import Any
+from typing import Any, TypeVar
 
 from aseme_dsl.runtime.chart.board import NEVER, Board, built
+from aseme_dsl.runtime.chart.bounds import OutOfBounds, check
 from aseme_dsl.runtime.chart.functions import checked, find_function, results_of
 from aseme_dsl.runtime.chart.inputs import (
     AgentMessage,
@@ -37,6 +38,7 @@ from aseme_dsl.runtime.chart.stepping import (
     count_waiting,
     end_step,
     expire_signals,
+    fail_for_breach,
     fail_late_activities,
     livelock,
     put,
@@ -52,6 +54,8 @@ ABSENT = "absent value"
 
 INACTIVE = -1
 """A region's number while its AND is not active."""
+
+T = TypeVar("T")
 
 Seen = tuple[tuple[object, ...], tuple[object, ...]]
 """What a condition reads: messages, and the values of variables and timers."""
@@ -90,7 +94,7 @@ class Chart(ChartState):
             self.enter()
         rounds = 0
         bound, waiting = ROUNDS, NEVER if self.READERS or self.mail else 0
-        while self.round():
+        while self.round() or (self.breach is not None and fail_for_breach(self)):
             rounds += 1
             if rounds == bound:
                 left = count_waiting(self)
@@ -106,7 +110,11 @@ class Chart(ChartState):
     # ---- what generated code calls ---------------------------------------------------------
 
     def begin(self, label: str, activity: str, arguments: tuple[tuple[str, object], ...] = ()) -> int:
-        """Start an activity; the token is its own."""
+        """Start an activity; the token is its own. Its state fails at once if a write on the way has."""
+        if self.breach is not None and is_in(label, self.breach[0]):
+            self.failed[label] = self.breach[1]
+            self.breach = None
+            return 0
         self.tokens += 1
         self.effects.append(Start(label, activity, self.tokens, arguments))
         return self.tokens
@@ -219,9 +227,15 @@ class Chart(ChartState):
 
     def fault(self, transition: int, reason: object) -> bool:
         """Note, once a step, that something of a transition could not be done; always False."""
+        is_breach = isinstance(reason, OutOfBounds)
+        if is_breach and self.breach is None and self.failure is None:
+            way = self._way()
+            target = self.PLAN.transitions[way[-1]].target if way else self.REGIONS[0]
+            self.breach = target, f"{reason} ({self.PLAN.transitions[transition].at})"
         if transition not in self._faults:
             self._faults.add(transition)
-            text = f"{type(reason).__name__}: {reason}" if isinstance(reason, Exception) else str(reason)
+            is_raised = isinstance(reason, Exception) and not is_breach
+            text = f"{type(reason).__name__}: {reason}" if is_raised else str(reason)
             self.effects.append(Fault(transition, text))
         return False
 
@@ -247,6 +261,12 @@ class Chart(ChartState):
             self.chance = Random(f"{self.seed}/{self.agent}")
         value = self.chance.random()
         self.effects.append(FunctionResult("random", value))
+        return value
+
+    @staticmethod
+    def inside(name: str, least: float, most: float, value: T) -> T:
+        """The value that a bounded variable is to hold. Raises OutOfBounds if it cannot."""
+        check(name, least, most, value)
         return value
 
     @staticmethod

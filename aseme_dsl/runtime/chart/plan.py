@@ -100,12 +100,16 @@ class Transition:
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """A variable; `scope` is the label of the branch whose entry renews it, or None."""
+    """A variable; `scope` is the label of the branch whose entry renews it, or None.
+
+    `bounds` are the least and the greatest number that it may hold, if it has some.
+    """
 
     name: str
     type: str
     initial: object
     scope: str | None = None
+    bounds: tuple[int | float, int | float] | None = None
 
 
 @dataclass(frozen=True, slots=True)

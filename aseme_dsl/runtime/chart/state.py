@@ -27,6 +27,7 @@ class ChartState:
         "_functions",
         "abandoning",
         "agent",
+        "breach",
         "chance",
         "drains",
         "effects",
@@ -102,6 +103,8 @@ class ChartState:
         self.failure: str | None = None
         self.tokens = 0
         self.failed: dict[str, str] = {}
+        self.breach: tuple[str, str] | None = None
+        """Which state is entered though a variable could not hold what was written on the way, and why."""
         self.outcomes: dict[str, str | None] = {}
         """How the activities of states have ended, None for those that have not; the last is the newest."""
         self.events: set[str] = set()

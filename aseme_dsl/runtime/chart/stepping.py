@@ -20,6 +20,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Settled,
     Written,
 )
+from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.chart.state import ChartState
 from aseme_dsl.runtime.time.clock import shown
 
@@ -91,6 +92,23 @@ def fail_late_activities(chart: ChartState) -> None:
             reason = chart.failed[label] = f"not done within {shown(within)}"
             activity = chart.PLAN.by_label[label].activity or ""
             chart.effects.append(Cancel(label, activity, getattr(chart, owner), reason))
+
+
+def fail_for_breach(chart: ChartState) -> bool:
+    """Fail the first activity that runs in the state that a breach of bounds has entered, else the chart.
+
+    The result is whether another round follows.
+    """
+    assert chart.breach is not None
+    (target, reason), chart.breach = chart.breach, None
+    for label, (leaf, owner, number) in chart.RUNNING.items():
+        if is_in(label, target) and getattr(chart, leaf) == number and label not in chart.failed:
+            chart.failed[label] = reason
+            activity = chart.PLAN.by_label[label].activity or ""
+            chart.effects.append(Cancel(label, activity, getattr(chart, owner), reason))
+            return True
+    stop(chart, reason)
+    return False
 
 
 def set_outcome(chart: ChartState, label: str, outcome: str | None) -> None:

@@ -32,6 +32,10 @@ class ActivityFailed(RuntimeError):
     """An activity has failed, and no `error` transition takes that."""
 
 
+class OutOfBounds(ValueError):
+    """A number that a variable cannot hold was written to it. No step may follow."""
+
+
 class Unsettled(RuntimeError):
     """A step does not come to an end: its transitions enable each other."""
 
@@ -281,11 +285,22 @@ class Plain:
             else:
                 setattr(board, name, value)
 
+    def inside(self, name: str, least: float, most: float, value: Any) -> Any:
+        """The value that a bounded variable is to hold. Raises OutOfBounds if it cannot."""
+        if not least <= value <= most:
+            raise OutOfBounds(f"variable {name} of {least}..{most} cannot be {value!r}")
+        return value
+
     def fault(self, transition: int, reason: object) -> bool:
         """Something of a transition could not be done; always False.
 
         Told to the logger `aseme_dsl.plain`, once a step; override it to do something else.
+
+        Raises:
+            OutOfBounds: a variable cannot hold what was written. That ends the statechart.
         """
+        if isinstance(reason, OutOfBounds):
+            raise reason
         if transition not in self.faulty:
             setattr(self, "faulty", (*self.faulty, transition))  # noqa: B010
             text = f"{type(reason).__name__}: {reason}" if isinstance(reason, Exception) else str(reason)

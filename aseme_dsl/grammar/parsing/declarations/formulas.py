@@ -27,7 +27,15 @@ def var(pieces: Pieces, node: nodes.Var | nodes.Result, words: Sequence[str] = (
     """A variable; none of `words` can be its name."""
     name = pieces.checked_name(node.name, "variable", words)
     initial = pieces.tried(lambda: read_expression(pieces.source, node.tokens)) if node.tokens else None
-    return tree.Var(name, pieces.name(node.type), initial, pieces.span(node))
+    bounds = _bounds(pieces, node.least, node.most) if node.least and node.most else None
+    return tree.Var(name, pieces.name(node.type), initial, pieces.span(node), bounds)
+
+
+def _bounds(pieces: Pieces, least: Token, most: Token) -> tree.VarBounds | None:
+    first, last = pieces.signed(least), pieces.signed(most)
+    if first is None or last is None:
+        return None
+    return tree.VarBounds(first, last, Span(pieces.source, least.start, most.end))
 
 
 def formula(

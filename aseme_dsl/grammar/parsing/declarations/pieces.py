@@ -68,6 +68,16 @@ class Pieces:
         value = self.integer(text)
         return tree.Number(value, self.spot(text)) if value is not None else None
 
+    def signed(self, text: Token) -> int | float | None:
+        """A number with or without a sign and a fraction."""
+        if "." not in text:
+            return self.integer(text)
+        number = "".join(text.split())
+        if len(number) > _LONGEST_INTEGER:
+            self.report(characters.TooManyDigits(str(text)), self.spot(text))
+            return None
+        return float(number)
+
     def tried(self, make: Callable[[], _T]) -> _T | None:
         try:
             return make()

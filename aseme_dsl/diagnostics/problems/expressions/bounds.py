@@ -1,0 +1,83 @@
+"""Problems of bounds: `var n : int 0..10` (E516, E518)."""
+
+from __future__ import annotations
+
+from aseme_dsl.diagnostics.problem import Problem
+from aseme_dsl.diagnostics.wording import a
+
+
+class OutsideBounds(Problem):
+    """`is_given`: the value is written, and not what a variable holds when nothing is said."""
+
+    code = "E516"
+    name: str
+    value: str
+    bounds: str
+    least: str
+    is_given: bool
+
+    @property
+    def message(self) -> str:
+        if self.is_given:
+            return f"`{self.name}` cannot be {self.value}: its bounds are {self.bounds}"
+        return f"`{self.name}` would begin with {self.value}, outside of its bounds {self.bounds}"
+
+    @property
+    def hint(self) -> str:
+        if self.is_given:
+            return "write a number within the bounds, or widen them"
+        return f"give it a first value: `= {self.least}`"
+
+
+class BoundsOfOther(Problem):
+    code = "E518"
+    type: str
+
+    @property
+    def message(self) -> str:
+        return f"{a(self.type)} has no bounds"
+
+    hint = "remove them: only an int or a double is bounded"
+
+
+class FractionAsBound(Problem):
+    code = "E518"
+    name: str
+
+    @property
+    def message(self) -> str:
+        return f"the bounds of the int `{self.name}` have a fraction"
+
+    hint = "write whole numbers, or declare it as a double"
+
+
+class BoundsReversed(Problem):
+    code = "E518"
+    bounds: str
+    turned: str
+
+    @property
+    def message(self) -> str:
+        return f"no number is within {self.bounds}"
+
+    @property
+    def hint(self) -> str:
+        return f"write the least first: `{self.turned}`"
+
+
+class ResultWithOtherBounds(Problem):
+    """`bounds` and `own` are those of the result and of the variable, empty where it has none."""
+
+    code = "E591"
+    result: str
+    name: str
+    bounds: str
+    own: str
+
+    @property
+    def message(self) -> str:
+        said = f"has the bounds {self.own}" if self.own else "has no bounds"
+        wanted = f"has {self.bounds}" if self.bounds else "has none"
+        return f"`{self.name}` {said}, while the result `{self.result}` {wanted}"
+
+    hint = "declare both with the same bounds"
