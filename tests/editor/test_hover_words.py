@@ -83,7 +83,7 @@ def test_no_row_is_lost() -> None:
         ("Wait)^~", "~\n`A~`: A for ever"),
         ("Step] ^. Rest", ".\n`A . B`: A, then B"),
         ("Rest^+", "+\n`A+`: A once or more"),
-        ("Talk* ^[> Halt", "[>\n`A [> B`: A, which B may cut short"),
+        ("Talk* ^[> Halt", "[>\n`A [> B`: A, which B may interrupt"),
         ("^[Step]", "[\n`[A]`: A, or nothing"),
         ("low ^&& tries", "&&\n`a && b` `a and b`: both hold"),
         ("Note) ^|| board", "||\n`a || b` `a or b`: at least one"),
