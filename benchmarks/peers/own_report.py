@@ -45,9 +45,9 @@ def lines(found: Found, plot: str) -> Iterator[str]:
     yield f"# {found.system} beside its peers"
     yield ""
     yield machine()
-    yield f"Inputs: {found.origin}; one event or end of an activity a step. Times are CPU time of a step; a"
-    yield f"ratio is the median over rounds of that to {BESIDE} in the same round. Only who enters"
-    yield "and leaves every state as often as the reference interpreter is timed."
+    yield f"Inputs: {found.origin}; one event or end of an activity a step. Times are CPU time of a step."
+    yield f"A ratio is the median over rounds of the time divided by that of {BESIDE} in the same round."
+    yield "Only libraries that enter and leave every state as often as the reference interpreter are timed."
     if plot:
         yield ""
         yield f"![CPU time of a step, by role and contender]({plot})"

@@ -76,8 +76,8 @@ def lines(results: Results, plot: str) -> Iterator[str]:
     """The report."""
     yield ""
     yield machine()
-    yield "Times are CPU time of a step; a ratio is the median over rounds of that to the code by hand in the"
-    yield "same round, in brackets between which ratios the middle half of the rounds lies."
+    yield "Times are CPU time of a step. A ratio is the median over rounds of the time divided by that of the"
+    yield "code by hand in the same round. The middle half of the rounds lies between the ratios in brackets."
     yield ""
     yield f"![CPU time of a step, by behaviour and contender]({plot})"
     yield ""
