@@ -17,6 +17,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.support import GOOD, Done, asemec, command
+from tests.security.lines import line
 from tests.support.waiting import wait_until
 
 WINDOWS = Path(__file__).resolve().parents[1] / "support" / "windows"
@@ -71,16 +72,16 @@ def test_the_commands_of_a_project(tmp_path: Path) -> None:
     text = GOOD.replace("system Walker", "system Walker  // geht, bis er zu Hause ist: «ω»")
     (tmp_path / "team.aseme").write_text(text, "utf-8")
     out = tmp_path / "out" / "trace.jsonl"
-    for line, said in {
+    for words, said in {
         "check team.aseme": "no problems found in 1 file",
         "fmt --check team.aseme": "",
         "build team.aseme": "Walker -> out",
         "diagram team.aseme iac.robot -o robot.svg": "1 created",
         "run team.aseme --for 2s": "stopped after 2 s (virtual, seed 1): time limit reached",
     }.items():
-        done = on_windows(*line.split(), cwd=tmp_path)
-        assert done.code == (1 if line.startswith("fmt") else 0), (line, done.err)
-        assert said in done.out, (line, done.out)
+        done = on_windows(*words.split(), cwd=tmp_path)
+        assert done.code == (1 if words.startswith("fmt") else 0), (words, done.err)
+        assert said in done.out, (words, done.out)
         assert "Traceback" not in done.err
     there = out.read_text("utf-8")
     assert asemec("run", "team.aseme", "--for", "2s", cwd=tmp_path).code == 0
@@ -102,8 +103,8 @@ def test_the_language_server_starts(tmp_path: Path) -> None:
         process.stdin.write(b"Content-Length: %d\r\n\r\n%s" % (len(body), body))
         process.stdin.flush()
         size = 0
-        while line := process.stdout.readline().strip():
-            name, _, value = line.partition(b":")
+        while header := process.stdout.readline().strip():
+            name, _, value = header.partition(b":")
             size = int(value) if name.lower() == b"content-length" else size
         answer = json.loads(process.stdout.read(size))
         process.stdin.close()
@@ -125,6 +126,7 @@ def running(folder: Path) -> Iterator[None]:
         process.wait()
 
 
+@line("team", "the same on Windows")
 def test_operators_reach_a_team_over_loopback_with_its_secret(tmp_path: Path) -> None:
     with running(tmp_path):
         done = on_windows("status", "--output", "out", "--json", cwd=tmp_path)
