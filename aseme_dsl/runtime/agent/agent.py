@@ -57,6 +57,9 @@ class Agent:
 
     `post` and `errand` may be called from any thread. The driver never calls `process` twice at once, and
     keeps the order of the items.
+
+    Many methods, but small ones: each is what the driver, the bus or the conversations call of an agent
+    (`ports.py`). The parts that decide something stand in files of their own in this room.
     """
 
     def __init__(
