@@ -6,12 +6,14 @@ spelling, never by `==`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
-from typing import assert_never
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeVar, assert_never
 
 from aseme_dsl.amola.operators import Fixity, Operator, with_number
 from aseme_dsl.source import Span
+
+_T = TypeVar("_T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +53,24 @@ def walk(formula: Formula) -> Iterator[Formula]:
         node = stack.pop()
         yield node
         stack.extend(reversed(node.operands))
+
+
+def fold(formula: Formula, combine: Callable[[Formula, Sequence[_T]], _T]) -> _T:
+    """The value of a formula whose nodes' values follow from those of their operands."""
+    values: dict[Formula, _T] = {}
+    for node in reversed(list(walk(formula))):
+        values[node] = combine(node, [values[operand] for operand in node.operands])
+    return values[formula]
+
+
+def rewritten(formula: Formula, change: Callable[[Formula], Formula]) -> Formula:
+    """The formula with each node changed, operands first; what does not change is the same object."""
+
+    def combine(node: Formula, operands: Sequence[Formula]) -> Formula:
+        is_same = all(before is after for before, after in zip(node.operands, operands, strict=True))
+        return change(node if is_same else replace(node, operands=tuple(operands)))
+
+    return fold(formula, combine)
 
 
 def names(formula: Formula) -> Iterator[Formula]:

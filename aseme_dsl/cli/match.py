@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from aseme_dsl.cli.playing import duration_option, is_function
+from aseme_dsl.cli.playing import duration_option, function_of
 from aseme_dsl.cli.progress import Progress
 from aseme_dsl.cli.shared import (
     Refused,
@@ -42,6 +42,7 @@ _FORM = "the .aseme file or project directory of a team"
 @click.option(
     "--world",
     metavar="MODULE:FUNCTION",
+    callback=function_of,
     help="Factory function of the simulated world, looked for here.  [default: the football field]",
 )
 @click.option("--seeds", type=click.IntRange(1), default=1, show_default=True, help="Number of matches.")
@@ -49,7 +50,9 @@ _FORM = "the .aseme file or project directory of a team"
 @click.option(
     "-j", "--jobs", type=click.IntRange(1), help="Parallel matches.  [default: half the number of cores]"
 )
-@duration_option("Time limit of a match, such as 30s.  [default: none on the football field, else 1min]")
+@duration_option(
+    "Time limit of a match, such as 30s.  [default: none on the football field, else 1min]", may_be_zero=False
+)
 @folder_option("-o", "--output", text="Directory of a picture (SVG) of each match.  [default: none]")
 @click.option("-q", "--quiet", is_flag=True, help="Suppress progress output.")
 @json_option
@@ -72,10 +75,6 @@ def command(
     from aseme_dsl.project.playing.play import PlayError
     from aseme_dsl.runtime.version.loading import importing
 
-    if duration == 0:
-        raise click.BadParameter("the time limit must be greater than zero.", param_hint="'--for'")
-    if world is not None and not is_function(world):
-        raise click.BadParameter(f"{world!r} does not have the form MODULE:FUNCTION.", param_hint="'--world'")
     chosen = range(seed, seed + seeds)
     parallel = min(jobs or max(1, (os.cpu_count() or 1) // 2), seeds)
     with TemporaryDirectory(prefix="asemec-match-", ignore_cleanup_errors=True) as folder:

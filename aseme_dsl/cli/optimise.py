@@ -82,7 +82,7 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
     help="Runs per variant, each with its own seed.",
 )
 @click.option("--seed", type=int, default=1, show_default=True, help="First seed.")
-@duration_option("Time limit of each run.  [default: the project's, else 60s]")
+@duration_option("Time limit of each run.  [default: the project's, else 60s]", may_be_zero=False)
 @click.option(
     "--worth",
     type=click.FloatRange(0, min_open=False),
@@ -145,8 +145,6 @@ def command(
     from aseme_dsl.project.studying.variation import VariationError
     from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 
-    if duration == 0:
-        raise click.BadParameter("the time limit must be greater than zero.", param_hint="'--for'")
     if measure is not None and ":" in measure and not is_function(measure):
         raise click.BadParameter(
             f"{measure!r} does not have the form MODULE:FUNCTION.", param_hint="'--measure'"

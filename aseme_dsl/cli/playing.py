@@ -48,6 +48,21 @@ def duration_of(context: click.Context, parameter: click.Parameter, value: str |
         raise click.BadParameter(f"{problem}.") from problem
 
 
+def time_limit_of(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:
+    """A duration on the command line that something lasts, in ns."""
+    limit = duration_of(context, parameter, value)
+    if limit == 0:
+        raise click.BadParameter("the time limit must be greater than zero.")
+    return limit
+
+
+def function_of(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
+    """`MODULE:FUNCTION` on the command line."""
+    if value is not None and not is_function(value):
+        raise click.BadParameter(f"{value!r} does not have the form MODULE:FUNCTION.")
+    return value
+
+
 def bodies_of(context: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> dict[str, str]:
     """`[AGENT=]MODULE:FUNCTION` as functions by agent; "" is every agent."""
     found: dict[str, str] = {}
@@ -67,9 +82,10 @@ def is_function(text: str) -> bool:
     return name.isidentifier() and all(part.isidentifier() for part in module.split("."))
 
 
-def duration_option(text: str) -> Callable[[CommandT], CommandT]:
+def duration_option(text: str, may_be_zero: bool = True) -> Callable[[CommandT], CommandT]:
     """`--for DURATION`."""
-    return click.option("--for", "duration", metavar="DURATION", callback=duration_of, help=text)
+    callback = duration_of if may_be_zero else time_limit_of
+    return click.option("--for", "duration", metavar="DURATION", callback=callback, help=text)
 
 
 def input_option(text: str) -> Callable[[CommandT], CommandT]:

@@ -15,8 +15,8 @@ from aseme_dsl.cli.playing import (
     build_target,
     duration_option,
     ending_left_processes,
+    function_of,
     input_option,
-    is_function,
     lines_without_code,
     network_of,
     network_option,
@@ -75,12 +75,6 @@ if TYPE_CHECKING:
     from aseme_dsl.project.playing.play import Played, Request
     from aseme_dsl.project.settings.configuration import Configuration
     from aseme_dsl.runtime.version.loading import Loaded
-
-
-def _world(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
-    if value is not None and not is_function(value):
-        raise click.BadParameter(f"{value!r} does not have the form MODULE:FUNCTION.")
-    return value
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,7 +159,10 @@ class _Prepared:
 @activities_option
 @folder_option("--templates", text="Directory of templates that override the backend's, by file name.")
 @click.option(
-    "--world", metavar="MODULE:FUNCTION", callback=_world, help="Factory function of the simulated world."
+    "--world",
+    metavar="MODULE:FUNCTION",
+    callback=function_of,
+    help="Factory function of the simulated world.",
 )
 @play_backend_option
 @body_option("Factory function of the body, for AGENT or all agents. Repeatable.")

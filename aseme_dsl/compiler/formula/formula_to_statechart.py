@@ -13,11 +13,11 @@ from typing import assert_never
 
 from aseme_dsl.amola.aip import DeclaredVariable
 from aseme_dsl.amola.expression import INSTANCE, Literal, Named, Value, VariableValue, substituted, value_text
-from aseme_dsl.amola.liveness import Formula, called, canonical, names, ungrouped, walk
+from aseme_dsl.amola.liveness import Formula, called, canonical, fold, names, ungrouped, walk
 from aseme_dsl.amola.messages import INT
 from aseme_dsl.amola.operators import Operator, Template
 from aseme_dsl.amola.statechart import Argument, Origin, OriginKind, State, StateType
-from aseme_dsl.compiler.formula.formulas import Formulas, dependencies_first, fold
+from aseme_dsl.compiler.formula.formulas import Formulas, dependencies_first
 from aseme_dsl.compiler.formula.renames import SAME, Renames, rename_value
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.formulas import TooManyStates

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import TypeVar, assert_never
 
 from aseme_dsl.amola.aip import NamedFormula
-from aseme_dsl.amola.liveness import Formula, canonical, names, ungrouped, walk
+from aseme_dsl.amola.liveness import Formula, canonical, fold, names, ungrouped, walk
 from aseme_dsl.amola.messages import Parameter
 from aseme_dsl.amola.operators import INFIX, Operator, Template
 from aseme_dsl.amola.statechart import Argument
@@ -111,14 +111,6 @@ def named_formulas(formulas: Formulas | None) -> tuple[NamedFormula, ...]:
         NamedFormula(name, item.formula, item.span, formulas.parameters.get(name, ()))
         for name, item in formulas.named.items()
     )
-
-
-def fold(formula: Formula, combine: Callable[[Formula, Sequence[_T]], _T]) -> _T:
-    """The value of a formula whose nodes' values follow from those of their operands."""
-    values: dict[Formula, _T] = {}
-    for node in reversed(list(walk(formula))):
-        values[node] = combine(node, [values[operand] for operand in node.operands])
-    return values[formula]
 
 
 QUOTED = 70
@@ -406,7 +398,6 @@ __all__ = [
     "check",
     "cut",
     "dependencies_first",
-    "fold",
     "may_be_empty",
     "named_formulas",
     "reached",

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, fields, is_dataclass, replace
 from enum import Enum
 from typing import TypeVar, cast
 
-from aseme_dsl.amola.liveness import Argument, Formula, names
+from aseme_dsl.amola.liveness import Argument, Formula, names, rewritten
 from aseme_dsl.amola.messages import BUILT_IN
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.diagnostics.problems import names as problems
@@ -574,29 +574,18 @@ class _File:
         return replace(call, function=function, arguments=arguments)
 
     def _formula(self, formula: Formula, scope: _Scope) -> Formula:
-        """A formula with the names of its activities; without recursion, since it may be deep."""
-        done: dict[int, Formula] = {}
-        stack = [(formula, False)]
-        while stack:
-            node, is_ready = stack.pop()
-            if not is_ready:
-                stack.append((node, True))
-                stack += [(operand, False) for operand in node.operands]
-                continue
-            operands = tuple(done[id(operand)] for operand in node.operands)
+        """A formula with the names of its activities."""
+
+        def renamed(node: Formula) -> Formula:
             name = node.name
             if name and name not in scope.formulas and name not in scope.local:
                 name = scope.activities.get(name) or self.own.get(Sort.ACTIVITY, {}).get(name, name)
+            if name == node.name and not node.arguments:
+                return node
             arguments = tuple(self._argument(item, scope) for item in node.arguments)
-            is_same = (
-                name == node.name
-                and not arguments
-                and all(a is b for a, b in zip(operands, node.operands, strict=True))
-            )
-            done[id(node)] = (
-                node if is_same else replace(node, operands=operands, name=name, arguments=arguments)
-            )
-        return done[id(formula)]
+            return replace(node, name=name, arguments=arguments)
+
+        return rewritten(formula, renamed)
 
     def _argument(self, argument: Argument, scope: _Scope) -> Argument:
         value = self._any(argument.value, scope)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from aseme_dsl.amola.liveness import Formula, names
+from aseme_dsl.amola.liveness import Formula, names, rewritten
 from aseme_dsl.grammar.text import tree
 
 
@@ -46,20 +46,8 @@ def _entry(entry: tree.Way | tree.LabelledWay, name: str, new: str) -> tree.Way 
 
 
 def with_name(formula: Formula, name: str, new: str) -> Formula:
-    """The formula with another name in the place of one; without recursion, since it may be deep."""
-    done: dict[int, Formula] = {}
-    stack = [(formula, False)]
-    while stack:
-        node, is_ready = stack.pop()
-        if not is_ready:
-            stack.append((node, True))
-            stack += [(operand, False) for operand in node.operands]
-            continue
-        operands = tuple(done[id(operand)] for operand in node.operands)
-        is_same = node.name != name and all(a is b for a, b in zip(operands, node.operands, strict=True))
-        called = new if node.name == name else node.name
-        done[id(node)] = node if is_same else replace(node, operands=operands, name=called)
-    return done[id(formula)]
+    """The formula with another name in the place of one."""
+    return rewritten(formula, lambda node: replace(node, name=new) if node.name == name else node)
 
 
 __all__ = ["told_apart"]

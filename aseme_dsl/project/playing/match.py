@@ -7,7 +7,6 @@ that fails, ends or does not answer is out; the other plays on.
 
 from __future__ import annotations
 
-import pickle
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
@@ -33,7 +32,7 @@ from aseme_dsl.project.playing.match_team import (
 )
 from aseme_dsl.project.playing.play import PlayError, made_world
 from aseme_dsl.runtime.time.clock import USUAL_LENGTH
-from aseme_dsl.runtime.world.body import AnyBody, AnyWorld, BodyConnectionError, RadioMessage
+from aseme_dsl.runtime.world.body import AnyBody, AnyWorld, RadioMessage, fit_to_travel
 from aseme_dsl.runtime.world.lineup import AWAY, HOME, Lineup, seat_of
 
 if TYPE_CHECKING:
@@ -255,11 +254,7 @@ class _Seat:
         try:
             return Given(call())
         except Exception as error:
-            try:
-                pickle.loads(pickle.dumps(error))
-            except Exception:
-                return Refused(BodyConnectionError(f"{type(error).__name__}: {error}"))
-            return Refused(error)
+            return Refused(fit_to_travel(error))
 
     def _view(self, world: AnyWorld, over: bool) -> View:
         percepts = {agent: body.sense() for agent, body in self._bodies.items()}

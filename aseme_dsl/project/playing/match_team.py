@@ -188,7 +188,7 @@ def run_team(connection: Connection[object, object], side: Side) -> None:
     except BodyConnectionError:
         return
     except Exception as problem:
-        end = Broken(_text(problem))
+        end = Broken(f"{type(problem).__name__}: {problem}")
     with suppress(OSError):
         connection.send(end)
         connection.close()
@@ -249,10 +249,6 @@ class _Faults:
         if record["kind"] == "fault" and len(self.reasons) < MOST_FAULTS:
             agent = record.get("agent")
             self.reasons.setdefault(f"{agent}: {record['reason']}" if agent else str(record["reason"]))
-
-
-def _text(problem: BaseException) -> str:
-    return f"{type(problem).__name__}: {problem}"
 
 
 __all__ = [

@@ -18,6 +18,7 @@ out. Its ``advance`` exchanges the messages of as many steps as fit into the tim
 
 from __future__ import annotations
 
+import pickle
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias, TypeVar, runtime_checkable
@@ -28,6 +29,15 @@ CommandT_contra = TypeVar("CommandT_contra", contravariant=True)
 
 class BodyConnectionError(ConnectionError):
     """The body can no longer be reached: the wire is cut, the simulator has ended, the robot is off."""
+
+
+def fit_to_travel(error: Exception) -> Exception:
+    """What a body has raised, for another process: as it is, or as text if that process cannot read it."""
+    try:
+        pickle.loads(pickle.dumps(error))
+    except Exception:
+        return BodyConnectionError(f"{type(error).__name__}: {error}")
+    return error
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,7 @@ from typing import cast
 from aseme_dsl.runtime.time.clock import SECOND
 from aseme_dsl.runtime.transport.meeting import private_folder
 from aseme_dsl.runtime.transport.port import TransportError
-from aseme_dsl.runtime.world.body import AnyBody, AnyWorld, BodyConnectionError, RadioMessage
+from aseme_dsl.runtime.world.body import AnyBody, AnyWorld, BodyConnectionError, RadioMessage, fit_to_travel
 
 PATIENCE = 5.0
 """How long, in seconds, a body may take to answer before it counts as lost."""
@@ -157,9 +157,7 @@ class WorldServer:
                         raise TypeError(f"{what} does not take {type(argument).__name__}")
             pickle.dumps(answer)
         except Exception as error:
-            return "raise", error if _can_travel(error) else BodyConnectionError(
-                f"{type(error).__name__}: {error}"
-            )
+            return "raise", fit_to_travel(error)
         return "give", answer
 
 
@@ -235,11 +233,3 @@ class FarBody:
 
 def _text(problem: BaseException) -> str:
     return getattr(problem, "strerror", None) or str(problem) or type(problem).__name__
-
-
-def _can_travel(error: Exception) -> bool:
-    try:
-        pickle.loads(pickle.dumps(error))
-    except Exception:
-        return False
-    return True

@@ -23,9 +23,11 @@ def check_prepared(aips: Iterable[Aip], eacs: Mapping[str, Statechart | None]) -
     """
     for aip in aips:
         eac = eacs.get(aip.name)
-        for participant in aip.participants if eac is not None else ():
-            subchart = subchart_of(eac, participant.name) if eac is not None else None
-            if eac is not None and subchart is not None and openings_of(eac, participant):
+        if eac is None:
+            continue
+        for participant in aip.participants:
+            subchart = subchart_of(eac, participant.name)
+            if subchart is not None and openings_of(eac, participant):
                 yield from _in_part(eac, subchart)
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import is_dataclass, replace
+from dataclasses import is_dataclass
 
+from aseme_dsl.runtime.chart.board import built
 from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation.participation import Desk
 from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, AclMessage
@@ -38,18 +39,9 @@ def answer_of(agent: Receiver, info: BranchInfo, invitation: AclMessage) -> tupl
         return None
     if fills is None:
         return performative, message, agent.understood(invitation.content)
-    content = agent.kinds[message]()
-    for path, value in fills:
-        content = _filled(content, path, value)
-    return performative, message, content
-
-
-def _filled(content: object, path: tuple[str, ...], value: object) -> object:
-    """A message with another value of one member."""
-    name, *inner = path
-    said = value if not inner else _filled(getattr(content, name), tuple(inner), value)
-    assert is_dataclass(content) and not isinstance(content, type)
-    return replace(content, **{name: said})
+    kind = agent.kinds[message]
+    assert is_dataclass(kind)
+    return performative, message, built(kind, dict(fills), {})
 
 
 __all__ = ["answer_of", "is_busy"]
