@@ -201,7 +201,7 @@ class _Seat:
                 case None:
                     return
                 case said:
-                    self._end = Broken(f"it has said what means nothing: {type(said).__name__}")
+                    self._end = Broken(f"it has sent an unknown request: {type(said).__name__}")
 
     def show(self, world: AnyWorld, over: bool) -> None:
         """Show the team what is new; it has its turn again."""
@@ -240,7 +240,7 @@ class _Seat:
             self._end = Broken("its process has ended" + (f" with code {code}" if code else ""))
             return None
         except Exception as problem:  # a class of the team may raise anything when it is unpickled
-            said = Broken(f"it has said what cannot be read: {type(problem).__name__}: {problem}")
+            said = Broken(f"it has sent an unreadable message: {type(problem).__name__}: {problem}")
         if isinstance(said, (TeamEnd, Broken)):
             self._end = said
             return None
