@@ -105,6 +105,12 @@ def test_malformed_numbers(text: str) -> None:
     assert places(f"let x = {text[:60]}") in (["E108 1:9"], ["E108 1:10"])
 
 
+@pytest.mark.parametrize(("text", "meant"), [("1h", "60min"), ("1.5hours", "90min"), ("2us", "0.002ms")])
+def test_another_unit_of_time_has_the_same_duration_in_its_hint(text: str, meant: str) -> None:
+    [mistake] = mistakes(f"srm a {{ activities {{ A takes {text} }} }}")
+    assert (mistake.code, mistake.hint) == ("E108", f"write {meant}")
+
+
 def test_a_blank_before_a_unit_has_a_fix_everywhere() -> None:
     clause = "topic t { state M every 33 ms }"
     activity = "srm a { activities { A every 33 ms } }"

@@ -46,8 +46,13 @@ OTHER_UNITS = {
     "min": ("mins", "minute", "minutes"),
 }
 """What people call the units of durations, too."""
-OTHER_TIMES = ("h", "hr", "hrs", "hour", "hours", "d", "us", "ns")
-"""Units of time that durations do not have."""
+OTHER_TIMES = {
+    **dict.fromkeys(("h", "hr", "hrs", "hour", "hours"), ("60", "min")),
+    "d": ("1440", "min"),
+    "us": ("0.001", "ms"),
+    "ns": ("0.000001", "ms"),
+}
+"""Units of time that durations do not have, and how long each is."""
 
 _NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d]+)")
 
@@ -172,9 +177,14 @@ def _wrong_unit(number: str, unit: str) -> tuple[Problem, str | None]:
     """What is wrong with `6m` or `3sec`, and the fix where it is certain."""
     meant = next((known for known, others in OTHER_UNITS.items() if unit.lower() in (known, *others)), None)
     if meant is not None:
-        return characters.NoUnitOfTime(number, unit, meant), f"{number}{meant}"
+        length = f"{number}{meant}"
+        return characters.NoUnitOfTime(number, unit, length), length
     if unit in OTHER_TIMES:
-        return characters.NoUnitOfTime(number, unit, None), None
+        from decimal import Decimal  # only for a mistake: a start of the command does not pay for it
+
+        each, known = OTHER_TIMES[unit]
+        length = f"{(Decimal(number) * Decimal(each)).normalize():f}{known}"
+        return characters.NoUnitOfTime(number, unit, length), None
     return characters.NumberWithUnit(number, unit), None
 
 

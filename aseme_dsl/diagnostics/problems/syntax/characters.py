@@ -119,12 +119,12 @@ class WordAsName(Problem):
 
 
 class NoUnitOfTime(Problem):
-    """`meant`: the unit that this is another name of."""
+    """`meant`: the same duration, as the language writes it."""
 
     code = "E108"
     number: str
     unit: str
-    meant: str | None
+    meant: str
 
     @property
     def message(self) -> str:
@@ -132,9 +132,7 @@ class NoUnitOfTime(Problem):
 
     @property
     def hint(self) -> str:
-        if self.meant is not None:
-            return f"write {self.number}{self.meant}"
-        return "durations are written 200ms, 1.5s or 2min"
+        return f"write {self.meant}"
 
 
 class NumberWithUnit(Problem):
