@@ -34,13 +34,16 @@ class DeclaredVariable:
     initial: Literal
     span: Span
     bounds: Bounds | None = None
+    length: int | None = None
+    """How many elements a list has at most."""
 
     @property
     def text(self) -> str:
         """`bids : int 0..10 = 0`; `best : agent`, which has no initial value."""
         said = "" if self.type == AGENT else f" = {value_text(self.initial)}"
         bounds = "" if self.bounds is None else f" {self.bounds}"
-        return f"{self.name} : {self.type}{bounds}{said}"
+        kind = str(self.type) if self.length is None else f"list[{self.length}] of {self.type.element}"
+        return f"{self.name} : {kind}{bounds}{said}"
 
 
 @dataclass(frozen=True, slots=True)

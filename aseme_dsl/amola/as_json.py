@@ -17,7 +17,7 @@ from pathlib import PurePath
 from aseme_dsl.amola.aip import Aip, DeclaredVariable, NamedFormula, Participant, Plays
 from aseme_dsl.amola.expression import Literal, action_text, duration_text, events_text, value_text
 from aseme_dsl.amola.liveness import canonical
-from aseme_dsl.amola.messages import AGENT, DURATION, Bounds, Parameter
+from aseme_dsl.amola.messages import AGENT, DURATION, Bounds, Kind, Parameter
 from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Module, Srm, Subscription
 from aseme_dsl.amola.statechart import State, Statechart
@@ -220,7 +220,7 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
             {
                 "name": item.name,
                 "type": str(item.type),
-                **_bounds(item.bounds),
+                **_bounds(item.bounds, item.length),
                 "initial": _initial(item.initial),
             }
             for item in chart.variables
@@ -289,7 +289,7 @@ def _variables(variables: Iterable[DeclaredVariable], folder: PurePath | None) -
         {
             "name": item.name,
             "type": str(item.type),
-            **_bounds(item.bounds),
+            **_bounds(item.bounds, item.length),
             "initial": _initial(item.initial),
             "span": _span(item.span, folder),
         }
@@ -297,8 +297,9 @@ def _variables(variables: Iterable[DeclaredVariable], folder: PurePath | None) -
     ]
 
 
-def _bounds(bounds: Bounds | None) -> Json:
-    return {} if bounds is None else {"bounds": {"least": bounds.least, "most": bounds.most}}
+def _bounds(bounds: Bounds | None, length: int | None) -> Json:
+    found: Json = {} if bounds is None else {"bounds": {"least": bounds.least, "most": bounds.most}}
+    return found if length is None else {**found, "length": length}
 
 
 def _inputs(inputs: Iterable[DeclaredVariable], folder: PurePath | None) -> list[Json]:
@@ -356,10 +357,12 @@ def _subscription(item: Subscription) -> Json:
     }
 
 
-def _initial(literal: Literal) -> bool | int | float | str | None:
+def _initial(literal: Literal) -> object:
     """An initial value in JSON: a duration as in the source; null for an agent, which has none."""
     if literal.type == AGENT:
         return None
+    if literal.type.kind is Kind.LIST:
+        return []
     if literal.type == DURATION:
         return duration_text(int(literal.value))
     return literal.value

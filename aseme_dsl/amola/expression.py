@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from enum import StrEnum
 
 from aseme_dsl.amola.messages import AGENT, BOOL, DOUBLE, DURATION, INT, Bounds, Channel, Function, Kind, Type
 from aseme_dsl.source import Source, Span
@@ -164,6 +165,28 @@ class Contains:
     value: Value
     span: Span
     type: Type = BOOL
+
+
+class Change(StrEnum):
+    """What becomes of a list, by the words of the action."""
+
+    APPEND = "append"
+    """`append(xs, v)`: v is behind the others."""
+    REMOVE = "remove"
+    """`remove(xs, v)`: without the first element that equals v."""
+    DROP = "drop"
+    """`remove(xs[i])`: without the element with the number i; absent where there is none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Changed:
+    """A list as an action changes it; `value` is what is appended or removed, or the number of an element."""
+
+    change: Change
+    list: Value
+    value: Value
+    type: Type
+    span: Span
 
 
 @dataclass(frozen=True, slots=True)
@@ -359,6 +382,7 @@ Value = (
     | Element
     | Size
     | Contains
+    | Changed
     | Has
     | Age
     | At
@@ -572,7 +596,7 @@ def operands(value: Value) -> tuple[Value, ...]:
             return (whole, index)
         case Size(list=whole):
             return (whole,)
-        case Contains(list=whole, value=wanted):
+        case Contains(list=whole, value=wanted) | Changed(list=whole, value=wanted):
             return (whole, wanted)
         case Not(operand=operand) | Negate(operand=operand) | Holds(operand=operand):
             return (operand,)
@@ -604,7 +628,7 @@ def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
             return replace(value, list=parts[0], index=parts[1])
         case Size():
             return replace(value, list=parts[0])
-        case Contains():
+        case Contains() | Changed():
             return replace(value, list=parts[0], value=parts[1])
         case Logic():
             return replace(value, operands=parts)
@@ -828,6 +852,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = f"size({show(whole)})"
             case Contains(list=whole, value=wanted):
                 text = f"contains({show(whole)}, {show(wanted)})"
+            case Changed(change=change, list=whole, value=wanted):
+                text = _changed_text(change, show(whole), show(wanted))
             case Has(message=message):
                 text = f"has({show(message)})"
             case Age(message=message):
@@ -870,11 +896,17 @@ def value_text(value: Value, *, expand: bool = False) -> str:
     return show(value)
 
 
+def _changed_text(change: Change, whole: str, value: str) -> str:
+    return f"remove({whole}[{value}])" if change is Change.DROP else f"{change.value}({whole}, {value})"
+
+
 def _literal_text(constant: bool | int | float | str, kind: Type) -> str:
     if isinstance(constant, bool):
         return "true" if constant else "false"
     if kind.kind is Kind.OUTCOME:
         return str(constant)
+    if kind.kind is Kind.LIST:
+        return "[]"
     if isinstance(constant, str):
         return f"{kind}.{constant}" if kind.kind is Kind.ENUM else _quoted(constant)
     return duration_text(int(constant)) if kind == DURATION else _number(constant)
@@ -901,6 +933,8 @@ def action_text(action: Action, *, expand: bool = False) -> str:
         case Assign(target=target, value=value):
             if action.operator and isinstance(value, Arithmetic):
                 return f"{value_text(target)} {action.operator}= {value_text(value.right, expand=expand)}"
+            if isinstance(value, Changed):
+                return value_text(value, expand=expand)
             return f"{value_text(target)} = {value_text(value, expand=expand)}"
         case Publish(channel=channel):
             return f"write_messages.{channel}"

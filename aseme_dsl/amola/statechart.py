@@ -149,6 +149,8 @@ class Variable:
     scope: str | None
     span: Span
     bounds: Bounds | None = None
+    length: int | None = None
+    """How many elements a list has at most."""
 
 
 @dataclass(frozen=True, slots=True)

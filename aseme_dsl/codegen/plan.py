@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
-from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Topic
+from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Kind, Topic
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import (
     State,
@@ -67,6 +67,8 @@ def value_term(value: e.Value) -> Term:
             return ("size", value_term(whole))
         case e.Contains(list=whole, value=wanted):
             return ("contains", value_term(whole), value_term(wanted))
+        case e.Changed(change=change, list=whole, value=wanted):
+            return (change.value, value_term(whole), value_term(wanted))
         case e.Has(message=message):
             return ("has", value_term(message))
         case e.Age(message=message):
@@ -217,7 +219,7 @@ def _variable(system: System, variable: Variable) -> str:
     return _call(
         "Variable",
         [variable.name, str(variable.type), initial],
-        [("scope", variable.scope, None), ("bounds", bounds, None)],
+        [("scope", variable.scope, None), ("bounds", bounds, None), ("length", variable.length, None)],
     )
 
 
@@ -398,6 +400,8 @@ def _numbers(system: System, chart: Statechart) -> list[tuple[str, int]]:
 
 def _constant(system: System, literal: e.Literal) -> object:
     enum = system.enum(literal.type.name)
+    if literal.type.kind is Kind.LIST:
+        return ()
     return literal.value if enum is None else dict(enum.constants)[str(literal.value)]
 
 

@@ -113,6 +113,8 @@ def identity(value: e.Value) -> Key:
             return (SIZE, identity(whole))
         case e.Contains(list=whole, value=wanted):
             return (CONTAINS, identity(whole), identity(wanted))
+        case e.Changed():
+            raise AssertionError("no condition changes a list")
         case e.Logic(operator=operator, operands=operands):
             return (operator, *(identity(operand) for operand in operands))
         case e.Compare(operator=operator, left=left, right=right):
@@ -190,7 +192,8 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
             case e.VariableValue():
                 yield from _presence_unknowns(part, vocabulary)
                 needs = presences(part, vocabulary)
-                yield Unknown(identity(part), e.value_text(part), part.type, needs, part.bounds)
+                if part.type.kind not in WHOLE:
+                    yield Unknown(identity(part), e.value_text(part), part.type, needs, part.bounds)
             case (
                 e.Expired()
                 | e.Outcome()

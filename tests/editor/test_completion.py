@@ -108,6 +108,8 @@ def test_types_of_fields_and_variables() -> None:
         *("E", "M", "N", "optional", "repeated"),
     ]
     text = "system T\nenum E { A }\nmessage M { bool b }\nsrm r { var x : ‸ }\n"
+    assert labels(text) == ["bool", "int", "double", "string", "duration", "agent", "E", "list"]
+    text = "system T\nenum E { A }\nmessage M { bool b }\nsrm r { var x : list of ‸ }\n"
     assert labels(text) == ["bool", "int", "double", "string", "duration", "agent", "E"]
 
 

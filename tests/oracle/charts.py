@@ -576,7 +576,8 @@ class Words:
             case "bool":
                 return pick.one_of((name, f"!{name}"))
             case "int":
-                return f"{name} {pick.one_of(('==', '>', '!='))} {pick.number(0, 3)}"
+                read = "size(line)" if name in BOUNDS else name
+                return f"{read} {pick.one_of(('==', '>', '!='))} {pick.number(0, 3)}"
         return f"{name} {pick.one_of(('==', '!='))} {self._plain(self.variables[name], 0)}"
 
     def _counting(self) -> str:
@@ -651,7 +652,14 @@ class Words:
             case "assign":
                 name = pick.one_of(list(self.variables))
                 if name in BOUNDS:  # a constant may be outside, which the compiler says
-                    return f"{name} += {self._assigned(self.variables[name])}"
+                    value = self._assigned(self.variables[name])
+                    change = (
+                        "append(line, k)",
+                        f"append(line, {value})",
+                        "remove(line, k)",
+                        "remove(line[k])",
+                    )
+                    return f"{change[len(value) % 4]}; {name} += {value}; {change[len(value) // 2 % 4]}"
                 return f"{name} = {self._assigned(self.variables[name])}"
             case "fill":
                 channel = pick.one_of(self.channels)
@@ -811,7 +819,8 @@ def _some(choices: Choices, variables: dict[str, tuple[str, str]]) -> dict[str, 
 
 
 def _variables(variables: dict[str, tuple[str, str]]) -> list[str]:
-    return [
+    line = ["  var line : list[3] of int"] if "k" in variables else []
+    return line + [
         f"  var {name} : {kind}{BOUNDS.get(name, '')} = {initial}"
         for name, (kind, initial) in variables.items()
     ]

@@ -1176,10 +1176,15 @@ class Reference:
                 # "A write to a variable is seen at once in its own region, and by regions entered later in
                 # the same step inside it (they start with a copy); elsewhere from the next step."
                 bounds = next(v.bounds for v in self.plan.variables if v.name == name)
+                length = next(v.length for v in self.plan.variables if v.name == name)
+                own = name.partition("@")[0]
+                reason = ""
                 if bounds is not None and not bounds[0] <= values[0] <= bounds[1]:
+                    reason = f"variable {own} of {bounds[0]}..{bounds[1]} cannot be {values[0]!r}"
+                if length is not None and len(values[0]) > length:
+                    reason = f"list {own} of at most {length} elements cannot have {len(values[0])}"
+                if reason:
                     # "A write outside of the bounds is not made"
-                    own = f"variable {name.partition('@')[0]} of {bounds[0]}..{bounds[1]}"
-                    reason = f"{own} cannot be {values[0]!r}"
                     self.fault(number, reason)
                     if self.breach is None and self.failure is None:
                         way = self.way()
@@ -1400,6 +1405,14 @@ class Reference:
                     held, number = [self.compute(item) for item in read]
                     numbered = dict(enumerate(held))
                     found = member(numbered[number], path) if number in numbered else ABSENT
+            case ("drop", items, index):
+                read = [self.look_up(items, region)]
+                read.append(ABSENT if read[0] is ABSENT else self.look_up(index, region))
+                found = ABSENT
+                if ABSENT not in read:
+                    held, number = [self.compute(item) for item in read]
+                    kept = [item for n, item in enumerate(held) if n != number]
+                    found = tuple(kept) if len(kept) < len(held) else ABSENT
             case ("holds", operand):
                 # "`holds(c)` is two-valued"
                 found = self.holds(operand, region)
@@ -1438,6 +1451,16 @@ class Reference:
                 return -self.compute(inner)
             case ("list", *elements):
                 return tuple(self.compute(element) for element in elements)
+            case ("append", items, item):
+                return (*self.compute(items), self.compute(item))
+            case ("remove", items, item):
+                kept, sought = [], [self.compute(item)]
+                for held in self.compute(items):
+                    if sought and held == sought[0]:
+                        sought = []
+                    else:
+                        kept.append(held)
+                return tuple(kept)
             case ("size", items):
                 return sum(1 for _ in self.compute(items))
             case ("contains", items, wanted):

@@ -58,7 +58,7 @@ def _tamed(chart: Statechart, simple: bool) -> Statechart:
     regions = tuple(replace(region, reads=reads, writes=()) for region in chart.regions)
     variables = chart.variables
     if any(isinstance(event, Failed) for item in transitions for event in item.expression.events):
-        variables = tuple(replace(item, bounds=None) for item in variables)
+        variables = tuple(replace(item, bounds=None, length=None) for item in variables)
     return replace(chart, transitions=transitions, regions=regions, variables=variables)
 
 

@@ -103,24 +103,30 @@ class Face:
         if kind.kind in (Kind.ENUM, Kind.MESSAGE):
             self.messages.add(kind.name)
             return kind.name
+        if kind.element is not None:
+            return f"tuple[{self.python(kind.element)}, ...]"
         return _PYTHON[kind.kind]
 
     def bounded(self, name: str, code: Expr) -> Expr:
         """What a variable gets: code that raises where the value is outside of its bounds."""
-        bounds = self.variables[name].bounds
+        bounds, length = self.variables[name].bounds, self.variables[name].length
+        if length is not None:
+            return own_call("short", Const(name), Const(length), code)
         if bounds is None:
             return code
         return own_call("inside", Const(name), Const(bounds.least), Const(bounds.most), code)
 
     def is_bounded(self, name: str) -> bool:
         """Whether a write to a variable may fail for its value."""
-        return self.variables[name].bounds is not None
+        return self.variables[name].bounds is not None or self.variables[name].length is not None
 
     def initial(self, variable: Variable) -> str:
         """What a variable holds at first."""
         value = variable.initial.value
         if variable.type.kind is Kind.AGENT:
             return "None"
+        if variable.type.kind is Kind.LIST:
+            return "()"
         if variable.type.kind is Kind.ENUM:
             constant = str(value)
             self.enums.add((variable.type.name, constant))

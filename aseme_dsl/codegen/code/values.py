@@ -17,6 +17,8 @@ from aseme_dsl.amola.expression import (
     At,
     Bound,
     Call,
+    Change,
+    Changed,
     Compare,
     Conditional,
     Contains,
@@ -331,6 +333,8 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return Piece(CallOf(Name("len"), (piece.code,)), piece.needs, piece.known)
         case Contains():
             return _contains(value, "in", names, known)
+        case Changed():
+            return _changed(value, names, known)
         case Compare(operator=operator, left=left, right=right):
             one, other = _pair(left, right, names, known)
             return Piece(compared(one.code, operator, other.code), one.needs + other.needs, other.known)
@@ -384,6 +388,8 @@ def may_fail(value: Value) -> bool:
             return not function.target.startswith("builtin:")
         case Arithmetic():
             return may_raise(value)
+        case Changed(change=change):
+            return change is Change.DROP
         case Member() | Element() | Outcome() | Age() | At() | Mean() | Bound() | Sender() | LossReason():
             return True
         case VariableValue(type=kind):
@@ -461,6 +467,21 @@ def _element(value: Element, names: Names, known: Known) -> Piece:
 def _contains(value: Contains, word: str, names: Names, known: Known) -> Piece:
     whole, wanted = _pair(value.list, value.value, names, known)
     return Piece(compared(wanted.code, word, whole.code), whole.needs + wanted.needs, wanted.known)
+
+
+def _changed(value: Changed, names: Names, known: Known) -> Piece:
+    whole, wanted = _pair(value.list, value.value, names, known)
+    element = value.type.element
+    if value.change is Change.DROP or element is None:
+        place = names.local()
+        there = Compared(
+            CallOf(Name("len"), (whole.code,)), ((">", Group(Bind(place, wanted.code))), (">=", Const(0)))
+        )
+        needs = (*whole.needs, *wanted.needs, there)
+        return Piece(own_call("dropped", whole.code, place), needs, wanted.known)
+    item = converted(wanted, value.value.type, element)
+    word = "appended" if value.change is Change.APPEND else "removed"
+    return Piece(own_call(word, whole.code, item), whole.needs + wanted.needs, wanted.known)
 
 
 def _outcome(activity: str, names: Names, known: Known) -> Piece:

@@ -145,14 +145,14 @@ def chart_of(
     by_way: dict[Way, tuple[Line, ...]] = dict(lines.by_way) if lines is not None else {}
     origin = Origin(OriginKind.FORMULA, name, "control")
     placed = [Placed(item.source.text, item.target.text, item.line, origin, None) for item in labelled]
-    own = [Variable(v.name, v.type, v.initial, None, v.span, v.bounds) for v in variables]
+    own = [Variable(v.name, v.type, v.initial, None, v.span, v.bounds, v.length) for v in variables]
     for label, branch in outline.branches.items():
         part = parts[branch.protocol, branch.participant]
         by_way.update(part.lines.by_way)
         placed += _placed(label, part, branch.origin)
         free = (item for item in part.inputs if item.name not in branch.supplied)
         own += [
-            Variable(f"{v.name}@{label}", v.type, v.initial, label, v.span, v.bounds)
+            Variable(f"{v.name}@{label}", v.type, v.initial, label, v.span, v.bounds, v.length)
             for v in (*part.variables, *free)
         ]
     every_line = chain(

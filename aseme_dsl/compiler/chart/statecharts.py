@@ -160,7 +160,7 @@ def build_statechart(given: GivenChart, world: World) -> Statechart | None:
     ]
     transitions = prioritised(drafts, [item.line.position for item in given.lines])
     variables = tuple(
-        Variable(v.name, v.type, v.initial, None, v.span, v.bounds) for v in given.typed.variables
+        Variable(v.name, v.type, v.initial, None, v.span, v.bounds, v.length) for v in given.typed.variables
     )
     modules = world.modules.get(given.name, ())
     regions = regions_of(nodes, transitions, world.activities, modules, world.symbols)

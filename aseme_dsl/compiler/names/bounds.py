@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from aseme_dsl.amola.expression import Literal, Value, VariableValue
-from aseme_dsl.amola.messages import DOUBLE, INT, Bounds, Type
+from aseme_dsl.amola.messages import AGENT, DOUBLE, INT, Bounds, Type, list_of
 from aseme_dsl.compiler.names.checker import Checker
 from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.diagnostics import Diagnostic
@@ -34,6 +34,28 @@ def bounds_of(
     return found, ()
 
 
+LENGTH = 1000
+"""How many elements a list has at most, where nothing is said."""
+LONGEST = 100_000
+
+
+def list_variable(written: tree.Var, element: Type) -> tuple[Type, int, tuple[Diagnostic, ...]]:
+    """The type of a variable that is a list, how long it may be, and what is wrong."""
+    kind = list_of(element)
+    found: list[Diagnostic] = []
+    if element == AGENT:
+        found.append(Diagnostic(problems.ListOfAgents(), written.type.span))
+    length = LENGTH if written.length is None else int(written.length.value)
+    if not 1 <= length <= LONGEST and written.length is not None:
+        found.append(Diagnostic(problems.LengthOfList(LONGEST), written.length.span))
+    if written.bounds is not None:
+        found.append(Diagnostic(problems.BoundsOfOther(str(kind)), written.bounds.span))
+    initial = written.initial
+    if initial is not None and not (isinstance(initial, tree.List) and not initial.elements):
+        found.append(Diagnostic(problems.ListNotEmpty(written.name.text), initial.span))
+    return kind, length, tuple(found)
+
+
 def stays_inside(checker: Checker, target: VariableValue, value: Value) -> bool:
     """Whether what is assigned is not a constant outside of the bounds of the variable (E516)."""
     if target.bounds is None:
@@ -60,4 +82,4 @@ def _outside(name: str, value: object, bounds: Bounds, place: Span, given: bool 
     return Diagnostic(problems.OutsideBounds(name, str(value), str(bounds), least, given), place)
 
 
-__all__ = ["bounds_of", "outside", "stays_inside"]
+__all__ = ["bounds_of", "list_variable", "outside", "stays_inside"]

@@ -42,13 +42,26 @@ FORMS: dict[str, str] = {
     "reason": "reason(agent) == left",
     "size": "size(topic.state.Message.members)",
     "contains": "contains(topic.state.Message.members, value)",
+    "append": "append(list, value)",
+    "remove": "remove(list, value)",
 }
 """What looks like a function and is part of the language, with an example of its use."""
 
 STATE_QUESTIONS = ("in", "done", "count")
 ROUND_QUESTIONS = ("invited", "answered", "all_answered")
 YIELDING = frozenset(
-    ("outcome", "random", "sender", "reason", "size", "contains", *STATE_QUESTIONS, *ROUND_QUESTIONS)
+    (
+        "outcome",
+        "random",
+        "sender",
+        "reason",
+        "size",
+        "contains",
+        "append",
+        "remove",
+        *STATE_QUESTIONS,
+        *ROUND_QUESTIONS,
+    )
 )
 """The forms that came later: a function that a document declares under such a name goes before."""
 

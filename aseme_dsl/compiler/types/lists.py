@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Value
@@ -11,10 +11,11 @@ from aseme_dsl.compiler.names.checker import Checker, is_number
 from aseme_dsl.compiler.names.paths import member_path, unnamed
 from aseme_dsl.compiler.read.builtins import FORMS
 from aseme_dsl.compiler.read.constants import NotConstant, fold
-from aseme_dsl.compiler.types.calls import fits, is_given
+from aseme_dsl.compiler.types.calls import assignable, fits, is_given
 from aseme_dsl.diagnostics import Related
 from aseme_dsl.diagnostics.problems.expressions import values as problems
 from aseme_dsl.diagnostics.problems.expressions.arguments import ListOfMessages, OtherKind, OtherThanElements
+from aseme_dsl.diagnostics.problems.expressions.bounds import ChangeOfOther
 from aseme_dsl.diagnostics.wording import a
 from aseme_dsl.grammar.text import tree
 
@@ -102,6 +103,36 @@ def contains(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -
     return amola.Contains(whole, wanted, written.span)
 
 
+CHANGES = ("append", "remove")
+"""The actions that change a list."""
+
+Typed = Callable[[Checker, tree.Expression], Value | None]
+
+
+def change(checker: Checker, written: tree.Call, typed: Typed) -> amola.Assign | None:
+    """`append(xs, v)`, `remove(xs, v)` and `remove(xs[i])` (E504, E535)."""
+    word = written.function.text
+    first = written.arguments[0] if written.arguments else None
+    drops = word == "remove" and len(written.arguments) == 1 and isinstance(first, tree.Element)
+    if first is None or not (drops or is_given(checker, word, written, 2)):
+        if first is None:
+            is_given(checker, word, written, 2)
+        return None
+    place = first.list if isinstance(first, tree.Element) and drops else first
+    name = place.segments[0].text if isinstance(place, tree.Path) and len(place.segments) == 1 else ""
+    known = checker.scope.variables.get(name)
+    if known is None or known[1].element is None or name in checker.scope.parameters:
+        checker.report(ChangeOfOther(word, place.span.text), place.span)
+        return None
+    target = amola.VariableValue(known[0], known[1], place.span)
+    value = typed(checker, first.index if isinstance(first, tree.Element) and drops else written.arguments[1])
+    if value is None or not assignable(checker, value, INT if drops else known[1].element):
+        return None
+    kind = amola.Change.DROP if drops else amola.Change(word)
+    changed = amola.Changed(kind, target, value, known[1], written.span)
+    return amola.Assign(target, changed, written.span)
+
+
 def _is_of_list(
     checker: Checker, name: str, written: tree.Call, arguments: Sequence[Value], count: int
 ) -> bool:
@@ -114,4 +145,4 @@ def _is_of_list(
     return not is_empty(checker, arguments[0])
 
 
-__all__ = ["contains", "element", "is_empty", "literal", "size"]
+__all__ = ["CHANGES", "change", "contains", "element", "is_empty", "literal", "size"]

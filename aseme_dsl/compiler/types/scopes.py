@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import AgentMessage, DeclaredVariable
 from aseme_dsl.amola.expression import Literal
-from aseme_dsl.amola.messages import AGENT, BOOL, BYTES, DOUBLE, STRING, Bounds, Kind, Type
+from aseme_dsl.amola.messages import AGENT, BOOL, BYTES, DOUBLE, STRING, Bounds, Kind, Type, list_of
 from aseme_dsl.amola.python_names import taken_as_member
-from aseme_dsl.compiler.names.bounds import bounds_of
+from aseme_dsl.compiler.names.bounds import bounds_of, list_variable
 from aseme_dsl.compiler.names.scope import Party, Scope, TypedLet
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.builtins import OTHER_SPELLINGS, PERFORMATIVES, reserved
@@ -131,7 +131,7 @@ def type_variables(
     """
     found: dict[str, DeclaredVariable] = {}
     diagnostics: list[Diagnostic] = []
-    kinds = {item.name.text: _kind_named(item.type.text, scope) for item in variables}
+    kinds = {item.name.text: _kind_of(item, scope) for item in variables}
     # All are visible: if an initial value names a variable, the error says that this is not a constant.
     scope = replace(scope, variables={name: (name, kind) for name, kind in kinds.items() if kind is not None})
     for item in variables:
@@ -149,6 +149,12 @@ def type_variables(
         if kind is None:
             if item.initial is not None:
                 diagnostics += type_value(item.initial, scope)[1]
+            continue
+        if item.is_list:
+            kind, length, wrong = list_variable(item, kind)
+            diagnostics += wrong
+            initial = Literal("", kind, item.span)
+            found[name.text] = DeclaredVariable(name.text, kind, initial, name.span, length=length)
             continue
         initial = default_value(kind, scope)
         if item.initial is not None and kind == AGENT:
@@ -168,6 +174,11 @@ def type_variables(
 def _kind_named(name: str, scope: Scope) -> Type | None:
     """The type of that name; only variables hold agents."""
     return scope.symbols.type_named(name) or (AGENT if name == str(AGENT) else None)
+
+
+def _kind_of(item: tree.Var, scope: Scope) -> Type | None:
+    kind = _kind_named(item.type.text, scope)
+    return list_of(kind) if item.is_list and kind is not None else kind
 
 
 def _variable_type(name: tree.Name, scope: Scope) -> tuple[Type | None, tuple[Diagnostic, ...]]:

@@ -325,6 +325,9 @@ def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
     if name == "start_timer":
         checker.report(TimerAsValue(name, FORMS[name]), written.span)
         return None
+    if name in lists.CHANGES and not checker.scope.symbols.overloads(name):
+        checker.report(TimerAsValue(name, FORMS[name]), written.span)
+        return None
     if name in NAMED_RESULTS and not checker.scope.symbols.overloads(name):
         alone(checker, written)
         return None
@@ -418,6 +421,10 @@ def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
             function.text == "start_timer"
         ):
             return _start_timer(checker, inner, span)
+        case tree.Evaluate(expression=tree.Call(function=function) as inner) if (
+            function.text in lists.CHANGES and not checker.scope.symbols.overloads(function.text)
+        ):
+            return lists.change(checker, inner, _whole)
         case tree.Evaluate(expression=inner, span=span):
             if _is_misspelt_action(checker, inner):
                 return None

@@ -319,7 +319,9 @@ def _variable(program: Program, symbol: Symbol) -> Iterator[str]:
         if isinstance(node, tree.Var):
             initial = f" = {_text(program, node.initial.span)}" if node.initial is not None else ""
             bounds = f" {_text(program, node.bounds.span)}" if node.bounds is not None else ""
-            yield _fence(f"var {node.name} : {node.type}{bounds}{initial}")
+            length = f"[{node.length.value}]" if node.length is not None else ""
+            many = f"list{length} of " if node.is_list else ""
+            yield _fence(f"var {node.name} : {many}{node.type}{bounds}{initial}")
         elif isinstance(node, tree.Given):
             yield _fence(f"given {node.name} : {node.type}")
     yield f"Variable of `{symbol.owner}`"

@@ -34,7 +34,7 @@ from aseme_dsl.editor.typing.slots import (
     transition_slot,
     value_slot,
 )
-from aseme_dsl.editor.typing.snippets import WHOLE, skeleton
+from aseme_dsl.editor.typing.snippets import USUAL, WHOLE, skeleton
 from aseme_dsl.editor.typing.values import actions, agents, constants, members, outcomes, topics, values
 from aseme_dsl.grammar.parsing.expected import Expected
 from aseme_dsl.grammar.text import tree
@@ -144,7 +144,7 @@ def _word(ask: Ask, word: str) -> Item:
     if ask.place.rest_of_line.strip() not in ("", "}"):
         return Item(word, ItemKind.WORD, rank=4)
     whole = WHOLE.get(word) if len(ask.expected.steps) == 2 and ask.place.block < 0 else None
-    text = whole or skeleton(word, ask.expected)
+    text = whole or USUAL.get(word) or skeleton(word, ask.expected)
     indent = _indentation(ask.place)
     return Item(
         word,

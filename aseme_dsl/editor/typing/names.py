@@ -480,6 +480,7 @@ PLACES: Mapping[tuple[str, str], Provider] = {
     ("ActivityParameter", "type"): _types,
     ("FormulaParameter", "type"): _types,
     ("Var", "type"): _variable_types,
+    ("Var", "element"): _variable_types,
     ("Given", "type"): _variable_types,
     ("Result", "type"): _variable_types,
     ("Topic", "under"): _upper_topics,

@@ -50,6 +50,9 @@ WHOLE = {
 }
 """Whole declarations, for words after which a name alone would not be a beginning."""
 
+USUAL = {"var": "var ${1:name} : ${2:type} $0"}
+"""What is written inside a block for words with several continuations."""
+
 _TYPICAL = {
     "Duration": "100ms",
     "Integer": "1",
@@ -113,4 +116,4 @@ def filled(snippet: str) -> str:
     return re.sub(r"\\([\\$}])", r"\1", text)
 
 
-__all__ = ["WHOLE", "filled", "singular", "skeleton"]
+__all__ = ["USUAL", "WHOLE", "filled", "singular", "skeleton"]

@@ -19,7 +19,7 @@ from aseme_dsl.grammar.formulas.words import Malformed
 from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Source
 
-ACTION_FORMS = ("start_timer",)
+ACTION_FORMS = ("start_timer", "append", "remove")
 """The forms of the language that are actions, not values."""
 
 _ABOUT_MESSAGES = ("has", "age", "at", "mean")

@@ -164,7 +164,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "Way": Line({":": 1}, padded={0: True}),
         "LabelledWay": Line({"->": 1, ":": 2}),
         "Let": Line({"=": 1}),
-        "Var": Line({":": 1, "=": 2}),
+        "Var": Line({":": 1, "=": 2}, tight="["),
         # statecharts.tx
         "Statechart": Braces(),
         "StandingWay": Line({"state": 1, ":": 2}),

@@ -292,7 +292,9 @@ class Let(Node):
 
 class Var(Node):
     name: Leaf
-    type: Leaf
+    length: Leaf | None
+    element: Leaf | None
+    type: Leaf | None
     least: Leaf | None
     most: Leaf | None
     tokens: list[Leaf]

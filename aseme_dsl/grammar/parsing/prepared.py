@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 3088344540
+CHECKSUM = 1897313237
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -790,13 +790,23 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     ),
     'Var': (
         'common',
-        {'name': 'one', 'type': 'one', 'least': 'one', 'most': 'one', 'tokens': 'many'},
+        {'name': 'one', 'length': 'one', 'element': 'one', 'type': 'one', 'least': 'one', 'most': 'one', 'tokens': 'many'},
         (
             'series',
             ('word', 'var'),
             ('=', 'name', 'Name'),
-            ('sign', ':'),
-            ('=', 'type', 'Reference'),
+            (
+                'choice',
+                (
+                    'series',
+                    ('sign', ':'),
+                    ('word', 'list'),
+                    ('?', ('series', ('sign', '['), ('=', 'length', 'Integer'), ('sign', ']'))),
+                    ('word', 'of'),
+                    ('=', 'element', 'Reference'),
+                ),
+                ('series', ('sign', ':'), ('=', 'type', 'Reference')),
+            ),
             ('?', ('series', ('=', 'least', 'Bound'), ('sign', '..'), ('=', 'most', 'Bound'))),
             ('?', ('series', ('sign', '='), ('+=', 'tokens', 'ExpressionToken'))),
         ),

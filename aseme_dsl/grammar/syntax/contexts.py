@@ -528,7 +528,7 @@ def _piece(terminal: Terminal, leads: bool, block: bool) -> Piece:
     if not re.match(pattern, "Name") and not re.match(pattern, "name"):
         operator = re.fullmatch(pattern, "=") or re.search(r"[^\\\[\](),;:.{}]", pattern)
         return Piece(((pattern, Kind.OPERATOR if operator else Kind.PUNCTUATION),))
-    if terminal.attribute in ("type", "result"):
+    if terminal.attribute in ("type", "element", "result"):
         return Piece(((rf"(?:{'|'.join(BUILT_IN_TYPES)})\b", Kind.BUILT_IN), (pattern, Kind.TYPE)))
     if terminal.attribute == "name":
         return Piece(((pattern, Kind.BLOCK if block else Kind.NAME),))

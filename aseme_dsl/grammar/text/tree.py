@@ -514,6 +514,9 @@ class Var:
     initial: Expression | None
     span: Span
     bounds: VarBounds | None = None
+    is_list: bool = False
+    length: Number | None = None
+    """How many elements a list has at most."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -60,6 +60,9 @@ _TYPES = {**TYPES, "agent": (str, type(None))}
 
 def fits(kind: str, value: object) -> bool:
     """Whether a value is of the type of a variable."""
+    if kind.startswith("list of "):
+        element = kind.removeprefix("list of ")
+        return isinstance(value, list | tuple) and all(fits(element, item) for item in value)
     expected = _TYPES.get(kind)
     if expected is None:
         return type(value).__name__ == kind

@@ -285,10 +285,10 @@ class Context:
     def set_variable(self, name: str, value: object) -> None:
         """Write a variable.
 
-        Raises LookupError if there is none, TypeError if it is of another type, OutOfBounds if it is bounded
-        and cannot hold the number.
+        A list is copied. Raises LookupError if there is no such variable, TypeError if it is of another type,
+        OutOfBounds if it cannot hold the value.
         """
-        self._port.do(SetVariable(name, value))
+        self._port.do(SetVariable(name, tuple(value) if isinstance(value, list) else value))
 
     def raise_event(self, name: str) -> None:
         """Raise an event: transitions that wait for it see it in the agent's next step."""

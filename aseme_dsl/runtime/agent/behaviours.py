@@ -595,7 +595,7 @@ class JadeLikeAgent:
             activity=by,
             label=label,
         )
-        shell.post(identity, Written(variable.name, value))
+        shell.post(identity, Written(variable.name, tuple(value) if isinstance(value, list) else value))
 
     def _raise_event(self, name: str, by: str, label: str) -> None:
         shell, identity = self._shell, self._shell.identity()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sized
+
 from aseme_dsl.runtime.chart.plan import Variable
 
 
@@ -15,10 +17,19 @@ def check(name: str, least: float, most: float, value: object) -> None:
         raise OutOfBounds(f"variable {name.partition('@')[0]} of {least}..{most} cannot be {value!r}")
 
 
+def check_length(name: str, length: int, items: Sized) -> None:
+    """Raises OutOfBounds for a list that is too long."""
+    if len(items) > length:
+        own = name.partition("@")[0]
+        raise OutOfBounds(f"list {own} of at most {length} elements cannot have {len(items)}")
+
+
 def check_variable(variable: Variable, value: object) -> None:
     """Raises OutOfBounds where a variable has bounds that the value is not within."""
     if variable.bounds is not None:
         check(variable.name, *variable.bounds, value)
+    if variable.length is not None and isinstance(value, list | tuple):
+        check_length(variable.name, variable.length, value)
 
 
 def admits(variable: Variable, value: object) -> bool:

@@ -12,7 +12,7 @@ from random import Random
 from typing import Any, TypeVar
 
 from aseme_dsl.runtime.chart.board import NEVER, Board, built
-from aseme_dsl.runtime.chart.bounds import OutOfBounds, check
+from aseme_dsl.runtime.chart.bounds import OutOfBounds, check, check_length
 from aseme_dsl.runtime.chart.functions import checked, find_function, results_of
 from aseme_dsl.runtime.chart.inputs import (
     AgentMessage,
@@ -268,6 +268,28 @@ class Chart(ChartState):
         """The value that a bounded variable is to hold. Raises OutOfBounds if it cannot."""
         check(name, least, most, value)
         return value
+
+    @staticmethod
+    def short(name: str, length: int, items: tuple[T, ...]) -> tuple[T, ...]:
+        """The list that a variable is to hold. Raises OutOfBounds if it is too long."""
+        check_length(name, length, items)
+        return items
+
+    @staticmethod
+    def appended(items: tuple[T, ...], item: T) -> tuple[T, ...]:
+        """A list with one element more."""
+        return (*items, item)
+
+    @staticmethod
+    def removed(items: tuple[T, ...], item: T) -> tuple[T, ...]:
+        """A list without the first element that equals the item."""
+        place = items.index(item) if item in items else len(items)
+        return (*items[:place], *items[place + 1 :])
+
+    @staticmethod
+    def dropped(items: tuple[T, ...], place: int) -> tuple[T, ...]:
+        """A list without the element at a place."""
+        return (*items[:place], *items[place + 1 :])
 
     @staticmethod
     def is_news(mark: Seen | None, seen: Seen) -> bool:

@@ -102,7 +102,8 @@ class Transition:
 class Variable:
     """A variable; `scope` is the label of the branch whose entry renews it, or None.
 
-    `bounds` are the least and the greatest number that it may hold, if it has some.
+    `bounds` are the least and the greatest number that it may hold, if it has some; `length` is how many
+    elements a list has at most.
     """
 
     name: str
@@ -110,6 +111,7 @@ class Variable:
     initial: object
     scope: str | None = None
     bounds: tuple[int | float, int | float] | None = None
+    length: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -291,6 +291,25 @@ class Plain:
             raise OutOfBounds(f"variable {name} of {least}..{most} cannot be {value!r}")
         return value
 
+    def short(self, name: str, length: int, items: Any) -> Any:
+        """The list that a variable is to hold. Raises OutOfBounds if it is too long."""
+        if len(items) > length:
+            raise OutOfBounds(f"list {name} of at most {length} elements cannot have {len(items)}")
+        return items
+
+    def appended(self, items: Any, item: Any) -> Any:
+        """A list with one element more."""
+        return (*items, item)
+
+    def removed(self, items: Any, item: Any) -> Any:
+        """A list without the first element that equals the item."""
+        place = items.index(item) if item in items else len(items)
+        return (*items[:place], *items[place + 1 :])
+
+    def dropped(self, items: Any, place: int) -> Any:
+        """A list without the element at a place."""
+        return (*items[:place], *items[place + 1 :])
+
     def fault(self, transition: int, reason: object) -> bool:
         """Something of a transition could not be done; always False.
 

@@ -65,6 +65,50 @@ class BoundsReversed(Problem):
         return f"write the least first: `{self.turned}`"
 
 
+class LengthOfList(Problem):
+    code = "E518"
+    most: int
+
+    @property
+    def message(self) -> str:
+        return f"a list has from 1 to {self.most} elements at most"
+
+    hint = "write a number in this range, or leave it out: a list then has at most 1000 elements"
+
+
+class ListOfAgents(Problem):
+    code = "E500"
+    message = "a list does not hold agents"
+    hint = "use a list of strings: an agent is assigned to a string as its name"
+
+
+class ListNotEmpty(Problem):
+    code = "E514"
+    name: str
+
+    @property
+    def message(self) -> str:
+        return f"the list `{self.name}` begins empty"
+
+    @property
+    def hint(self) -> str:
+        return f"fill it in an action: `{self.name} = [...]`"
+
+
+class ChangeOfOther(Problem):
+    """`word`: append or remove."""
+
+    code = "E535"
+    word: str
+    written: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.word}` changes a variable that is a list, not `{self.written}`"
+
+    hint = "declare a list: `var names : list of string`"
+
+
 class ResultWithOtherBounds(Problem):
     """`bounds` and `own` are those of the result and of the variable, empty where it has none."""
 

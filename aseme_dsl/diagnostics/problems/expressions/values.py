@@ -45,7 +45,7 @@ class NoTypeOfVariable(Problem):
     def message(self) -> str:
         return f"a variable cannot hold {'a message' if self.is_message else 'bytes'}"
 
-    hint = "a variable is a bool, int, double, string, duration, agent or an enum"
+    hint = "a variable is a bool, int, double, string, duration, agent, an enum or a list"
 
 
 class DifferentBranches(Problem):

@@ -9,7 +9,7 @@ from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.grammar.formulas.expression import read_expression
 from aseme_dsl.grammar.formulas.formula import read_formula
 from aseme_dsl.grammar.parsing import nodes
-from aseme_dsl.grammar.parsing.declarations.pieces import Pieces
+from aseme_dsl.grammar.parsing.declarations.pieces import Pieces, is_a
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.lexer import HOLE, PLACEHOLDER
 from aseme_dsl.grammar.text.token import Token
@@ -28,6 +28,11 @@ def var(pieces: Pieces, node: nodes.Var | nodes.Result, words: Sequence[str] = (
     name = pieces.checked_name(node.name, "variable", words)
     initial = pieces.tried(lambda: read_expression(pieces.source, node.tokens)) if node.tokens else None
     bounds = _bounds(pieces, node.least, node.most) if node.least and node.most else None
+    if is_a(node, nodes.Var) and node.element:
+        length = pieces.integer_number(node.length) if node.length else None
+        element = pieces.name(node.element)
+        return tree.Var(name, element, initial, pieces.span(node), bounds, is_list=True, length=length)
+    assert node.type is not None
     return tree.Var(name, pieces.name(node.type), initial, pieces.span(node), bounds)
 
 

@@ -1,0 +1,86 @@
+"""Variables that are lists: what the compiler says of them, and where the models have them."""
+
+from __future__ import annotations
+
+import pytest
+
+from aseme_dsl.amola.as_json import models_json
+from aseme_dsl.compiler import analyse
+from aseme_dsl.source import Source
+from tests.support.generated import system_of
+
+ROLE = """system S
+enum Place {{ HALL DOOR }}
+srm r {{
+  var xs : {declared}
+  liveness {{ r = A . B }}
+  activities {{ A takes 1s  B takes 1s }}
+  control r {{ enter A : / {action}  enter B : [size(xs) >= 0] }}
+}}
+"""
+
+
+def text(declared: str = "list[3] of int", action: str = "append(xs, 1)") -> str:
+    return ROLE.format(declared=declared, action=action)
+
+
+def told(written: str) -> list[tuple[str, str, str]]:
+    """Code, underlined text and message of each error."""
+    found = analyse(Source("one.aseme", written)).diagnostics
+    return [(item.code, item.span.text, item.message) for item in found if item.code[0] == "E"]
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        text(),
+        text("list of double", "append(xs, 1); remove(xs, 0.5); remove(xs[0])"),
+        text("list of string = []", 'xs = ["a", "b"]; append(xs, xs[0])'),
+        text("list of Place", "append(xs, Place.HALL); remove(xs, Place.DOOR)"),
+        text("list of duration", "append(xs, 2s)"),
+        text("list of bool", "xs = [true]; xs = []"),
+    ],
+)
+def test_lists_of_every_value(written: str) -> None:
+    assert told(written) == []
+
+
+NO_LIST = "`append` changes a variable that is a list, not `ys`"
+WANTED = "an int is wanted here, not a string"
+
+
+@pytest.mark.parametrize(
+    ("written", "code", "place", "message"),
+    [
+        (text(action='append(xs, "a")'), "E500", '"a"', WANTED),
+        (text(action="remove(xs[true])"), "E500", "true", "an int is wanted here, not a bool"),
+        (text(action="append(ys, 1)"), "E535", "ys", NO_LIST),
+        (text(action="append([1], 1)"), "E535", "[1]", NO_LIST.replace("ys", "[1]")),
+        (text("list[0] of int"), "E518", "0", "a list has from 1 to 100000 elements at most"),
+        (text("list of int = [1]"), "E514", "[1]", "the list `xs` begins empty"),
+        (text("list of int 0..3"), "E518", "0..3", "a list of int has no bounds"),
+        (text("list of agent", "xs = []"), "E500", "agent", "a list does not hold agents"),
+        (text(action="xs = append(xs, 1)"), "E504", "append(xs, 1)", "`append` is an action, not a value"),
+    ],
+)
+def test_what_does_not_fit_is_said_once(written: str, code: str, place: str, message: str) -> None:
+    assert told(written) == [(code, place, message)]
+
+
+@pytest.mark.parametrize("action", ["append(xs)", "append()", "remove(xs)", "remove(xs, 1, 2)"])
+def test_how_many_arguments_they_take(action: str) -> None:
+    assert [code for code, _, _ in told(text(action=action))] == ["E504"]
+
+
+def test_a_function_of_that_name_goes_before() -> None:
+    written = text(action="append(1, 2)") + '\nfunction append(int a, int b) : int = "m:append"\n'
+    assert [code for code, _, _ in told(written) if code in ("E504", "E535")] == []
+
+
+def test_the_models_have_them() -> None:
+    models = models_json(system_of(text()))
+    for name in ("iac.r.json", "srm.r.json"):
+        [variable] = models[name]["variables"]  # type: ignore[misc]
+        assert (variable["type"], variable["length"], variable["initial"]) == ("list of int", 3, [])
+    [action] = models["iac.r.json"]["transitions"][0]["actions"]  # type: ignore[index]
+    assert action == "append(xs, 1)"
