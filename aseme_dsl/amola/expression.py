@@ -200,9 +200,12 @@ class Has:
 
 @dataclass(frozen=True, slots=True)
 class Age:
-    """How long ago a state or data message was measured, in ns; absent without a message."""
+    """How long ago a state or data message was measured, or an agent message sent, in ns.
 
-    message: Member
+    Absent without a message; the agent message that a transition takes is always there.
+    """
+
+    message: Member | Bound
     span: Span
     type: Type = DURATION
 
@@ -650,7 +653,8 @@ def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
                 value, message=part if isinstance(part, Member | Bound | VariableValue) else message
             )
         case Age(message=message):
-            return replace(value, message=_member(parts[0], message))
+            part = parts[0]
+            return replace(value, message=part if isinstance(part, Member | Bound) else message)
     return value
 
 

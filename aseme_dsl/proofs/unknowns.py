@@ -98,6 +98,8 @@ def identity(value: e.Value) -> Key:
         case e.Has(message=message):
             return (HAS, identity(message))
         case e.Age(message=message):
+            if isinstance(message, e.Bound):
+                return (AGE, identity(message))
             return (AGE, message.host, message.channel)
         case e.At(message=message, offset=extent):
             return (AT, message.host, message.channel, message.path, nanoseconds(extent))

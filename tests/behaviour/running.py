@@ -100,14 +100,23 @@ class Run:
         return Written(variable, value)
 
     def mail(
-        self, performative: str, message: str, sender: str = "ann", at: str | None = None, **members: Any
+        self,
+        performative: str,
+        message: str,
+        sender: str = "ann",
+        at: str | None = None,
+        ms_ago: float | None = None,
+        **members: Any,
     ) -> AgentMessage:
-        """An agent message of participant `b` for the branch of `a` (at a label, where there are several)."""
+        """An agent message of participant `b` for the branch of `a` (at a label, where there are several).
+
+        Without `ms_ago` nothing says when it was sent.
+        """
         branch = at or self.plan.branches[0].label
         content = self.generated.message(message, **members)
-        return AgentMessage(
-            branch, performative, message, content, "b", sender, (sender, next(self._numbers))
-        )
+        sent = None if ms_ago is None else self.now - round(ms_ago * MS)
+        identity = (sender, next(self._numbers))
+        return AgentMessage(branch, performative, message, content, "b", sender, identity, sent=sent)
 
     def lost(self, agent: str, participant: str = "b") -> AgentMessage:
         """An agent that plays a participant is gone."""

@@ -172,3 +172,51 @@ def test_a_compound_transition_takes_one_message(play: Play) -> None:
     """).step()
     run.step(run.mail("inform", "Note", "ann"), run.mail("inform", "Note", "bob"))
     assert run.did == ["take mail of ann", "start A"]
+
+
+PATIENT = """
+aip p {
+  participant a {
+    engage   "Always."
+    var old : duration = 0s
+    sends    cfp Note
+    receives inform Note, refuse Note
+    process  = A . B . C
+  }
+  participant b { engage "Always."  sends inform Note, refuse Note  receives cfp Note  process = X }
+  outcome "Done."
+  control a {
+    enter A : / send cfp Note to b
+    enter B : inform Note n from b [age(n) > 100ms] / old = age(n)
+    enter C : refuse Note from b [age(refuse.Note) < 50ms] / old = age(refuse.Note) + 1ms
+  }
+}
+srm R { plays p.a  liveness { R = a } }
+"""
+
+
+def test_a_message_is_taken_when_it_is_old_enough(play: Play) -> None:
+    """ "`age(m)` = now - when it was sent"; "at the moment when it crosses the constant" """
+    run = play(PATIENT).step()
+    assert run.due is None
+    run.step(run.mail("inform", "Note", "ann", ms_ago=30), run.mail("inform", "Note", "bob", ms_ago=20))
+    assert run.due == 70.000001
+    assert run.step(ms=70).active == ["A"]
+    assert run.step(ms=0.000001).did == ["take mail of ann", "cancel A", "start B"]
+    assert run.variable("old") == 100_000_001
+
+
+def test_a_message_may_be_too_old(play: Play) -> None:
+    run = play(PATIENT).step()
+    run.step(run.mail("inform", "Note", ms_ago=200))
+    run.step(run.mail("refuse", "Note", "ann", ms_ago=50), run.mail("refuse", "Note", "bob", ms_ago=49))
+    assert "take mail of bob" in run.did
+    assert run.variable("old") == 50_000_000
+
+
+def test_an_age_counts_from_arrival_where_nothing_says_when_it_was_sent(play: Play) -> None:
+    run = play(PATIENT).step()
+    run.step(ms=10)
+    run.step(run.mail("inform", "Note", "ann"))
+    assert run.due == 100.000001
+    assert "take mail of ann" in run.step(ms=100.000001).did

@@ -497,6 +497,8 @@ class Words:
         return self._host() + self.choices.one_of([c for c in CHANNELS if c.endswith("." + name)])
 
     def _age(self) -> str:
+        if self.taken[1] and self.choices.one_in(2):
+            return f"age({self.taken[0]})"
         timed = (*STATES, *DATA)
         return f"age({self._host()}{self.choices.one_of([c for c in self.channels if c in timed] or timed)})"
 

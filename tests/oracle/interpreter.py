@@ -185,6 +185,8 @@ class Reference:
         self.rounds: dict[tuple[str, str], dict[str, Any]] = {}
         self.earlier: dict[tuple[str, str], list[str]] = {}
         self.mailbox: dict[str, list[AgentMessage]] = {branch.label: [] for branch in plan.branches}
+        self.came: dict[Identity, int] = {}
+        """When each agent message came."""
         self.found: dict[int, AgentMessage | None] = {}
         """What each transition that speaks of it would take, when it was looked at last."""
         self.in_hand: AgentMessage | None = None
@@ -380,6 +382,7 @@ class Reference:
             case AgentMessage():
                 # "mail is put into the mailbox of the participation (protocol branch) it names"
                 self.mailbox[item.branch].append(item)
+                self.came[item.identity] = self.now
             case Addressed(branch, participant, agents, name):
                 # "since the last send to `q` in this conversation: how many agents were addressed"
                 if self.rounds.get((branch, participant), {}).get("name") != "":
@@ -1377,6 +1380,10 @@ class Reference:
                 return ("const", self.read_member(host, channel, path, region) is not ABSENT)
             case ("member", host, channel, path):
                 found = self.read_member(host, channel, path, region)
+            case ("age", ("taken", _)):
+                # "of an agent message: now - when it was sent", or came where that is not known
+                assert self.in_hand is not None
+                found = self.now - self.sent(self.in_hand)
             case ("age", ("member", host, channel, _)):
                 # "`age(x)` = now - time of measurement."
                 message = region.sees(channel, host)
@@ -1508,12 +1515,19 @@ class Reference:
                     case ("expired", timer) if timer in region.timers:
                         yield region.timers[timer]
                     case ("<" | "<=" | ">" | ">=" | "==" | "!=" as operator, left, right):
-                        yield from self.crossings(operator, left, right, region)
-                        yield from self.crossings(MIRRORED[operator], right, left, region)
+                        events = [event for event in transition.events if event[0] == "received"]
+                        letters = [mail for event in events for mail in self.waiting(event, source)]
+                        yield from self.crossings(operator, left, right, region, letters)
+                        yield from self.crossings(MIRRORED[operator], right, left, region, letters)
             if self.type_of(transition.target) == "CONDITION":
                 yield from self.moments(transition.target, source)
 
-    def crossings(self, operator: str, age: Term, amount: Term, region: Region) -> Iterator[int]:
+    def sent(self, mail: AgentMessage) -> int:
+        return self.came[mail.identity] if mail.sent is None else mail.sent
+
+    def crossings(
+        self, operator: str, age: Term, amount: Term, region: Region, letters: list[AgentMessage]
+    ) -> Iterator[int]:
         """When `age(x) operator amount` changes: "time + c; + 1 ns for `>` and `<=`" (`==` changes twice)."""
         if age[0] != "age" or not is_constant(amount):
             return
@@ -1521,11 +1535,16 @@ class Reference:
             length = self.compute(amount)
         except ZeroDivisionError:
             return
-        message = region.sees(age[1][2], age[1][1])
-        if message is not None and operator in ("<", ">=", "==", "!="):
-            yield message.time + length
-        if message is not None and operator in (">", "<=", "==", "!="):
-            yield message.time + length + 1
+        if age[1][0] == "taken":
+            times = [self.sent(mail) for mail in letters]
+        else:
+            message = region.sees(age[1][2], age[1][1])
+            times = [] if message is None else [message.time]
+        for time in times:
+            if operator in ("<", ">=", "==", "!="):
+                yield time + length
+            if operator in (">", "<=", "==", "!="):
+                yield time + length + 1
 
 
 OPERATORS: dict[str, Callable[[Any, Any], Any]] = {

@@ -239,7 +239,12 @@ class Game:
                 performative, message, participant = kinds[kind % len(kinds)]
                 content = filled(getattr(self.made.messages, message), cycle(members)) if message else None
                 identity = self.identity(sender)
-                return [AgentMessage(branch, performative, message, content, participant, sender, identity)]
+                sent = None if number == 0 else self.now - 5_000_000 * kind
+                return [
+                    AgentMessage(
+                        branch, performative, message, content, participant, sender, identity, sent=sent
+                    )
+                ]
             case ("back",):
                 # a message of its own for both engines: each has published another object
                 back = [

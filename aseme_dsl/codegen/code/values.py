@@ -295,6 +295,8 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
         case Member():
             return _member(value, names, known)
         case Age(message=message):
+            if isinstance(message, Bound):
+                return Piece(Group(Infix("-", NOW, Field(Name(names.mail), "since"))), known=known)
             slot = _slot(message, names)
             assert isinstance(slot, Field), "only what an agent knows has an age"
             _, needs, known = _present(message, names, known)

@@ -10,6 +10,7 @@ from aseme_dsl.amola.expression import (
     After,
     Age,
     Arithmetic,
+    Bound,
     Compare,
     Expired,
     Literal,
@@ -17,6 +18,7 @@ from aseme_dsl.amola.expression import (
     Named,
     Negate,
     Outcome,
+    Received,
     StartTimer,
     StateValue,
     TransitionExpression,
@@ -36,7 +38,8 @@ class Wait:
     """Something that time alone may change while a source is active.
 
     `kind` is "after" (`amount` ns after the entry of `source`), "within" (the same, while the activity of
-    `source` runs), "timer" (`name`) or "age" (the message `member` becomes `amount` ns old).
+    `source` runs) or "timer" (`name`). It is "age" where the message `member` becomes `amount` ns old, and
+    "sent" where an agent message does that one of `events` can take.
     """
 
     source: str
@@ -44,6 +47,7 @@ class Wait:
     amount: int = 0
     name: str = ""
     member: Member | None = None
+    events: tuple[Received, ...] = ()
 
 
 class Registers:
@@ -166,13 +170,19 @@ def _waits(source: str, expression: TransitionExpression) -> Iterator[Wait]:
             case Expired(timer=timer):
                 yield Wait(source, "timer", name=timer)
             case Compare(operator=operator, left=left, right=right):
-                yield from _age_waits(source, operator, left, right)
+                for message, amount in _crossings(operator, left, right):
+                    if isinstance(message, Bound):
+                        events = tuple(event for event in expression.events if isinstance(event, Received))
+                        yield Wait(source, "sent", amount, events=events)
+                    else:
+                        yield Wait(source, "age", amount, member=message)
 
 
 _FLIPPED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "==", "!=": "!="}
 
 
-def _age_waits(source: str, operator: str, left: Value, right: Value) -> Iterator[Wait]:
+def _crossings(operator: str, left: Value, right: Value) -> Iterator[tuple[Member | Bound, int]]:
+    """The message whose age is compared with a constant, and the ages in ns at which the answer changes."""
     left, right = _plain(left), _plain(right)
     if isinstance(right, Age):
         left, right, operator = right, left, _FLIPPED[operator]
@@ -180,9 +190,9 @@ def _age_waits(source: str, operator: str, left: Value, right: Value) -> Iterato
     if not isinstance(left, Age) or amount is None:
         return
     if operator in ("<", ">=", "==", "!="):
-        yield Wait(source, "age", amount, member=left.message)
+        yield left.message, amount
     if operator in (">", "<=", "==", "!="):
-        yield Wait(source, "age", amount + 1, member=left.message)
+        yield left.message, amount + 1
 
 
 def _plain(value: Value) -> Value:

@@ -55,7 +55,7 @@ class Uses:
         return frozenset(
             (self._flat.region_number[place], str(v.message.channel), v.message.host)
             for place, v in self._chart.values()
-            if isinstance(v, Age)
+            if isinstance(v, Age) and isinstance(v.message, Member)
         )
 
     @cached_property

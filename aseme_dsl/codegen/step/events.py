@@ -36,7 +36,7 @@ class Events(Part):
 
     def _letter(self, source: str, event: Received | Lost) -> str:
         branch = self.chart.branch_of(source)
-        return f"{branch!r}, {', '.join(map(repr, _kind(event)))}"
+        return f"{branch!r}, {', '.join(map(repr, mail_kind(event)))}"
 
     def pick(self, region: int, number: int, expression: TransitionExpression) -> str:
         """A method that finds the agent message which a transition takes, if its condition depends on it."""
@@ -46,7 +46,9 @@ class Events(Part):
             pick.names.mail = "mail"
             self.names.asked_by(number, pick.names)
             branch = self.chart.branch_of(self.flat.transition(number).source)
-            kinds = tuple(_kind(event) for event in expression.events if isinstance(event, Received | Lost))
+            kinds = tuple(
+                mail_kind(event) for event in expression.events if isinstance(event, Received | Lost)
+            )
             pick.add(2, f"for mail in self.letters({branch!r}, {kinds!r}):")
             if expression.condition is None:
                 pick.add(3, "return mail")
@@ -111,11 +113,11 @@ class Events(Part):
         return "pass"
 
 
-def _kind(event: Received | Lost) -> tuple[str, str, str]:
+def mail_kind(event: Received | Lost) -> tuple[str, str, str]:
     """The agent messages that an event waits for: performative, message and participant."""
     if isinstance(event, Lost):
         return LOST, "", event.participant
     return event.performative, event.message, event.participant
 
 
-__all__ = ["Events"]
+__all__ = ["Events", "mail_kind"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.codegen.program.registers import Wait
+from aseme_dsl.codegen.step.events import mail_kind
 from aseme_dsl.codegen.step.names import Method, Part
 
 
@@ -76,6 +77,12 @@ class Frame(Part):
                 method.add(depth, f"at = self.{self.names.time_name(wait.source)} + {wait.amount}")
             case "timer":
                 method.add(depth, f"at = {board}.timers.get({wait.name!r}, NEVER)")
+            case "sent":
+                branch = self.chart.branch_of(wait.source)
+                kinds = tuple(mail_kind(event) for event in wait.events)
+                method.add(depth, f"for mail in self.letters({branch!r}, {kinds!r}):")
+                depth += 1
+                method.add(depth, f"at = mail.since + {wait.amount}")
             case _:
                 assert wait.member is not None
                 slot = self.names.slots[region][str(wait.member.channel), wait.member.host]

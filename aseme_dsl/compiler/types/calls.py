@@ -57,11 +57,7 @@ def call(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Va
         case "sender":
             return _sender(checker, written, arguments)
         case "age":
-            message = _message(checker, name, written, arguments, 1)
-            if message is None or not _is_timed(checker, message):
-                return None
-            _note_radio(checker, message)
-            return amola.Age(message, written.span)
+            return _age(checker, written, arguments)
         case "random":
             if arguments:
                 checker.report(
@@ -227,6 +223,21 @@ def _sender(checker: Checker, written: tree.Call, arguments: Sequence[Value]) ->
     agent = message.name if isinstance(message, amola.Sender) and message.lost else None
     checker.report(problems.SenderOfOther("sender", FORMS["sender"], agent), written.span)
     return None
+
+
+def _age(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
+    """How old a message on the blackboard is, or the agent message that the transition takes."""
+    taken = unnamed(arguments[0]) if len(arguments) == 1 else None
+    if isinstance(taken, amola.Bound):
+        if taken.path:
+            checker.report(problems.PartOfMessage("age", FORMS["age"], taken.name), arguments[0].span)
+            return None
+        return amola.Age(replace(taken, span=arguments[0].span), written.span)
+    message = _message(checker, "age", written, arguments, 1)
+    if message is None or not _is_timed(checker, message):
+        return None
+    _note_radio(checker, message)
+    return amola.Age(message, written.span)
 
 
 def _is_timed(checker: Checker, message: Member) -> bool:

@@ -321,6 +321,7 @@ class _Reading:
         branch = self.branches[agent, record["conversation"], record["receiver"]]
         part = record["participant"]
         answered = [name_of(_identity(item)) for item in record.get("answers", ()) if item[0] == agent]
+        sent = record["time"] if record["kind"] == "agent_message" else record.get("sent")
         return AgentMessage(
             branch,
             record["performative"],
@@ -330,6 +331,7 @@ class _Reading:
             identity[0],
             identity,
             in_reply_to=record.get("in_reply_to") or next(iter(answered), ""),
+            sent=sent,
         )
 
 

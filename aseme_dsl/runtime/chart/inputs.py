@@ -109,6 +109,13 @@ class AgentMessage:
     sent: int | None = None
     """When it was sent, in ns of the run, never later than it has come. None for one of an external agent, or
     while the clock of another machine is not known."""
+    came: int = 0
+    """When the chart got it, in ns of the run, if it is not known when it was sent."""
+
+    @property
+    def since(self) -> int:
+        """The moment from which its age counts."""
+        return self.came if self.sent is None else self.sent
 
 
 @made_often

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from typing import TypeVar, cast
 
 from aseme_dsl.runtime.chart.board import Board
@@ -64,6 +65,8 @@ def _written(chart: ChartState, item: Written) -> None:
 
 
 def _mailed(chart: ChartState, item: AgentMessage) -> None:
+    if item.sent is None:
+        item = replace(item, came=chart.now)
     chart.mail[item.branch].append(item)
 
 

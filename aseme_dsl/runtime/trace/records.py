@@ -113,6 +113,7 @@ class Record(TypedDict, total=False):
     receiver: str
     answers: list[InputName]
     in_reply_to: str
+    sent: int
     untaken: list[InputName]
     played: str
     # changes of plan or version

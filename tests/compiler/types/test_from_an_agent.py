@@ -45,3 +45,14 @@ def test_a_misspelt_agent() -> None:
 
 def test_a_variable_that_does_not_hold_an_agent() -> None:
     assert [code for code, _ in messages("var best : agent", 'var best : string = "x"')][:1] != []
+
+
+def test_the_age_of_what_is_taken() -> None:
+    assert messages("inform Task from best", "inform Task t from best [age(t) > 1s]") == []
+    assert messages("inform Task from best", "inform Task from best [age(inform.Task) > 1s]") == []
+    assert messages("inform Task from best", "inform Task t from best [age(t.id) > 1s]") == [
+        ("E504", "`age` wants the whole message: `t`")
+    ]
+    assert messages("inform Task from best", "lost worker w [age(w) > 1s]") == [
+        ("E504", "`age` wants a message, not an agent")
+    ]

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from aseme_dsl.grammar.text.network_words import read_network
 from aseme_dsl.project.studying.bench import recordings_of
 from aseme_dsl.project.studying.course import Course
 from aseme_dsl.project.studying.recorded import NotPlayable, recorded
@@ -206,3 +207,43 @@ def test_why_an_agent_was_lost(tmp_path: Path) -> None:
     steps = [r for r in records if r["kind"] == "step" and r["agent"] == "ann"]
     assert (course.until, len(course.steps)) == ("", len(steps))
     assert course.taken == {n for r in steps for way in r["taken"] for n in way["transitions"]}
+
+
+LATE = generate("""
+system S
+message Order { string dish }
+aip kitchen {
+  participant guest {
+    engage   "Hungry."
+    sends    request Order
+    receives agree Order
+    process  = Ask . Eat
+  }
+  participant cook {
+    engage   "Asked."
+    receives request Order
+    sends    agree Order
+    process  = Look . Cook
+  }
+  outcome "There is a meal."
+  control guest {
+    enter Ask : / send request Order { dish = "soup" } to cook
+    enter Eat : agree Order from cook
+  }
+  control cook { enter Cook : request Order o from guest [age(o) >= 3s] / send agree Order { ..o } to guest }
+}
+srm visitor { plays kitchen.guest  liveness { visitor = guest }  activities { Ask waits  Eat takes 1s } }
+srm chef { plays kitchen.cook  liveness { chef = cook }  activities { Look waits  Cook takes 1s } }
+team T { tom : visitor  pat : chef }
+""")
+
+
+def test_the_age_of_an_agent_message_is_as_it_was(tmp_path: Path) -> None:
+    faults = read_network("delay=1s..1s").faults(1)
+    team, records = make(LATE, faults=faults)
+    team.run()
+    assert [r["time"] for r in records if r["kind"] == "agent_message"] == [0, 3 * SECOND]
+    for role in ("visitor", "chef"):
+        (course,) = read(written(tmp_path / "run.jsonl", records), LATE)[role]
+        steps = [r for r in records if r["kind"] == "step" and r["agent"] == course.agent]
+        assert (course.until, len(course.steps)) == ("", len(steps))
