@@ -188,7 +188,7 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
     transitions = []
     for item in chart.transitions:
         expression = item.expression
-        condition = expression.condition
+        condition = expression.said_condition
         marks: Json = {"first": True} if item.first else {}
         if not item.changes_state:
             marks["kind"] = item.kind.value
@@ -196,6 +196,8 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
             marks["resume"] = True
         if item.reactive:
             marks["reactive"] = True
+        if expression.weight is not None:
+            marks["weight"] = expression.weight.value
         transitions.append(
             {
                 "name": item.name,

@@ -283,7 +283,7 @@ class RoundValue:
 
 @dataclass(frozen=True, slots=True)
 class Holds:
-    """Whether a condition holds; never absent. It occurs only in transitions that `reactive` generates."""
+    """Whether a condition holds; never absent. It occurs only where `reactive` or a weight generates it."""
 
     operand: Value
     span: Span
@@ -547,6 +547,17 @@ Action = Assign | Publish | ReadMessages | StartTimer | Send | Evaluate
 
 
 @dataclass(frozen=True, slots=True)
+class Weight:
+    """The weight of a branch in a choice by chance, and the condition that was written beside it.
+
+    The condition of its expression holds if that one does and the branch is drawn.
+    """
+
+    value: int
+    condition: Value | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class TransitionExpression:
     """What decides whether a transition is taken and what it does.
 
@@ -562,11 +573,17 @@ class TransitionExpression:
     actions: tuple[Action, ...] = ()
     span: Span | None = None
     every: int | None = None
+    weight: Weight | None = None
 
     @property
     def is_unconditional(self) -> bool:
         """Neither event nor condition nor `else`: taken on completion."""
         return not self.events and self.condition is None and not self.otherwise
+
+    @property
+    def said_condition(self) -> Value | None:
+        """The condition as it was written, without the draw of a weight."""
+        return self.condition if self.weight is None else self.weight.condition
 
     @property
     def is_for_errors(self) -> bool:
@@ -679,12 +696,15 @@ def rewritten_expression(
 ) -> TransitionExpression:
     """The expression with `change` applied to all values in it, targets of assignments included."""
     condition = None if written.condition is None else rewritten(written.condition, change)
+    weight = written.weight
+    if weight is not None and weight.condition is not None:
+        weight = replace(weight, condition=rewritten(weight.condition, change))
     actions = tuple(_rewritten_action(action, change) for action in written.actions)
     if condition is written.condition and all(
         action is other for action, other in zip(actions, written.actions, strict=True)
     ):
         return written
-    return replace(written, condition=condition, actions=actions)
+    return replace(written, condition=condition, actions=actions, weight=weight)
 
 
 def _rewritten_action(action: Action, change: Callable[[Value], Value]) -> Action:
@@ -982,8 +1002,11 @@ def expression_text(expression: TransitionExpression) -> str:
     events = events_text(expression)
     if events:
         parts.append(events)
-    if expression.condition is not None:
-        parts.append(f"[{value_text(expression.condition)}]")
+    condition = expression.said_condition
+    if condition is not None:
+        parts.append(f"[{value_text(condition)}]")
+    if expression.weight is not None:
+        parts.append(f"weight {expression.weight.value}")
     if expression.actions:
         parts.append("/ " + "; ".join(action_text(action) for action in expression.actions))
     return " ".join(parts)

@@ -192,7 +192,7 @@ def _given(node: State) -> tuple[tuple[str, Term], ...]:
 
 def _transition(transition: Transition, placed: bool = True) -> str:
     expression = transition.expression
-    condition = None if expression.condition is None else value_term(expression.condition)
+    said = expression.said_condition
     return _call(
         "Transition",
         [transition.source, transition.target],
@@ -202,7 +202,8 @@ def _transition(transition: Transition, placed: bool = True) -> str:
             ("when", expression.when, False),
             ("otherwise", expression.otherwise, False),
             ("every", expression.every, None),
-            ("condition", condition, None),
+            ("condition", None if said is None else value_term(said), None),
+            ("weight", None if expression.weight is None else expression.weight.value, None),
             ("actions", tuple(action_term(action) for action in expression.actions), ()),
             ("first", transition.first, False),
             ("kind", transition.kind.value, "external"),

@@ -40,7 +40,7 @@
     "external" "for" "from" "human" "includes" "leads" "legacy" "list" "lost" "most" "not" "of" "on" "one"
     "or" "persist" "process" "queued" "radio" "read_messages" "reads" "realises" "repeatedly" "reply_by"
     "send" "simulated" "srm" "step" "system" "takes" "thread" "three" "to" "two" "under" "uses" "waits"
-    "when" "with" "within" "write_messages" "writes")
+    "weight" "when" "with" "within" "write_messages" "writes")
   "Words with which a clause begins, and those of expressions.")
 
 (defconst aseme-blocks

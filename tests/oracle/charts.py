@@ -554,6 +554,13 @@ class Words:
             text += " / " + "; ".join(self._action() for _ in range(pick.number(1, 3)))
         return text, kind == "otherwise"
 
+    def weighted(self) -> str:
+        """The expression of a branch that is taken by chance."""
+        pick = self.choices
+        condition = f"[{replace(self, in_condition=True).value('bool', 2)}] " if pick.one_in(2) else ""
+        actions = f" / {self._action()}" if pick.one_in(3) else ""
+        return f"{condition}weight {pick.number(1, 4)}{actions}"
+
     def _crossing(self, *, decided: bool) -> str:
         """What concurrent parts, and those around them, have to do with each other: events and variables."""
         pick = self.choices
@@ -757,6 +764,7 @@ def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> 
         return ""
     loops = sorted({way.loop for way in ways} - {0})
     deciding = {pick.one_of([way.written for way in ways if way.loop == loop]) for loop in loops}
+    weighted = {number for number in sorted({way.choice for way in ways} - {0}) if pick.one_in(5)}
     otherwise: set[int] = set()
     written: list[str] = []
     for way in ways:
@@ -767,9 +775,12 @@ def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> 
             written.append(f"    {way.written} : {words.staying(way.stays)}")
             continue
         for _ in range(2 if pick.one_in(5) else 1):
-            text, is_else = words.transition(
-                decided=must, otherwise=way.source not in otherwise, cuts=way.cuts
-            )
+            if way.choice in weighted:
+                text, is_else = words.weighted(), False
+            else:
+                text, is_else = words.transition(
+                    decided=must, otherwise=way.source not in otherwise, cuts=way.cuts
+                )
             if is_else:
                 otherwise.add(way.source)
             verb, _, term = way.written.partition(" ")
@@ -782,7 +793,7 @@ def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> 
         written.reverse()
     written += extra
     has_choice = any(way.choice for way in ways)
-    head = f"{name} reactive" if has_choice and pick.one_in(3) else name
+    head = f"{name} reactive" if has_choice and not weighted and pick.one_in(3) else name
     return "\n".join([f"  control {head} {{", *written, "  }"]) if written else ""
 
 

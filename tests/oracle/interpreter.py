@@ -556,7 +556,9 @@ class Reference:
         found: list[Term | None] = []
         while sources:
             for _, transition in self.plan.outgoing(sources.pop()):
-                found.append(transition.condition)
+                asked = transition.condition
+                # Whether a weighted branch is open counts in the draws before it: true or not.
+                found.append(("holds", asked) if transition.weight is not None and asked else asked)
                 if self.type_of(transition.target) == "CONDITION":
                     sources.append(transition.target)
         return found
@@ -651,6 +653,8 @@ class Reference:
         if speaks_of_mail(transition):
             self.found[number] = self.letter(number, transition, source)
             return self.found[number] is not None
+        if transition.weight is not None:
+            return self.is_drawn(number, transition)
         # "And the condition, if any, holds."
         return transition.condition is None or self.condition_holds(number, transition)
 
@@ -1290,6 +1294,35 @@ class Reference:
         # "A function (or division) that raises makes the whole condition not hold"
         try:
             return self.holds(transition.condition, region)
+        except Exception as error:
+            self.fault(number, str(error))
+            return False
+
+    def is_drawn(self, number: int, transition: Transition) -> bool:
+        """ "A branch with a weight is taken if its condition, if any, holds and it is drawn." """
+        region = self.regions[self.region_of(transition.source)]
+        self.asking = transition.source
+        assert transition.weight is not None
+        behind = [
+            other
+            for _, other in self.plan.outgoing(transition.source)
+            if other.weight is not None and other.priority > transition.priority
+        ]
+        for channel, host in signals_of(transition.condition, *(other.condition for other in behind)):
+            region.look_at(channel, host)
+        try:
+            if transition.condition is not None and not self.holds(transition.condition, region):
+                return False
+            # "For each open one a number is drawn …; then it is asked which of the weighted branches behind
+            # it are open."
+            number_drawn = self.compute(("random",))
+            total = transition.weight
+            for other in behind:
+                if other.condition is None or self.holds(other.condition, region):
+                    assert other.weight is not None
+                    total += other.weight
+            # "It is drawn if the number, times the sum of its weight and theirs, is below its weight"
+            return bool(number_drawn * total < transition.weight)
         except Exception as error:
             self.fault(number, str(error))
             return False

@@ -60,8 +60,10 @@ class Actions(Part):
         They read what `region` knows; what they change they change in `place`, if that is another one.
         """
         transitions = [self.flat.transition(number) for number in taken]
-        conditions = [t.expression.condition for t in transitions if t.expression.condition is not None]
-        looked_at = dict.fromkeys(found for item in conditions for found in signals(walk(item)))
+        conditions = [t.expression.said_condition for t in transitions]
+        looked_at = dict.fromkeys(
+            found for item in conditions if item is not None for found in signals(walk(item))
+        )
         still_seen = set(looked_at)  # until an action puts messages on the board
         for number, transition in zip(taken, transitions, strict=True):
             method.names.mail = mail_name(number)

@@ -36,6 +36,7 @@ from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.compiler.types.typecheck import type_expression
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.activities import ParametersInChart
+from aseme_dsl.diagnostics.problems.control import WeightMisplaced
 from aseme_dsl.diagnostics.problems.missing import ExpressionsMissing
 from aseme_dsl.diagnostics.problems.statecharts import (
     ActivityOutsideBasic,
@@ -106,6 +107,8 @@ def read_statechart(
     for position, entry in enumerate(written.transitions):
         expression, problems = type_expression(entry.expression, typed.scope)
         found += problems
+        if entry.expression.weight is not None:
+            found.append(Diagnostic(WeightMisplaced(), entry.expression.weight.span))
         line = Line(entry.expression, expression, position, entry.span)
         if isinstance(entry, tree.StandingWay):
             found += check_staying(entry)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -30,6 +30,9 @@ from aseme_dsl.diagnostics.problems.control import (
     LoopNeverLeft,
     LoopNeverRepeats,
     LoopUndecided,
+    WeightMisplaced,
+    WeightMissing,
+    WeightNotPositive,
 )
 from aseme_dsl.diagnostics.problems.expressions.conditions import BranchBehindOpenOne
 from aseme_dsl.diagnostics.problems.formulas import LineNeverTaken, LoopMayBeEmpty
@@ -84,6 +87,8 @@ def check_formulas(
             for loop in loops:
                 found += check_loop(loop)
             found += _endless_once(terms, lines)
+        own_ways = (own for (_, term), own in lines.by_way.items() if term in terms.parents)
+        found += check_weights(choices, own_ways, {item.line.span for item in lines.labelled})
         for problem in check_waits(formulas, controls, terms, lines):
             if problem.span not in waiting:
                 waiting.add(problem.span)
@@ -251,6 +256,35 @@ def check_choice(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
         yield from _behind_an_open_one(alternatives)
 
 
+def check_weights(
+    choices: Iterable[Sequence[Alternative]], ways: Iterable[Sequence[Line]], labelled: Collection[Span]
+) -> Iterator[Diagnostic]:
+    """E434: weights in `choices`, and those of other lines among `ways`.
+
+    Those on `labelled` lines have been refused before.
+    """
+    chosen = set(labelled)
+    for choice in choices:
+        lines = [(item, line) for item in choice for line in item.lines if line.span not in labelled]
+        chosen |= {line.span for _, line in lines}
+        weighted = [item for item, line in lines if line.written.weight is not None]
+        for item, line in lines:
+            written = line.written
+            if written.weight is None:
+                if weighted and not written.otherwise:
+                    yield Diagnostic(WeightMissing(item.name, weighted[0].name), line.span)
+            elif written.events or written.when or written.otherwise:
+                yield Diagnostic(WeightMisplaced(), written.weight.span)
+            elif written.weight.value == 0:
+                yield Diagnostic(WeightNotPositive(), written.weight.span)
+        for item in choice:
+            if weighted and not item.lines:
+                yield Diagnostic(WeightMissing(item.name, weighted[0].name), item.span)
+    for line in (line for own in ways for line in own if line.span not in chosen):
+        if line.written.weight is not None:
+            yield Diagnostic(WeightMisplaced(), line.written.weight.span)
+
+
 def _behind_an_open_one(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
     """W412: a branch with a condition behind one with `[true]`.
 
@@ -409,7 +443,8 @@ def _expires(typed: TransitionExpression) -> bool:
 
 
 def _unconditional(written: tree.TransitionExpression) -> bool:
-    return not written.events and written.condition is None and not written.otherwise
+    said = written.events or written.condition is not None or written.otherwise or written.weight is not None
+    return not said
 
 
 def _nothing_said(

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression, substituted_expression
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.statechart import Origin, State, StateType, Transition, TransitionKind
+from aseme_dsl.compiler.control.weights import with_draws
 from aseme_dsl.compiler.formula.formula_to_statechart import Arrow, Outline, Standing, Way
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.reactive import choices_in, no_choice, reconsidered
@@ -30,6 +31,7 @@ from aseme_dsl.diagnostics.problems.control import (
     PeriodOfLoopNotPositive,
     PeriodOutsideLoop,
     TransitionNotOfFormula,
+    WeightMisplaced,
 )
 from aseme_dsl.diagnostics.problems.statecharts import (
     NoStateOfFormula,
@@ -140,6 +142,8 @@ def read_lines(
             found += problems
             line = Line(written, typed, position, entry.span)
             position += 1
+            if written.weight is not None and (control.reactive or isinstance(entry, tree.LabelledWay)):
+                found.append(Diagnostic(WeightMisplaced(), written.weight.span))
             if isinstance(entry, tree.LabelledWay):
                 labelled.append(LabelledLine(entry.source, entry.target, line))
                 continue
@@ -242,7 +246,7 @@ def transitions(
         ends = state.label, state.label
         drafts.append(Transition(name, *ends, expression, 0, state.origin, line.span, kind=kind))
         positions.append(line.position)
-    found = prioritised(drafts, positions)
+    found = with_draws(prioritised(drafts, positions))
     choices = {arrow.source: arrow for arrow in outline.arrows if arrow.way[1] in reactive}
     return (*found, *reconsidered(found, outline.nodes, choices)) if choices else found
 

@@ -323,6 +323,32 @@ class ReactiveWithoutChoice(Problem):
     hint = "leave `reactive` out, or write it where the choice is: `A | B`, `[A]` or `A*`"
 
 
+class WeightMisplaced(Problem):
+    code = "E434"
+    message = "a weight belongs to a branch of a choice, without an event"
+    hint = "write it on the `enter` or `skip` lines of a choice: `enter T : [ … ] weight 3`"
+
+
+class WeightNotPositive(Problem):
+    code = "E434"
+    message = "a branch with weight 0 is never drawn"
+    hint = "write a larger weight, or a condition"
+
+
+class WeightMissing(Problem):
+    """`branch` has no weight, and `weighted` has one."""
+
+    code = "E434"
+    branch: str
+    weighted: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.branch}` has no weight, and `{self.weighted}` has one"
+
+    hint = "give each branch of the choice a weight, or write `else`"
+
+
 class PeriodOutsideLoop(Problem):
     code = "E432"
     verb: str

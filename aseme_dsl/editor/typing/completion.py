@@ -390,6 +390,7 @@ def _events(ask: Ask, party: Party | None, parties: Mapping[str, Party], first: 
     yield Item("error", ItemKind.EVENT, "an activity inside has failed", rank=4)
     if first:
         yield Item("else", ItemKind.WORD, "no other branch is open", rank=3)
+        yield Item("weight", ItemKind.WORD, "weight 3", "", "weight ${1:1}", is_snippet=True, rank=4)
         yield Item("[…]", ItemKind.WORD, "a condition", "", "[${1:condition}]", is_snippet=True, rank=1)
     if party is not None:
         yield Item("lost", ItemKind.WORD, "an agent is lost", "", "lost ", rank=4, goes_on=True)

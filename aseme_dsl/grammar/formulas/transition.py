@@ -74,7 +74,7 @@ def _transition(reader: Reader) -> tree.TransitionExpression:
         otherwise = True
         if reader.next == "[":
             raise reader.error(problems.ElseWithCondition(), word)
-    elif reader.next not in ("[", "/"):
+    elif reader.next not in ("[", "/") and not _is_weight(reader):
         while True:
             if reader.next == "when":
                 reader.take()
@@ -91,6 +91,10 @@ def _transition(reader: Reader) -> tree.TransitionExpression:
     elif when:
         wrong = bare_condition(reader, reader.index) if is_word(reader.next) else None
         raise wrong or reader.unexpected(Wanted.CONDITION)
+    weight = None
+    if _is_weight(reader):
+        first = reader.take().start
+        weight = tree.Weight(int(reader.take()), reader.since(first))
     if reader.next == "/":
         reader.take()
         while True:
@@ -101,8 +105,14 @@ def _transition(reader: Reader) -> tree.TransitionExpression:
     if reader.index < len(reader.tokens):
         raise after_transition(reader, bool(actions), condition is not None or otherwise)
     return tree.TransitionExpression(
-        tuple(events), when, otherwise, condition, tuple(actions), reader.since(start)
+        tuple(events), when, otherwise, condition, tuple(actions), reader.since(start), weight=weight
     )
+
+
+def _is_weight(reader: Reader) -> bool:
+    """Whether `weight 3` follows; without a number `weight` is a name."""
+    following = reader.tokens[reader.index + 1 : reader.index + 2]
+    return reader.next == "weight" and bool(following) and following[0].isdecimal()
 
 
 def _hole(reader: Reader) -> tree.Hole | None:

@@ -159,6 +159,7 @@ EXPRESSION_WORDS: dict[str, str] = {
     "else": r"",
     "when": r"",
     "after": r"(?=\s*\()",
+    "weight": r"(?=\s+[0-9])",
     "send": r"(?=\s+[A-Za-z_])",
     "from": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",
     "to": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",

@@ -288,6 +288,14 @@ Action = Assign | Publish | ReadMessages | Send | Evaluate
 
 
 @dataclass(frozen=True, slots=True)
+class Weight:
+    """`weight 3`"""
+
+    value: int
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class TransitionExpression:
     """`event [condition] / action; action`. `otherwise` is `else`, `when` the word before a condition.
 
@@ -301,6 +309,7 @@ class TransitionExpression:
     actions: tuple[Action, ...]
     span: Span
     every: Duration | None = None
+    weight: Weight | None = None
 
 
 # ---- control -----------------------------------------------------------------------------------

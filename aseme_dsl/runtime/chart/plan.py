@@ -87,6 +87,8 @@ class Transition:
     every: int | None = None
     """The pace of a loop: not before so many ns since the source was entered."""
     condition: Term | None = None
+    weight: int | None = None
+    """Of the open branches of its source that have weights, one is drawn."""
     actions: tuple[Term, ...] = ()
     first: bool = False
     """Whether it cuts its source short: it is tried before anything inside."""
