@@ -188,7 +188,7 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
     transitions = []
     for item in chart.transitions:
         expression = item.expression
-        condition = expression.said_condition
+        condition = expression.condition
         marks: Json = {"first": True} if item.first else {}
         if not item.changes_state:
             marks["kind"] = item.kind.value
@@ -197,7 +197,7 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
         if item.reactive:
             marks["reactive"] = True
         if expression.weight is not None:
-            marks["weight"] = expression.weight.value
+            marks["weight"] = expression.weight
         transitions.append(
             {
                 "name": item.name,

@@ -547,23 +547,13 @@ Action = Assign | Publish | ReadMessages | StartTimer | Send | Evaluate
 
 
 @dataclass(frozen=True, slots=True)
-class Weight:
-    """The weight of a branch in a choice by chance, and the condition that was written beside it.
-
-    The condition of its expression holds if that one does and the branch is drawn.
-    """
-
-    value: int
-    condition: Value | None = None
-
-
-@dataclass(frozen=True, slots=True)
 class TransitionExpression:
     """What decides whether a transition is taken and what it does.
 
     Several `events` are joined by `or`; `when` makes the condition count whether or not the source is
     complete; `otherwise` is `else`. With `every`, it is not taken before so many ns since the source was
-    entered. The default is the empty expression: the source is complete.
+    entered. The default is the empty expression: the source is complete. A branch of a choice by chance has a
+    `weight`, and `draw`, made of the conditions and weights of the choice: whether it is open and drawn.
     """
 
     events: tuple[Event, ...] = ()
@@ -573,17 +563,18 @@ class TransitionExpression:
     actions: tuple[Action, ...] = ()
     span: Span | None = None
     every: int | None = None
-    weight: Weight | None = None
+    weight: int | None = None
+    draw: Value | None = None
 
     @property
     def is_unconditional(self) -> bool:
         """Neither event nor condition nor `else`: taken on completion."""
-        return not self.events and self.condition is None and not self.otherwise
+        return not self.events and self.guard is None and not self.otherwise
 
     @property
-    def said_condition(self) -> Value | None:
-        """The condition as it was written, without the draw of a weight."""
-        return self.condition if self.weight is None else self.weight.condition
+    def guard(self) -> Value | None:
+        """What has to hold for the transition to be taken: the condition and, with a weight, the draw."""
+        return self.condition if self.draw is None else self.draw
 
     @property
     def is_for_errors(self) -> bool:
@@ -696,15 +687,15 @@ def rewritten_expression(
 ) -> TransitionExpression:
     """The expression with `change` applied to all values in it, targets of assignments included."""
     condition = None if written.condition is None else rewritten(written.condition, change)
-    weight = written.weight
-    if weight is not None and weight.condition is not None:
-        weight = replace(weight, condition=rewritten(weight.condition, change))
+    draw = None if written.draw is None else rewritten(written.draw, change)
     actions = tuple(_rewritten_action(action, change) for action in written.actions)
-    if condition is written.condition and all(
-        action is other for action, other in zip(actions, written.actions, strict=True)
+    if (
+        condition is written.condition
+        and draw is written.draw
+        and all(action is other for action, other in zip(actions, written.actions, strict=True))
     ):
         return written
-    return replace(written, condition=condition, actions=actions, weight=weight)
+    return replace(written, condition=condition, actions=actions, draw=draw)
 
 
 def _rewritten_action(action: Action, change: Callable[[Value], Value]) -> Action:
@@ -776,8 +767,8 @@ def walk(value: Value) -> Iterator[Value]:
 
 def values_of(expression: TransitionExpression) -> Iterator[Value]:
     """Every value read by the condition and the actions, with everything in it; assignment targets not."""
-    if expression.condition is not None:
-        yield from walk(expression.condition)
+    if expression.guard is not None:
+        yield from walk(expression.guard)
     for action in expression.actions:
         match action:
             case Assign(value=value) | Evaluate(value=value) | StartTimer(duration=value):
@@ -1002,11 +993,11 @@ def expression_text(expression: TransitionExpression) -> str:
     events = events_text(expression)
     if events:
         parts.append(events)
-    condition = expression.said_condition
+    condition = expression.condition
     if condition is not None:
         parts.append(f"[{value_text(condition)}]")
     if expression.weight is not None:
-        parts.append(f"weight {expression.weight.value}")
+        parts.append(f"weight {expression.weight}")
     if expression.actions:
         parts.append("/ " + "; ".join(action_text(action) for action in expression.actions))
     return " ".join(parts)

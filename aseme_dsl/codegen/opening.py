@@ -87,7 +87,7 @@ def _reached_in_silence(
 def _is_for_later(transition: Transition, inside: list[Transition]) -> bool:
     """Whether a transition interrupts, under a condition, what can take a message itself."""
     expression = transition.expression
-    if expression.condition is None or not (expression.events or expression.when):
+    if expression.guard is None or not (expression.events or expression.when):
         return False
     within = f"{transition.source}."
     return any(item.source.startswith(within) and any(_taken([item])) for item in inside)

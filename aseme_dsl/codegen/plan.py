@@ -192,7 +192,7 @@ def _given(node: State) -> tuple[tuple[str, Term], ...]:
 
 def _transition(transition: Transition, placed: bool = True) -> str:
     expression = transition.expression
-    said = expression.said_condition
+    said = expression.condition
     return _call(
         "Transition",
         [transition.source, transition.target],
@@ -203,7 +203,7 @@ def _transition(transition: Transition, placed: bool = True) -> str:
             ("otherwise", expression.otherwise, False),
             ("every", expression.every, None),
             ("condition", None if said is None else value_term(said), None),
-            ("weight", None if expression.weight is None else expression.weight.value, None),
+            ("weight", expression.weight, None),
             ("actions", tuple(action_term(action) for action in expression.actions), ()),
             ("first", transition.first, False),
             ("kind", transition.kind.value, "external"),

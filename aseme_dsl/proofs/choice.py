@@ -140,7 +140,7 @@ def _written(transition: Transition) -> tuple[object, ...]:
 
 def asks(branch: Transition) -> bool:
     """Whether it has a condition that reads something."""
-    condition = branch.expression.said_condition
+    condition = branch.expression.condition
     return condition is not None and any(
         isinstance(
             part,
@@ -184,7 +184,7 @@ def _closers(chart: Statechart, fork: Fork) -> tuple[Way, ...] | None:
         if not path.conditions:
             return None
         found.append(path.conditions)
-    own_conditions = tuple(item.expression.said_condition for item in fork.branches)
+    own_conditions = tuple(item.expression.condition for item in fork.branches)
     for condition in (*own_conditions, *(condition for way in found for condition in way)):
         if condition is not None and (
             reads_signal(condition) or _asks_of_states(condition) or is_beyond(condition)
@@ -204,7 +204,7 @@ def _is_worth_it(fork: Fork, vocabulary: Vocabulary) -> bool:
     Conditions that have nothing to do with each other hold and fail in any combination: that matters only
     where each of several branches has one.
     """
-    asking = [branch.expression.said_condition for branch in fork.branches if asks(branch)]
+    asking = [branch.expression.condition for branch in fork.branches if asks(branch)]
     if any(is_beyond(item) for item in (*fork.before, *asking) if item is not None):
         return False
     conditions = [*fork.before, *(condition for condition in asking if condition is not None)]

@@ -66,7 +66,7 @@ class _Question:
         return self.situation.fork.before
 
     def condition(self, branch: int) -> e.Value | None:
-        return self.branches[branch].expression.said_condition
+        return self.branches[branch].expression.condition
 
 
 _RAISING = Assumptions(raising=True)
@@ -92,7 +92,7 @@ def findings(situation: Situation, prover: Prover) -> list[Finding]:
     items = [*fork.before, *(item for own in ways.values() for way in own for item in way)]
     items += [item for way in situation.closers or () for item in way]
     # Also of a branch into a choice that nothing leaves, which has no way.
-    items += [item for branch in fork.branches if (item := branch.expression.said_condition) is not None]
+    items += [item for branch in fork.branches if (item := branch.expression.condition) is not None]
     conditions = list({id(item): item for item in items}.values())
     if len(fork.branches) > _MOST_BRANCHES or _size(conditions) > _MOST_PARTS:
         return [Unsure(fork.branches)]
@@ -106,7 +106,7 @@ def findings(situation: Situation, prover: Prover) -> list[Finding]:
 
 
 def _ways(chart: Statechart, branch: Transition) -> tuple[Way, ...]:
-    own = () if branch.expression.said_condition is None else (branch.expression.said_condition,)
+    own = () if branch.expression.condition is None else (branch.expression.condition,)
     if chart.node(branch.target).type is not StateType.CONDITION:
         return (own,)
     return tuple((*own, *path.conditions) for path in paths(chart, branch.target))

@@ -18,7 +18,7 @@ class Path:
     @property
     def conditions(self) -> tuple[e.Value, ...]:
         """All of them must hold; `else` counts as none, since it comes last."""
-        found = (segment.expression.said_condition for segment in self.segments)
+        found = (segment.expression.condition for segment in self.segments)
         return tuple(condition for condition in found if condition is not None)
 
     @property
@@ -100,7 +100,7 @@ def forks(chart: Statechart) -> Iterator[Fork]:
                     continue
                 groups.setdefault(trigger_of(transition, at_once), []).append(transition)
                 if chart.node(transition.target).type is StateType.CONDITION:
-                    condition = transition.expression.said_condition
+                    condition = transition.expression.condition
                     after = before if condition is None else (*before, condition)
                     if transition.target not in passed:
                         stack.append((transition.target, after, passed | {transition.target}))

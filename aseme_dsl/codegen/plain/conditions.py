@@ -81,9 +81,9 @@ class Conditions:
         spends = self._spending(mode, source, expression.events) or spends
         if expression.every is not None:
             tests = (*tests, self._has_been(source, expression.every))
-        if expression.condition is not None:
-            guard = self._guard(region, way.number, expression.condition)
-            does = does or raises(expression.condition) or draws(expression.condition)
+        if expression.guard is not None:
+            guard = self._guard(region, way.number, expression.guard)
+            does = does or raises(expression.guard) or draws(expression.guard)
             if guard != TRUE:
                 tests = (*tests, guard)
         taken = (*before, way.number)

@@ -163,9 +163,9 @@ def _waits(source: str, expression: TransitionExpression) -> Iterator[Wait]:
             yield Wait(source, "after", event.duration)
     if expression.every is not None:
         yield Wait(source, "after", expression.every)
-    if expression.condition is None:
+    if expression.guard is None:
         return
-    for value in walk(expression.condition):
+    for value in walk(expression.guard):
         match value:
             case Expired(timer=timer):
                 yield Wait(source, "timer", name=timer)

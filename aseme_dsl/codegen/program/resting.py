@@ -55,7 +55,7 @@ def resting(chart: Statechart, *, watched: bool) -> Resting:
 
 def is_open(expression: TransitionExpression) -> bool:
     """Whether nothing but completion is needed."""
-    return not expression.events and expression.condition is None and expression.every is None
+    return not expression.events and expression.guard is None and expression.every is None
 
 
 def _needs_completion(transition: Transition) -> bool:

@@ -108,7 +108,7 @@ class Uses:
         found: dict[str, dict[int, dict[str, None]]] = {}
         for source in self._flat.sources:
             for transition in self._flat.segments(source):
-                condition = transition.expression.condition
+                condition = transition.expression.guard
                 for value in walk(condition) if condition is not None else ():
                     if isinstance(value, VariableValue):
                         readers = found.setdefault(value.name, {})
@@ -137,7 +137,7 @@ class Uses:
         found: dict[str, dict[int, dict[str, None]]] = {}
         for source in self._flat.sources:
             for transition in self._flat.segments(source):
-                condition = transition.expression.condition
+                condition = transition.expression.guard
                 parts = list(walk(condition)) if condition is not None else []
                 if not any(_tells_absence(part) for part in parts):
                     continue

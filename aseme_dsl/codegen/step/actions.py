@@ -60,7 +60,7 @@ class Actions(Part):
         They read what `region` knows; what they change they change in `place`, if that is another one.
         """
         transitions = [self.flat.transition(number) for number in taken]
-        conditions = [t.expression.said_condition for t in transitions]
+        conditions = [t.expression.condition for t in transitions]
         looked_at = dict.fromkeys(
             found for item in conditions if item is not None for found in signals(walk(item))
         )
@@ -182,7 +182,7 @@ class Actions(Part):
         """A method with what the condition of a transition reads: messages, and values."""
         transition = self.flat.transition(number)
         region = self.flat.region_number[transition.source]
-        condition = transition.expression.condition
+        condition = transition.expression.guard
         messages: dict[Expr, None] = {}
         values: dict[Expr, None] = {}
         for value in walk(condition) if condition is not None else ():

@@ -50,11 +50,11 @@ class Events(Part):
                 mail_kind(event) for event in expression.events if isinstance(event, Received | Lost)
             )
             pick.add(2, f"for mail in self.letters({branch!r}, {kinds!r}):")
-            if expression.condition is None:
+            if expression.guard is None:
                 pick.add(3, "return mail")
             else:
-                code = pick.code(holds(expression.condition, pick.names)[0])
-                can_raise = raises(expression.condition)
+                code = pick.code(holds(expression.guard, pick.names)[0])
+                can_raise = raises(expression.guard)
                 depth = 4 if can_raise else 3
                 if can_raise:
                     pick.add(3, "try:")

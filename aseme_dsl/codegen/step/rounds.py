@@ -200,8 +200,8 @@ class Rounds(Part):
             tests.append(f"now - self.{self.names.time_name(source)} >= {expression.every}")
         method.add(depth, f"# {self.names.place(way.number)}")
         outside = depth
-        if expression.condition is not None:
-            asked = signals(walk(expression.condition))
+        if expression.guard is not None:
+            asked = signals(walk(expression.guard))
             if asked and tests:  # a signal is looked at only where its condition is evaluated
                 method.add(depth, f"if {' and '.join(tests)}:")
                 tests.clear()
@@ -209,7 +209,7 @@ class Rounds(Part):
             for channel, host in asked:
                 method.add(depth, f"{method.b}.ask({channel!r}, {host!r})")
             if not taken_message(expression):
-                guard = self.actions.guard(method, region, way.number, expression.condition)
+                guard = self.actions.guard(method, region, way.number, expression.guard)
                 tests += [guard] if guard else []
         if taken_message(expression):
             picked = self.events.pick(region, way.number, expression)

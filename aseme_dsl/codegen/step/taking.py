@@ -94,14 +94,14 @@ class Taking(Part):
             method.add(depth, f"if {' or '.join(there)}:")
             depth += 1
         outside = depth
-        asked = [] if expression.condition is None else signals(walk(expression.condition))
+        asked = [] if expression.guard is None else signals(walk(expression.guard))
         for channel, host in asked:
             method.add(depth, f"{method.b}.ask({channel!r}, {host!r})")
         guard = ""
         if taken_message(expression):
             guard = f"({mail_name(number)} := {self.events.pick(region, number, expression)}) is not None"
-        elif expression.condition is not None:
-            guard = self.actions.guard(method, region, number, expression.condition)
+        elif expression.guard is not None:
+            guard = self.actions.guard(method, region, number, expression.guard)
         if guard:
             method.add(depth, f"if {guard}:")
             depth += 1

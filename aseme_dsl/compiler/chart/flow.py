@@ -115,9 +115,9 @@ def _plainly(holding: Sequence[Value], failing: Sequence[Value]) -> bool:
 
 def _may_change(expression: TransitionExpression, written: Container[object]) -> bool:
     """Whether a condition reads what the activities of a loop change."""
-    if expression.said_condition is None:
+    if expression.condition is None:
         return False
-    for value in walk(expression.said_condition):
+    for value in walk(expression.condition):
         match value:
             case Member(channel=channel) if channel in written:
                 return True
@@ -407,7 +407,7 @@ def _is_quick(chart: Statechart, edge: _Edge, at_once: AtOnce) -> bool:
 
 def _rests(expression: TransitionExpression) -> bool:
     """Whether a condition reads what a step uses up: a signal, time, or what its own actions change."""
-    if expression.said_condition is None:
+    if expression.condition is None:
         return False
     changed = {
         action.target.name
@@ -415,7 +415,7 @@ def _rests(expression: TransitionExpression) -> bool:
         if isinstance(action, Assign) and isinstance(action.target, VariableValue)
     }
     started = {action.timer for action in expression.actions if isinstance(action, StartTimer)}
-    for value in walk(expression.said_condition):
+    for value in walk(expression.condition):
         match value:
             case Member(channel=channel) if channel.comm is ChannelKind.SIGNAL:
                 return True
@@ -526,7 +526,7 @@ def _comes_to_rest(chart: Statechart, transitions: Sequence[Transition], contrad
                     changed.add((timer,))
                 case ReadMessages():
                     return False
-        holding += [expression.said_condition] if expression.said_condition is not None else []
+        holding += [expression.condition] if expression.condition is not None else []
         failing += _before_else(chart, transition)
     for condition in (*holding, *failing):
         for value in walk(condition):
@@ -547,12 +547,12 @@ def _before_else(chart: Statechart, transition: Transition) -> Iterator[Value]:
     for other in chart.outgoing_edges(transition.source):
         expression = other.expression
         if (
-            expression.said_condition is not None
+            expression.condition is not None
             and not expression.events
             and not expression.when
             and chart.node(other.target).type is not StateType.CONDITION
         ):
-            yield expression.said_condition
+            yield expression.condition
 
 
 def _is_bare(chart: Statechart, circle: Sequence[_Edge]) -> bool:

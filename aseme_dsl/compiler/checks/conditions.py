@@ -129,7 +129,7 @@ def _reads_input(transition: Transition) -> bool:
     An input is a named value, as a `let` is. The protocol's own chart, in which inputs are variables, is
     looked at first: it shows what is wrong with the condition itself.
     """
-    condition = transition.expression.said_condition
+    condition = transition.expression.condition
     return (
         transition.origin.kind is OriginKind.PROTOCOL
         and condition is not None
@@ -174,7 +174,7 @@ def _never(finding: Never) -> Diagnostic:
 
 def _covered(chart: Statechart, finding: Covered) -> Diagnostic:
     expression = finding.transition.expression
-    has_condition = expression.said_condition is not None
+    has_condition = expression.condition is not None
     return Diagnostic(
         BranchNeverTaken(expression.otherwise, has_condition, len(finding.by)),
         _condition(finding.transition),
@@ -191,7 +191,7 @@ def _related(transitions: Sequence[Transition], words: str) -> tuple[Related, ..
 
 
 def _condition(transition: Transition) -> Span:
-    condition = transition.expression.said_condition
+    condition = transition.expression.condition
     if condition is not None:
         return condition.span
     return transition.expression.span or transition.span

@@ -185,7 +185,7 @@ def _awaited_in_vain(
     found: dict[Channel, tuple[Span, State]] = {}
     for chart in roles:
         for transition in chart.transitions:
-            condition = transition.expression.said_condition
+            condition = transition.expression.condition
             if condition is None or not _is_only_way(chart, transition):
                 continue
             needed = there_if_holds(condition)
@@ -277,7 +277,7 @@ def _windows(
     """
     found: list[Diagnostic] = []
     for transition in chart.transitions:
-        if transition.expression.said_condition is None:
+        if transition.expression.condition is None:
             continue
         values = values_of(transition.expression)
         for value in (item for item in values if isinstance(item, At | Mean)):

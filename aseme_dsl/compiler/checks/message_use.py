@@ -108,7 +108,7 @@ def _use_in(
             span = places.get((module.name, str(channel)), said.span)
             writes.append(Use(channel, chart.name, root, None, module.name, span))
     for transition in chart.transitions:
-        if transition.expression.said_condition is None and not transition.expression.actions:
+        if transition.expression.condition is None and not transition.expression.actions:
             continue
         region = regions[transition.source]
         for member, span in members_of(transition.expression):
@@ -121,7 +121,7 @@ def _use_in(
 
 def members_of(expression: TransitionExpression) -> Iterator[tuple[Member, Span]]:
     """The messages that the condition and the actions read, each with its place there: a let's is its use."""
-    values = [] if expression.said_condition is None else [expression.said_condition]
+    values = [] if expression.condition is None else [expression.condition]
     for action in expression.actions:
         match action:
             case Assign(value=value) | Evaluate(value=value) | StartTimer(duration=value):

@@ -117,7 +117,7 @@ def _where_errors_are_taken(chart: Statechart) -> dict[str, Span | None]:
     for transition in chart.transitions:
         expression = transition.expression
         if any(isinstance(event, Failed) for event in expression.events):
-            span = None if expression.said_condition is None else expression.said_condition.span
+            span = None if expression.condition is None else expression.condition.span
             conditions.setdefault(transition.source, []).append(span)
     waiting = [(label, spans[0] if len(set(spans)) == 1 else None) for label, spans in conditions.items()]
     found: dict[str, Span | None] = {}

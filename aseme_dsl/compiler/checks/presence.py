@@ -111,7 +111,7 @@ def _read(value: Value) -> Channels:
 
 def _needed(transition: Transition) -> Iterator[tuple[Member, Span]]:
     """What the actions read and the condition of the same transition does not make sure of."""
-    condition = transition.expression.said_condition
+    condition = transition.expression.condition
     there = set(there_if_holds(condition)) if condition is not None else set()
     for action in transition.expression.actions:
         match action:
@@ -185,8 +185,8 @@ def _known(
         elif completed and source.type is StateType.AND:
             for child in chart.children(source.label):
                 there |= known[ends[child.label]] if child.label in ends else NONE
-        if transition.expression.said_condition is not None:
-            there |= there_if_holds(transition.expression.said_condition)
+        if transition.expression.condition is not None:
+            there |= there_if_holds(transition.expression.condition)
         for action in transition.expression.actions:
             if isinstance(action, Publish):
                 there |= {action.channel}
@@ -240,7 +240,7 @@ def _negated(group: Sequence[Transition], own: set[Channel]) -> Iterator[Diagnos
     opposed: dict[Channel, Span] = {}
     asserted: set[Channel] = set()
     for transition in group:
-        condition = transition.expression.said_condition
+        condition = transition.expression.condition
         if condition is not None:
             _signs(condition, {}, asserted)
             for part in _alternatives(condition):

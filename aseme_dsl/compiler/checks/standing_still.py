@@ -55,9 +55,9 @@ def _ways(chart: Statechart, state: State) -> tuple[e.Value, ...] | None:
             if all(isinstance(event, e.Failed) for event in expression.events):
                 continue  # nothing fails in a state that is complete
             return None
-        if expression.said_condition is None or expression.otherwise:
+        if expression.condition is None or expression.otherwise:
             return None
-        conditions.append(expression.said_condition)
+        conditions.append(expression.condition)
     return tuple(conditions) or None
 
 

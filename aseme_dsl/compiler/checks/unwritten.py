@@ -54,7 +54,7 @@ def check_unwritten(
     first: dict[Span, Span] = {}  # of each variable: the place of its diagnostic
     for chart in charts:
         for transition in chart.transitions:
-            condition = transition.expression.said_condition
+            condition = transition.expression.condition
             for value in _fixed(condition) if condition is not None else ():
                 span = declared.get((chart.name, value.name))
                 name, _, scope = value.name.partition("@")

@@ -113,7 +113,7 @@ class _Regions:
         last = self.taken[-_ROUNDS // 2 :]
         if not steps or len({region for region, _ in last}) < 2:
             return ()  # a region that does not rest by itself is W403
-        asking = [transition for _, transition in last if transition.expression.said_condition is not None]
+        asking = [transition for _, transition in last if transition.expression.condition is not None]
         return tuple({id(transition): transition for transition in asking}.values())
 
     def _spread(self) -> bool:
@@ -161,7 +161,7 @@ class _Regions:
                 continue  # nothing of that is there at the instant
             if not expression.when and not complete:
                 continue
-            if not self._holds(expression.said_condition, region):
+            if not self._holds(expression.condition, region):
                 continue
             if transition.kind is TransitionKind.ON:
                 raise _Unknown

@@ -14,11 +14,9 @@ from aseme_dsl.amola.expression import (
     Logic,
     Random,
     Value,
-    Weight,
 )
 from aseme_dsl.amola.messages import DOUBLE, INT
 from aseme_dsl.amola.statechart import Transition
-from aseme_dsl.source import Span
 
 
 def with_draws(transitions: Sequence[Transition]) -> tuple[Transition, ...]:
@@ -38,36 +36,37 @@ def with_draws(transitions: Sequence[Transition]) -> tuple[Transition, ...]:
         behind: tuple[Value, ...] = ()
         for index in reversed(indices):
             item = transitions[index]
-            written = item.expression.weight
-            assert written is not None
-            # The condition of the expression has the names of the chart, the weight's those of the text.
-            weight = replace(written, condition=item.expression.condition)
-            condition = _drawn(weight, behind, item.span)
-            behind = (_share(weight, item.span), *behind)
-            found[index] = replace(
-                item, expression=replace(item.expression, condition=condition, weight=weight)
-            )
+            draw = _draw(item, behind)
+            behind = (_share(item), *behind)
+            found[index] = replace(item, expression=replace(item.expression, draw=draw))
     return tuple(found)
 
 
-def _share(weight: Weight, span: Span) -> Value:
+def _weight(branch: Transition) -> Value:
+    weight = branch.expression.weight
+    assert weight is not None
+    return Literal(weight, INT, branch.span)
+
+
+def _share(branch: Transition) -> Value:
     """The weight of a branch, 0 if it is not open."""
-    value = Literal(weight.value, INT, span)
-    if weight.condition is None:
-        return value
-    return Conditional(Holds(weight.condition, span), value, Literal(0, INT, span), INT, span)
+    condition, span = branch.expression.condition, branch.span
+    if condition is None:
+        return _weight(branch)
+    return Conditional(Holds(condition, span), _weight(branch), Literal(0, INT, span), INT, span)
 
 
-def _drawn(weight: Weight, behind: Sequence[Value], span: Span) -> Value:
+def _draw(branch: Transition, behind: Sequence[Value]) -> Value:
     """Whether a branch is open and drawn before those behind it."""
-    rest: Value = Literal(weight.value, INT, span)
+    condition, span = branch.expression.condition, branch.span
+    rest = _weight(branch)
     for share in behind:
         rest = Arithmetic("+", rest, share, INT, span)
     number = Arithmetic("*", Random(span), rest, DOUBLE, span)
-    drawn = Compare("<", number, Literal(weight.value, INT, span), span)
-    if weight.condition is None:
+    drawn = Compare("<", number, _weight(branch), span)
+    if condition is None:
         return drawn
-    return Logic("&&", (Holds(weight.condition, span), drawn), span)
+    return Logic("&&", (Holds(condition, span), drawn), span)
 
 
 __all__ = ["with_draws"]

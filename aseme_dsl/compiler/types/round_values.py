@@ -68,8 +68,8 @@ def _each_elsewhere(chart: Statechart) -> Iterator[RoundValue]:
         for argument in node.arguments:
             yield from (value for value in walk(argument.value) if isinstance(value, RoundValue))
     for transition in chart.transitions:
-        condition = transition.expression.condition
-        asked = {value.span for value in (walk(condition) if condition is not None else ())}
+        guard = transition.expression.guard
+        asked = {value.span for value in (walk(guard) if guard is not None else ())}
         for value in values_of(transition.expression):
             if isinstance(value, RoundValue) and value.span not in asked:
                 yield value

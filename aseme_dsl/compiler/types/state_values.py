@@ -59,8 +59,8 @@ def _each_question(chart: Statechart) -> Iterator[tuple[str, StateValue, bool]]:
                 if isinstance(value, StateValue):
                     yield node.label, value, False
     for transition in chart.transitions:
-        condition = transition.expression.condition
-        values = () if condition is None else walk(condition)
+        guard = transition.expression.guard
+        values = () if guard is None else walk(guard)
         asked = {value.span for value in values if isinstance(value, StateValue)}
         for value in values_of(transition.expression):
             if isinstance(value, StateValue):

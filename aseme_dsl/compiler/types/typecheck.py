@@ -87,7 +87,7 @@ def type_expression(
         tuple(item for items in made for item in items),
         written.span,
         None if written.every is None else written.every.nanoseconds,
-        None if written.weight is None else amola.Weight(written.weight.value, condition),
+        None if written.weight is None else written.weight.value,
     )
     wholly = (
         None not in events
