@@ -58,6 +58,24 @@ def test_nothing_is_drawn_while_no_branch_is_open(play: Play) -> None:
     assert run.active == ["A"]
 
 
+def test_a_draw_looks_at_all_conditions(play: Play) -> None:
+    """ "All conditions of the choice are looked at": the signal is consumed whichever branch is taken."""
+    run = play("""
+        srm R {
+          liveness { R = (A | B)~ }
+          control R { enter A : weight 1  enter B : [t.signal.M.on] weight 9 }
+        }
+    """).step()
+    taken = []
+    for number in range(20):
+        heard = [run.heard("t.signal.M", on=True)] if number % 2 == 0 else []
+        run.step(*heard)
+        run.step(run.done(run.active[0]))
+        taken.append(run.active[0])
+    assert "B" in taken[::2]
+    assert {*taken[1::2]} == {"A"}
+
+
 @pytest.mark.parametrize(
     ("lines", "place"),
     [

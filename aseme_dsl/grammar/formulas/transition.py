@@ -94,7 +94,10 @@ def _transition(reader: Reader) -> tree.TransitionExpression:
     weight = None
     if _is_weight(reader):
         first = reader.take().start
-        weight = tree.Weight(int(reader.take()), reader.since(first))
+        number = reader.take()
+        if not number.isdecimal():
+            raise reader.error(problems.WeightNotWhole(), number)
+        weight = tree.Weight(int(number), reader.since(first))
     if reader.next == "/":
         reader.take()
         while True:
@@ -112,7 +115,7 @@ def _transition(reader: Reader) -> tree.TransitionExpression:
 def _is_weight(reader: Reader) -> bool:
     """Whether `weight 3` follows; without a number `weight` is a name."""
     following = reader.tokens[reader.index + 1 : reader.index + 2]
-    return reader.next == "weight" and bool(following) and following[0].isdecimal()
+    return reader.next == "weight" and bool(following) and following[0][0] in "-.0123456789"
 
 
 def _hole(reader: Reader) -> tree.Hole | None:

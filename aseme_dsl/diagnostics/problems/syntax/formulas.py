@@ -367,6 +367,12 @@ class ElseWithCondition(Problem):
     hint = "leave 'else' out"
 
 
+class WeightNotWhole(Problem):
+    code = "E102"
+    message = "a weight is a whole number above 0"
+    hint = "write for example 'weight 3'"
+
+
 class ActionWithoutSlash(Problem):
     code = "E102"
     action: str
