@@ -552,7 +552,7 @@ class TransitionExpression:
 
     Several `events` are joined by `or`; `when` makes the condition count whether or not the source is
     complete; `otherwise` is `else`. With `every`, it is not taken before so many ns since the source was
-    entered. The default is the empty expression: the source is complete. A branch of a choice by chance has a
+    entered. The default is the empty expression: the source is complete. A branch of a random choice has a
     `weight`, and `draw`, made of the conditions and weights of the choice: whether it is open and drawn.
     """
 

@@ -1,4 +1,4 @@
-"""Weights: choices by chance, in which each branch has a weight."""
+"""Weights: random choices, in which each branch has a weight."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from aseme_dsl.amola.statechart import Transition
 
 
 def with_draws(transitions: Sequence[Transition]) -> tuple[Transition, ...]:
-    """The transitions, of which those with weights are taken by chance.
+    """The transitions, of which those with weights are drawn at random.
 
     The conditions of one choice are looked at in order. That of an open branch holds with its weight's share
     of those open branches which have not been passed by. So the last of these always holds, and every open
