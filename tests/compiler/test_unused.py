@@ -145,6 +145,22 @@ def test_a_result_that_nobody_reads_is_reported_where_it_is_taken() -> None:
     assert problem.span is not None and problem.span.text == "talk.one with loud = false, much = last"
 
 
+def test_a_result_that_the_role_leaves_out() -> None:
+    text = SUPPLIED.replace(", much = last", "").replace("[last == 0]", "[true]")
+    (problem,) = (item for item in found(text) if item.code == "N725")
+    assert problem.span is not None and problem.span.text == "talk.one with loud = false"
+    assert (problem.message, problem.hint) == (
+        "nothing reads the result `much` of `one`",
+        "give it to a variable: `with much = …`",
+    )
+
+
+def test_a_result_that_the_role_leaves_out_and_an_activity_reads() -> None:
+    text = SUPPLIED.replace(", much = last", "").replace("[last == 0]", "[true]")
+    text = text.replace("Shout takes 1s", "Shout takes 1s reads much")
+    assert [item for item in found(text) if item.code == "N725"] == []
+
+
 def test_a_fault_of_the_protocol_is_one_also_where_it_is_played() -> None:
     text = SUPPLIED.replace("var heard", "let mute = !heard && heard\n    var heard")
     text = text.replace("[loud && !heard]", "[mute]")

@@ -16,21 +16,34 @@ from aseme_dsl.amola.expression import (
 )
 from aseme_dsl.amola.messages import Channel
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import Statechart, Transition
+from aseme_dsl.amola.statechart import Origin, Statechart, Transition
 from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
-from aseme_dsl.diagnostics.problems.use import DraftNotPublished, TimerNotRead, VariableNotRead
+from aseme_dsl.diagnostics.problems.use import (
+    DraftNotPublished,
+    ResultNotTaken,
+    TimerNotRead,
+    VariableNotRead,
+)
 from aseme_dsl.source import Span
 
+LeftOut = Mapping[tuple[str, str, str, str], Span]
+"""Where (role, protocol, participant, result) is played without taking the result.
 
-def check_leftovers(chart: Statechart, activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
+The role is empty where a participant plays another one.
+"""
+
+
+def check_leftovers(
+    chart: Statechart, activities: Mapping[str, Activity], left_out: LeftOut
+) -> Iterator[Diagnostic]:
     """W421 for drafts that are never published, W423 for timers that nothing asks, N725 for variables."""
     acting = [item for item in chart.transitions if item.expression.actions]
     if not acting:
         return
     yield from _drafts(chart, acting)
     yield from _timers(chart, acting)
-    yield from _variables(chart, acting, activities)
+    yield from _variables(chart, acting, activities, left_out)
 
 
 def _drafts(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnostic]:
@@ -70,17 +83,21 @@ def _timers(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnos
 
 
 def _variables(
-    chart: Statechart, acting: Iterable[Transition], activities: Mapping[str, Activity]
+    chart: Statechart,
+    acting: Iterable[Transition],
+    activities: Mapping[str, Activity],
+    left_out: LeftOut,
 ) -> Iterator[Diagnostic]:
     """Variables of a played participant are one for every place where it is played.
 
     What a protocol of the standard library writes is for the activities of those who play it.
     """
-    written: dict[str, Span] = {}
+    written: dict[str, tuple[Span, Origin]] = {}
     for transition in acting:
         for action in transition.expression.actions:
             if isinstance(action, Assign) and isinstance(action.target, VariableValue):
-                written.setdefault(action.target.name.partition("@")[0], action.target.span)
+                name = action.target.name.partition("@")[0]
+                written.setdefault(name, (action.target.span, transition.origin))
     if not written:
         return
     read = {
@@ -103,8 +120,14 @@ def _variables(
         for value in values_of(transition.expression):
             if isinstance(value, VariableValue) and not _counts_only(value, own.get(value.name)):
                 read.add(value.name.partition("@")[0])
-    for name, span in written.items():
-        if name not in read and not is_of_library(span.source):
+    for name, (span, origin) in written.items():
+        if name in read or is_of_library(span.source):
+            continue
+        part = (origin.owner, origin.name, name)
+        played = left_out.get((chart.name, *part)) or left_out.get(("", *part))
+        if played is not None:
+            yield Diagnostic(ResultNotTaken(name, origin.name), played, (Related(span, "written here"),))
+        else:
             yield Diagnostic(VariableNotRead(name), span)
 
 

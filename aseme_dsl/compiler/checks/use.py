@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.aip import Aip
+from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.chart.flow import check_completion
-from aseme_dsl.compiler.checks.leftovers import check_leftovers
+from aseme_dsl.compiler.checks.leftovers import LeftOut, check_leftovers
 from aseme_dsl.compiler.checks.message_life import check_life
 from aseme_dsl.compiler.checks.message_use import message_use
 from aseme_dsl.compiler.checks.presence import check_presence
@@ -17,11 +18,13 @@ from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
 
 
 def check_use(
     roles: Sequence[Statechart],
     protocols: Sequence[Statechart],
+    played: tuple[Sequence[Aip], Sequence[Srm]],
     activities: Mapping[str, Activity],
     written: Sequence[tree.Activity],
     symbols: Symbols,
@@ -29,26 +32,41 @@ def check_use(
 ) -> InPieces[tuple[Diagnostic, ...]]:
     """Messages, signals, timers and variables over their lifetime, in the charts of the roles.
 
-    What protocols read and publish counts as read and published, whether a role plays them or not.
+    What protocols read and publish counts as read and published, whether a role plays them or not. `played`
+    are all protocols, and the roles with what they play.
     """
     use = yield from message_use((*roles, *protocols), activities, written, symbols, memory)
     modules = {item.name: item.statement for chart in roles for item in chart.modules}
     activities = {**activities, **modules}
     found = [*(yield from check_life(roles, use, activities, symbols, memory))]
-    for problems in (yield from memory.each_in_pieces(_in_chart, zip(roles), activities, symbols)):
+    left_out = _left_out(*played)
+    for problems in (yield from memory.each_in_pieces(_in_chart, zip(roles), activities, symbols, left_out)):
         found += problems
     return tuple(found)
 
 
 def _in_chart(
-    chart: Statechart, activities: Mapping[str, Activity], symbols: Symbols
+    chart: Statechart, activities: Mapping[str, Activity], symbols: Symbols, left_out: LeftOut
 ) -> tuple[Diagnostic, ...]:
     return (
         *check_signals(chart, activities, symbols),
         *check_presence(chart, activities),
-        *check_leftovers(chart, activities),
+        *check_leftovers(chart, activities, left_out),
         *check_completion(chart),
     )
+
+
+def _left_out(aips: Sequence[Aip], srms: Sequence[Srm]) -> LeftOut:
+    """The results that a role, or a participant around, does not take where it plays a participant."""
+    found: dict[tuple[str, str, str, str], Span] = {}
+    nested = [("", item) for aip in aips for part in aip.participants for item in part.plays]
+    known = {(aip.name, part.name): part for aip in aips for part in aip.participants}
+    for player, item in (*nested, *((srm.name, item) for srm in srms for item in srm.plays)):
+        part = known.get((item.protocol, item.participant))
+        for result in part.results if part is not None else ():
+            if result not in dict(item.results):
+                found[player, item.protocol, item.participant, result] = item.span
+    return found
 
 
 __all__ = ["check_use"]

@@ -50,9 +50,9 @@ def check_whole(
     yield
     if symbols.system is not None and charts.are_complete:
         written = list(_statements(declared.blocks))
-        found.add(
-            (yield from check_use(charts.of_roles, charts.of_protocols, activities, written, symbols, memory))
-        )
+        played = (processes.aips, fulfilment.srms)
+        use = check_use(charts.of_roles, charts.of_protocols, played, activities, written, symbols, memory)
+        found.add((yield from use))
     yield
     if symbols.system is not None:
         found.add(check_unused(declared.loaded.files, symbols, memory))

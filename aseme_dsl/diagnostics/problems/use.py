@@ -320,6 +320,22 @@ class VariableNotRead(Problem):
         return f"if an activity does, let it say so: `reads {self.variable}`; otherwise leave it out"
 
 
+class ResultNotTaken(Problem):
+    """A role plays `participant` and takes no `variable`, which is a result of it."""
+
+    code = "N725"
+    variable: str
+    participant: str
+
+    @property
+    def message(self) -> str:
+        return f"nothing reads the result `{self.variable}` of `{self.participant}`"
+
+    @property
+    def hint(self) -> str:
+        return f"give it to a variable: `with {self.variable} = …`"
+
+
 class DeclarationNotUsed(Problem):
     code = "N727"
     kind: DeclarationKind
@@ -387,6 +403,7 @@ __all__ = [
     "MessageNotRead",
     "PublishedBySeveral",
     "PublishersNotDeclared",
+    "ResultNotTaken",
     "RoleWithoutAgent",
     "SignalAlreadyConsumed",
     "SignalConsumedBeforeActivity",

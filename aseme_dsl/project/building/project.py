@@ -15,7 +15,7 @@ from aseme_dsl.compiler.phases import inspect_files
 from aseme_dsl.diagnostics import Diagnostic, Problem, Suppressed, has_errors, in_order
 from aseme_dsl.diagnostics.problems.files import NoSystem
 from aseme_dsl.diagnostics.problems.settings import NothingToAllow
-from aseme_dsl.diagnostics.problems.use import VariableNotRead
+from aseme_dsl.diagnostics.problems.use import ResultNotTaken, VariableNotRead
 from aseme_dsl.grammar.parsing.parts import NO_PARTS, Layout
 from aseme_dsl.project.code.function_code import check_configured, check_functions, function_files
 from aseme_dsl.project.files.inputs import Inputs
@@ -218,7 +218,7 @@ def without_read(
     look: Look = stamp_of,
 ) -> tuple[Diagnostic, ...]:
     """Without the notes on variables that nothing reads (N725), where the code of an activity does."""
-    if not any(isinstance(item.problem, VariableNotRead) for item in diagnostics):
+    if not any(isinstance(item.problem, VariableNotRead | ResultNotTaken) for item in diagnostics):
         return diagnostics
     folder = code_folder(configuration, activities)
     if folder is None or not folder.is_dir():
@@ -228,7 +228,7 @@ def without_read(
     read = variables_read(system, folder, configuration.folder, memory, look)
 
     def is_read(problem: Problem) -> bool:
-        return isinstance(problem, VariableNotRead) and problem.variable in read
+        return isinstance(problem, VariableNotRead | ResultNotTaken) and problem.variable in read
 
     return tuple(item for item in diagnostics if not is_read(item.problem))
 

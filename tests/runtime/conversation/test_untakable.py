@@ -170,3 +170,11 @@ def test_what_waits_at_the_end_of_a_part_is_answered_once(wait: str, say: str, a
     (leave,) = run.of("conversation", agent="bob", what="leave")
     assert ("untaken" in leave) == (answers != ["not_understood"])
     assert len(run.of("unexpected", agent="bob")) == (answers == ["not_understood"])
+
+
+def test_an_answer_that_the_sender_does_not_list_is_recorded_and_not_answered() -> None:
+    text = ENDS.replace("inform Job, not_understood Job", "inform Job").replace("WAIT", "after(5s)")
+    run = play(generate(text.replace("SAY", "")), until=8 * SECOND)
+    records = [(r["agent"], r["performative"]) for r in run.of("unexpected")]
+    assert records == [("bob", "cancel"), ("ann", "not_understood")]
+    assert [r["performative"] for r in run.of("agent_message")] == ["request", "cancel", "not_understood"]
