@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from aseme_dsl.compiler import analyse
+from aseme_dsl.diagnostics.changes import apply
 from aseme_dsl.diagnostics.pages import page
 from aseme_dsl.source import Source
 
@@ -55,3 +56,13 @@ def test_towards_the_end_the_agent_fails() -> None:
     control = f"skip Look : request Job from client / {SENT}  enter Look : after(1s)"
     ((place, message),) = found(control, "[Look]")
     assert place == SENT and message.endswith("the agent fails")
+
+
+def test_the_fix_says_the_defaults_that_were_sent_before() -> None:
+    """A `send` without content used to send defaults."""
+    text = page("W576").wrong.files[0].text
+    problems = analyse(Source("/nowhere/shop.aseme", text)).diagnostics
+    (problem,) = (item for item in problems if item.code == "W576")
+    fixed = apply(text, problem.changes)
+    assert LINE.replace("agree Answer to", "agree Answer { .. } to") in fixed
+    assert analyse(Source("/nowhere/shop.aseme", fixed)).diagnostics == ()

@@ -479,7 +479,26 @@ class ContentNotPrepared(Problem):
 
     @property
     def hint(self) -> str:
-        return f"write `send {self.performative} {self.type} {{ … }}`, or send it behind an activity"
+        return f"write `send {self.performative} {self.type} {{ … }}`, or `{{ .. }}` for defaults"
+
+
+class ContentNotPreparedInCode(Problem):
+    """No Python of the `activities` that run before prepares the message that a part sends."""
+
+    code = "W576"
+    performative: str
+    type: str
+    activities: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        names = " and ".join(f"`{name}`" for name in self.activities)
+        said = f"{self.performative} {self.type}"
+        return f"the Python of {names} prepares no `{self.type}`: `send {said}` has no content"
+
+    @property
+    def hint(self) -> str:
+        return f"call `context.prepare({self.type}(…))`, or write `{self.type} {{ .. }}` for defaults"
 
 
 class SentByAnyActivity(Problem):
@@ -505,6 +524,8 @@ class SentByAnyActivity(Problem):
 
 __all__ = [
     "AgentAmongOthers",
+    "ContentNotPrepared",
+    "ContentNotPreparedInCode",
     "NoAgentPlays",
     "SenderNotKnown",
     "SendsRace",

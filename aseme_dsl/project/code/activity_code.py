@@ -47,6 +47,7 @@ from aseme_dsl.project.code.activity_access import (
     undeclared,
     used_by,
 )
+from aseme_dsl.project.code.activity_content import Prepared, never_prepared, prepared_in
 from aseme_dsl.project.code.activity_ends import wrong_outcomes
 from aseme_dsl.project.code.activity_fields import Readings, unfit_values, unknown_members
 from aseme_dsl.project.code.activity_files import (
@@ -61,7 +62,7 @@ from aseme_dsl.project.code.activity_given import wrong_parameters
 from aseme_dsl.project.code.activity_imports import systems_beside, wrong_imports
 from aseme_dsl.project.code.activity_messages import unfit_messages
 from aseme_dsl.project.code.activity_pace import returns_at_once
-from aseme_dsl.project.code.activity_talk import Talk, parts_of, talk_in, unfit_talk, unsaid
+from aseme_dsl.project.code.activity_talk import Talk, parts_of, sent_by_lines, talk_in, unfit_talk, unsaid
 from aseme_dsl.project.code.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
 from aseme_dsl.runtime.message.naming import class_name, module_name
@@ -86,7 +87,7 @@ def check_code(
     required: Required | None = None,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the Python in `folder` gets wrong of the system: E540, E546, W530, W532, W540, W547, W555,
-    W556, N726.
+    W556, W576, N726.
 
     Missing files are allowed, unless there is `required`. Then these codes are added:
 
@@ -143,6 +144,8 @@ def check_code(
         parts = parts_of(system, memory)
         talks = {**_of_simulated(system), **written.talks}
         found += unfit_talk(parts, talks)
+        found += sent_by_lines(system, parts, talks)
+        found += never_prepared(system, written.prepared)
         found += unsaid(system, parts, talks, [talk for code in helpers for talk in code.talk])
     if written.is_complete and world.events:
         found += _never_raised([code for code in codes.values() if code.module is not None], world, memory)
@@ -158,6 +161,7 @@ class _Written:
     """The code of each with its description, its class, and whether it is an activity or a module."""
     talks: Mapping[str, tuple[Talk, ...]]
     """The agent messages of each activity."""
+    prepared: Prepared
     problems: Sequence[Diagnostic]
     is_complete: bool
     """Whether there is code of all, so that what none of it does is not done."""
@@ -169,6 +173,7 @@ def _written(pieces: Iterable[_Piece], codes: Mapping[str, _Code], required: Req
     """The code of these activities and modules, and what is wrong where there is none."""
     described: list[tuple[_Code, Activity, str, str]] = []
     talks: dict[str, tuple[Talk, ...]] = {}
+    prepared: dict[str, frozenset[str] | None] = {}
     problems: list[Diagnostic] = []
     is_complete = True
     quick: dict[str, Activity] = {}
@@ -190,12 +195,13 @@ def _written(pieces: Iterable[_Piece], codes: Mapping[str, _Code], required: Req
         is_complete = is_complete and is_written
         if is_written and piece.what == "activity":
             talks[piece.said.name] = code.talk
+            prepared[piece.said.name] = code.prepared
             executes = list(executes_of(code.read.tree, [piece.wanted]))
             is_paced = piece.said.every is not None or piece.wanted in code.empty
             if executes and not is_paced and all(map(returns_at_once, executes)):
                 quick[piece.said.name] = piece.said
         described.append((code, piece.said, piece.wanted, piece.what))
-    return _Written(described, talks, problems, is_complete, quick)
+    return _Written(described, talks, prepared, problems, is_complete, quick)
 
 
 _Kept = tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]
@@ -532,6 +538,7 @@ class _Code:
     """What the module calls a context."""
     executes: tuple[str, ...] = ()
     """The classes in it that are those of activities and modules."""
+    prepared: frozenset[str] | None = None
 
     @property
     def read(self) -> _Module:
@@ -577,7 +584,8 @@ def _code(name: str, stamp: Stamp, wanted: tuple[str, ...] = ()) -> _Code:
     module = _Module(source, tree, constants)
     contexts = _contexts(module.tree, wanted)
     calls, talk = _calls(module, contexts), _talk_in(module, contexts)
-    return _Code(module, (), calls, talk, empty_classes(module.tree), contexts, wanted)
+    prepared = prepared_in(module.tree, contexts)
+    return _Code(module, (), calls, talk, empty_classes(module.tree), contexts, wanted, prepared)
 
 
 _Calls = tuple[_Call, ...]

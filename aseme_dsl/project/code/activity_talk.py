@@ -18,7 +18,12 @@ from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD, PERFORMATIVES
 from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.diagnostics import Diagnostic, Problem, Related, closest
-from aseme_dsl.diagnostics.problems.python.code_words import NeverSaid, NoPerformativeInCode, NotOfParticipant
+from aseme_dsl.diagnostics.problems.python.code_words import (
+    NeverSaid,
+    NoPerformativeInCode,
+    NotOfParticipant,
+    SentByLine,
+)
 from aseme_dsl.source import Span
 
 _TAKES = ("receive", "last_received")
@@ -74,6 +79,23 @@ def _made(node: ast.expr | None) -> str | None:
 
 Parts = Mapping[str, tuple[Participant, ...]]
 """Of each activity: the participants in whose branches it stands."""
+
+
+def sent_by_lines(
+    system: System, parts: Parts, talks: Mapping[str, tuple[Talk, ...]]
+) -> Iterator[Diagnostic]:
+    """W555 for what an activity sends and, in each participant in which it stands, only a line may send."""
+    charts = {(id(part)): system.eac(aip.name) for aip in system.aips for part in aip.participants}
+    for name, said in talks.items():
+        for talk in said if parts.get(name) else ():
+            mine = [part for part in parts[name] if _fits(talk, _listed(talk, [part]))]
+            if talk.method != "send" or talk.performative is None or not mine:
+                continue
+            lines = [(part, _by_lines(chart, part)[0]) for part in mine if (chart := charts[id(part)])]
+            kinds = [(item.performative, item.message) for item in _listed(talk, mine) if _fits(talk, [item])]
+            if len(lines) == len(mine) and all(kind in sent for kind in kinds for _, sent in lines):
+                problem = SentByLine(name, " ".join(kinds[0]), mine[0].name)
+                yield Diagnostic(problem, talk.span, tuple(Related(p.span, "the participant") for p in mine))
 
 
 def unfit_talk(parts: Parts, talks: Mapping[str, tuple[Talk, ...]]) -> Iterator[Diagnostic]:
@@ -222,4 +244,4 @@ def _by_lines(chart: Statechart, part: Participant) -> tuple[set[tuple[str, str]
     return sent, taken
 
 
-__all__ = ["Parts", "Talk", "parts_of", "talk_in", "unfit_talk", "unsaid"]
+__all__ = ["Parts", "Talk", "parts_of", "sent_by_lines", "talk_in", "unfit_talk", "unsaid"]

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.changes import apply
 from aseme_dsl.project.code.activity_code import check_code
 from tests.support.compiling import system
 
@@ -150,3 +151,54 @@ def test_what_a_wrong_call_was_meant_for_is_not_told_again(
     found = say(tmp_path, Boil=body, Wait="pass")
     assert [item.code for item in found] == ["W555"] + ["W556"] * len(left)
     assert [item.message.partition("`cook` ")[2] for item in found[1:]] == left
+
+
+SENT = SYSTEM.replace(
+    "control cook { enter Wait : request Order from waiter }",
+    """control cook {
+    enter Wait : request Order from waiter
+    enter Cook : / send inform Meal to waiter
+  }""",
+)
+PREPARED = "context.prepare(Meal(1))"
+
+
+@pytest.mark.parametrize(
+    ("wait", "found"),
+    [
+        pytest.param("context.log('x')", ["`Wait`"], id="it prepares nothing"),
+        pytest.param("context.prepare(Order(1))", ["`Wait`"], id="it prepares another message"),
+        pytest.param(PREPARED, [], id="it prepares the message"),
+        pytest.param("context.prepare(meal)", [], id="it prepares something"),
+        pytest.param("helper(context)", [], id="a helper may prepare it"),
+        pytest.param("say = context.prepare; say(Meal(1))", [], id="it prepares by another name"),
+    ],
+)
+def test_what_is_sent_and_no_activity_prepares(wait: str, found: list[str], tmp_path: Path) -> None:
+    code = f"class Wait:\n    def execute(self, context):\n        {wait}\n"
+    (tmp_path / "wait.py").write_text(code, "utf-8")
+    (tmp_path / "boil.py").write_text(code.replace("Wait", "Boil").replace(wait, PREPARED), "utf-8")
+    items = [item for item in check_code(system(SENT), tmp_path)[0] if item.code == "W576"]
+    assert [item.message.partition(" prepares")[0] for item in items] == [f"the Python of {n}" for n in found]
+    fixed = [apply(SENT, item.changes) for item in items]
+    assert all("send inform Meal { .. } to waiter" in text for text in fixed)
+
+
+def test_what_only_a_line_may_send(tmp_path: Path) -> None:
+    code = "class Boil:\n    def execute(self, context):\n        CALL\n"
+    calls = {
+        'context.send("inform", Meal(1), "waiter")': True,
+        'context.send("inform", meal, "waiter")': True,
+        'context.send("refuse", order, "waiter")': False,
+        "context.send(what, Meal(1), whom)": False,
+    }
+    for call, is_found in calls.items():
+        (tmp_path / "boil.py").write_text(code.replace("CALL", call), "utf-8")
+        messages = [item.message for item in check_code(system(SENT), tmp_path)[0] if item.code == "W555"]
+        assert messages == ["a line of `cook` sends `inform Meal`, so `Boil` may not"] * is_found
+
+
+def test_a_simulated_activity_prepares_defaults(tmp_path: Path) -> None:
+    text = SENT.replace("robot = cook . Rest }", "robot = cook . Rest }  activities { Wait takes 1s }")
+    (tmp_path / "boil.py").write_text("class Boil:\n    def execute(self, context):\n        pass\n", "utf-8")
+    assert [item for item in check_code(system(text), tmp_path)[0] if item.code == "W576"] == []

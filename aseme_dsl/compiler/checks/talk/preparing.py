@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from aseme_dsl.amola.aip import Aip
@@ -9,11 +10,14 @@ from aseme_dsl.amola.expression import Received, Send
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition
 from aseme_dsl.codegen.moves import subchart_of
 from aseme_dsl.codegen.opening import openings_of
-from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics import Diagnostic, Edit
 from aseme_dsl.diagnostics.problems.talk import ContentNotPrepared
+from aseme_dsl.source import Span
 
-_ACTIVITY = ""
-"""Stands for an activity, which may prepare any message, among the types of messages."""
+_ACTIVITY = "activity "
+"""Stands before the name of an activity, which may prepare any message, among the types of messages."""
+_HEAD = re.compile(r"send\s+\w+\s+[\w.]+")
+"""A `send` up to the place of its content."""
 
 
 def check_prepared(aips: Iterable[Aip], eacs: Mapping[str, Statechart | None]) -> Iterator[Diagnostic]:
@@ -28,10 +32,27 @@ def check_prepared(aips: Iterable[Aip], eacs: Mapping[str, Statechart | None]) -
         for participant in aip.participants:
             subchart = subchart_of(eac, participant.name)
             if subchart is not None and openings_of(eac, participant):
-                yield from _in_part(eac, subchart)
+                for way, send, activities in bare_sends(eac, subchart):
+                    if not activities:
+                        ends = eac.node(way.target).type is StateType.END
+                        problem = ContentNotPrepared(send.performative, send.message, ends)
+                        yield Diagnostic(problem, send.span, edits=with_defaults(send.span))
 
 
-def _in_part(eac: Statechart, subchart: State) -> Iterator[Diagnostic]:
+def with_defaults(send: Span) -> tuple[Edit, ...]:
+    """The change that lets a `send` without content say the defaults."""
+    head = _HEAD.match(send.text)
+    if head is None:
+        return ()
+    place = send.start + head.end()
+    return (Edit(Span(send.source, place, place), " { .. }"),)
+
+
+def bare_sends(eac: Statechart, subchart: State) -> Iterator[tuple[Transition, Send, frozenset[str]]]:
+    """Each `send` without content that no message of its type comes before, with the activities that may.
+
+    Without anything before it, a `send` is left out: its content may come from outside of the part.
+    """
     within = f"{subchart.label}."
     nodes = [node for node in eac.states if node.label.startswith(within)]
     ways = [item for item in eac.transitions if item.source.startswith(within)]
@@ -60,10 +81,9 @@ def _in_part(eac: Statechart, subchart: State) -> Iterator[Diagnostic]:
         there |= {event.message for event in item.expression.events if isinstance(event, Received)}
         for action in item.expression.actions:
             if isinstance(action, Send):
-                if action.fills is None and there and not there & {_ACTIVITY, action.message}:
-                    ends = eac.node(item.target).type is StateType.END
-                    problem = ContentNotPrepared(action.performative, action.message, ends)
-                    yield Diagnostic(problem, action.span)
+                if action.fills is None and there and action.message not in there:
+                    names = {name for name in there if name.startswith(_ACTIVITY)}
+                    yield item, action, frozenset(name.removeprefix(_ACTIVITY) for name in names)
                 there.add(action.message)
 
 
@@ -83,11 +103,11 @@ def _inside(label: str, nodes: Iterable[State], ways: Iterable[Transition]) -> s
     found: set[str] = set()
     for node in nodes:
         if node.activity and (node.label == label or node.label.startswith(f"{label}.")):
-            found.add(_ACTIVITY)
+            found.add(f"{_ACTIVITY}{node.activity}")
     for item in ways:
         if item.source.startswith(f"{label}."):
             found |= _said(item)
     return found
 
 
-__all__ = ["check_prepared"]
+__all__ = ["bare_sends", "check_prepared", "with_defaults"]

@@ -393,6 +393,21 @@ class NotOfParticipant(Problem):
         return f"it {self.verb} {', '.join(self.listed) or 'nothing'}"
 
 
+class SentByLine(Problem):
+    """An activity sends what only a line of its participant may send."""
+
+    code = "W555"
+    activity: str
+    agent_message: str
+    participant: str
+
+    @property
+    def message(self) -> str:
+        return f"a line of `{self.participant}` sends `{self.agent_message}`, so `{self.activity}` may not"
+
+    hint = "prepare the message for the line (`context.prepare`), or remove the `send` of the line"
+
+
 class NeverSaid(Problem):
     """An agent message that a participant lists and neither its lines nor its activities send or take."""
 
@@ -470,6 +485,7 @@ __all__ = [
     "ParameterPerhapsNotTaken",
     "PerhapsByPlaceOnly",
     "PublishesOther",
+    "SentByLine",
     "TooManyMembers",
     "ValueOfOtherType",
 ]
