@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from aseme_dsl.amola.expression import (
     Assign,
+    Bound,
     Compare,
     Conditional,
     Evaluate,
@@ -25,15 +26,22 @@ from aseme_dsl.amola.messages import Channel, ChannelKind
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.compiler.checks.message_use import members_in
+from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
-from aseme_dsl.diagnostics.problems.use import ActionNeedsMessage, ElseWithoutMessage
+from aseme_dsl.diagnostics.problems.use import ActionNeedsMessage, ElseWithoutMessage, SentWithoutMember
 from aseme_dsl.source import Span
 
 Channels = frozenset[Channel]
 NONE: Channels = frozenset()
 
+Paths = frozenset[tuple[str, tuple[str, ...]]]
+"""Members of agent messages: the type of the message, and the path of the member."""
+NO_PATHS: Paths = frozenset()
 
-def check_presence(chart: Statechart, activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
+
+def check_presence(
+    chart: Statechart, activities: Mapping[str, Activity], symbols: Symbols
+) -> Iterator[Diagnostic]:
     """N720: an action that reads a message that may be absent, or an `else` that absence makes true.
 
     A condition over an absent message does not hold, and the agent waits, as intended. There are two cases in
@@ -50,6 +58,69 @@ def check_presence(chart: Statechart, activities: Mapping[str, Activity]) -> Ite
         for transition, found in needing:
             yield from _in_actions(chart, transition, found, known, activities)
     yield from _beside_else(chart, activities)
+    yield from _in_content(chart, symbols)
+
+
+# ---- what is sent --------------------------------------------------------------------------------
+
+
+def _in_content(chart: Statechart, symbols: Symbols) -> Iterator[Diagnostic]:
+    """Optional members of the message that a transition takes, in what it sends without asking for them."""
+    for transition in chart.transitions:
+        sent = [action for action in transition.expression.actions if isinstance(action, Send)]
+        if not sent:
+            continue
+        condition = transition.expression.condition
+        there = NO_PATHS if condition is None else _optional_if(True, condition)
+        for action in sent:
+            for value in action.values:
+                for item in sorted(_optional(value) - there):
+                    if _is_optional(symbols, *item):
+                        text = ".".join(item[1])
+                        yield Diagnostic(SentWithoutMember(item[0], text), value.span)
+
+
+def _optional_if(holds: bool, value: Value) -> Paths:
+    """The members of the taken message that are there if the condition holds, or if it fails."""
+    match value:
+        case Not(operand=operand):
+            return _optional_if(not holds, operand)
+        case Named(expression=inner) | Holds(operand=inner):
+            return _optional_if(holds, inner)
+        case Logic(operator=operator, operands=parts):
+            found = [_optional_if(holds, part) for part in parts]
+            is_all = (operator == "&&") == holds
+            return frozenset().union(*found) if is_all else frozenset.intersection(*found)
+        case Has(message=Bound(message=message, path=path)):
+            return frozenset(((message, path),)) if holds else NO_PATHS
+    return _optional(value)
+
+
+def _optional(value: Value) -> Paths:
+    """The members of the taken message that a value needs."""
+    found: set[tuple[str, tuple[str, ...]]] = set()
+    stack = [value]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, Bound):
+            found.update((item.message, item.path[:length]) for length in range(1, len(item.path) + 1))
+        elif isinstance(item, Conditional):
+            stack.append(item.condition)
+        elif not isinstance(item, (Has, Holds, Logic)):
+            stack += operands(item)
+    return frozenset(found)
+
+
+def _is_optional(symbols: Symbols, message: str, path: tuple[str, ...]) -> bool:
+    """Whether the last member of a path is optional."""
+    label = ""
+    for name in path:
+        owner = symbols.message(message)
+        member = owner.field(name) if owner is not None else None
+        if member is None:
+            return False
+        message, label = member.type.name, member.label
+    return label == "optional"
 
 
 # ---- what a condition says of what is there ------------------------------------------------------

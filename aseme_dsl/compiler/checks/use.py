@@ -50,7 +50,7 @@ def _in_chart(
 ) -> tuple[Diagnostic, ...]:
     return (
         *check_signals(chart, activities, symbols),
-        *check_presence(chart, activities),
+        *check_presence(chart, activities, symbols),
         *check_leftovers(chart, activities, left_out),
         *check_completion(chart),
     )

@@ -209,6 +209,22 @@ class ActionNeedsMessage(Problem):
         return f"let the transition wait for it, `[has({self.channel})]`, or do this where it is there"
 
 
+class SentWithoutMember(Problem):
+    """What is sent has an optional member of the message that the line takes."""
+
+    code = "N720"
+    type: str
+    member: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.member}` of `{self.type}` may be absent: then this message is not sent"
+
+    @property
+    def hint(self) -> str:
+        return f"let the line wait for it, `[has(….{self.member})]`, and write one for the other case"
+
+
 class ElseWithoutMessage(Problem):
     code = "N720"
     channel: str
@@ -405,6 +421,7 @@ __all__ = [
     "PublishersNotDeclared",
     "ResultNotTaken",
     "RoleWithoutAgent",
+    "SentWithoutMember",
     "SignalAlreadyConsumed",
     "SignalConsumedBeforeActivity",
     "SignalNotRead",
