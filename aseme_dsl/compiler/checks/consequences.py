@@ -44,7 +44,11 @@ from aseme_dsl.diagnostics.problems.control import (
     LoopNeverRepeats,
 )
 from aseme_dsl.diagnostics.problems.expressions.absences import NoBeginning, NoMessageOfTopic, NotCarried
-from aseme_dsl.diagnostics.problems.expressions.arguments import GivenWithoutParameters, WrongNumberGiven
+from aseme_dsl.diagnostics.problems.expressions.arguments import (
+    GivenWithoutParameters,
+    RootWithParameters,
+    WrongNumberGiven,
+)
 from aseme_dsl.diagnostics.problems.expressions.conditions import (
     BranchBehindOpenOne,
     BranchesOverlap,
@@ -343,6 +347,7 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     | cause | what follows |
     | --- | --- |
     | E108: a malformed number | errors of its type |
+    | E101, E102: a formula that cannot be read | E310: the next one is taken for the role's own |
     | E205: a misspelt protocol or participant after `plays` | N702: that protocol is not played |
     | E302: an unused formula, misspelt where it is used | W200: that name; E302 then names it |
     | E303: a loop that may be empty | W403: a cycle without a wait; E405: an option without a condition |
@@ -365,6 +370,7 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     given = [item.span for item in _of(found, *_GIVEN) if item.span is not None]
     loops = [item.span for item in _of(found, LoopMayBeEmpty) if item.span is not None]
     misspelt = {place.span for item in _of(found, AlmostNamedLike) for place in item.related}
+    unread = [item.span for item in found if item.code in ("E101", "E102") and item.span is not None]
     numbers = [item.span for item in found if item.code == "E108" and item.span is not None]
     unset = [place for item in _of(found, VariablesNeverSet) for place in _places(item)]
     never_set = {place.text for place in unset}
@@ -375,6 +381,8 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
             return False
         if isinstance(problem, ParticipantNotUsed | RoleIncomplete):
             return span in misspelt or any(place.span.text in unplayed for place in item.related)
+        if isinstance(problem, RootWithParameters):
+            return any(_is_before_in_block(place, span) for place in unread)
         if isinstance(problem, ControlMissing):
             return problem.formula in controls
         if isinstance(problem, AlmostNamedLike):
@@ -477,6 +485,15 @@ _OF_CONDITIONS = (
     ChoiceWaitsForMessage,
 )
 _ABOUT_TYPES = ("E500", "E504", "E505", "E506", "E509", "E514", "E515", "W500")
+
+
+def _is_before_in_block(first: Span, second: Span) -> bool:
+    text = first.source.text
+    return (
+        first.source is second.source
+        and first.end <= second.start
+        and "}" not in text[first.end : second.start]
+    )
 
 
 def _is_in(inner: Span, outer: Span) -> bool:

@@ -159,6 +159,9 @@ def _conditional(reader: Reader, condition: tree.Expression) -> tree.Expression:
     """`? yes : no` behind a condition; `no` may be another one."""
     mark = reader.take()
     yes = operation(reader)
+    if reader.next in ("=", "+=", "-=", "*="):
+        problem = problems.ActionChosen((":",), reader.tokens[reader.index - 1], reader.next)
+        raise reader.error(problem, reader.tokens[reader.index])
     if reader.next != ":":
         raise reader.unexpected(":", related=(Related(reader.span(mark), "this '?'"),))
     reader.take()

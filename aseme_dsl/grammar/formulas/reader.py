@@ -23,6 +23,8 @@ DEEPEST = 100
 _MEANT = {"&": "&&", "|": "||", "=": "==", "and": "&&", "or": "||", "^": None, "?": None}
 """Operators of other languages, with what they mean."""
 
+_DIGITS = re.compile(r"[0-9]+\b")
+
 Made = TypeVar("Made", bound=tree.Expression)
 
 
@@ -87,6 +89,8 @@ class Reader:
 
     def unexpected(self, *wanted: Wanted | str, related: tuple[Related, ...] = ()) -> Malformed:
         """Something else stands here than one of `wanted`, of which strings are words of the language."""
+        if Wanted.VALUE in wanted and (counted := self._counted_up()) is not None:
+            return counted
         if self.index == len(self.tokens):
             last = self.tokens[-1]
             return self.error(problems.UnexpectedInExpression(wanted, last, None), last, related=related)
@@ -98,11 +102,27 @@ class Reader:
         problem, fix = self._unexpected_after(previous, found, wanted)
         return self.error(problem, found, fix, related)
 
+    def _counted_up(self) -> Malformed | None:
+        """`n++` and `n--` of other languages, where the next token should be a value."""
+        if self.index < 3:
+            return None
+        name, first, second = self.tokens[self.index - 3 : self.index]
+        if first != second or first not in ("+", "-") or first.end != second.start or not is_word(name):
+            return None
+        span = Span(self.source, name.start, second.end)
+        problem = problems.CountedUp(name, first)
+        return Malformed(Diagnostic(problem, span, fix=f"{name} {first}= 1"))
+
     def _unexpected_after(
         self, previous: Token, found: Token, wanted: tuple[Wanted | str, ...]
     ) -> tuple[Problem, str | None]:
         """What may be meant by the next token, and what to write instead."""
         following = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else None
+        digits = _DIGITS.match(self.source.text, found.end)
+        if found == "." and digits is not None and Wanted.VALUE in wanted:
+            return problems.NumberWithoutNought(wanted, previous, found, number=f"0.{digits[0]}"), "0."
+        if found in ("+=", "-=", "*=") and "]" in wanted:
+            return problems.ChangeInCondition(wanted, previous, found), None
         if found == "=" and (following in ("<", ">") or previous in ("<", ">", "==", "!=")):
             return problems.ComparisonOfOthers(wanted, previous, found), None
         if previous == "after" and found[:1].isdigit():

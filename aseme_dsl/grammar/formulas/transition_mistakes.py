@@ -105,8 +105,14 @@ def bare_condition(reader: Reader, start: int) -> Malformed:
             return reader.error(problems.BracketMissingBefore(first), first, f"[{first}")
         last = condition[-1]
         span = Span(reader.source, first.start, last.end)
-        return Malformed(Diagnostic(problems.BareCondition(span.text), span, fix=f"[{span.text}]"))
+        whole = _WHOLE_MESSAGE.fullmatch(span.text)
+        meant = f"has({span.text})" if whole is not None else span.text
+        return Malformed(Diagnostic(problems.BareCondition(meant), span, fix=f"[{meant}]"))
     return reader.error(problems.UnexpectedInExpression((Wanted.EVENT, "[", "/"), None, first), first)
+
+
+_WHOLE_MESSAGE = re.compile(r"\w+(?:\s*\.\s*\w+)*\s*\.\s*(?:signal|state|data)\s*\.\s*\w+")
+"""`panel.signal.Stop`: as a condition it asks whether the message is there."""
 
 
 def _is_last_event(reader: Reader, index: int) -> bool:

@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 1897313237
+CHECKSUM = 1235376839
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -615,7 +615,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'BindingToken': (
         'match',
         {},
-        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | when\\s+busy\\b\n    | (?:given|result)\\s+\\w+\\s*:\n    | (?:state|language|on|exit)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc|when)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | , (?= [^(){}"]* (?: \\( [^(){}]* (?: \\( [^(){}]* \\) [^(){}]* )* \\) [^(){}"]* )* \\) | [^\\[\\]{}]* \\] )\n    | [^\\s{}"\\w:,] )\n'),
+        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | when\\s+busy\\b\n    | (?:given|result)\\s+\\w+\\s*:\n    | (?:state|language|on|exit)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc|when)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | , (?= [^(){}"]* (?: \\( [^(){}]* (?: \\( [^(){}]* \\) [^(){}]* )* \\) [^(){}"]* )* \\) | [^\\[\\]{}]* \\] )\n    | [^\\s{}"\\w,] )\n'),
     ),
     'Clause': (
         'common',
@@ -1182,7 +1182,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'SettingToken': (
         'match',
         {},
-        ('pattern', '(?x)\n  (?! [A-Za-z_][A-Za-z0-9_]*\\s* (?: [\\[:] | ,\\s*[A-Za-z_][A-Za-z0-9_]*\\s*[\\[:,] ) )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\\b (?! \\s*\\{ )\n    | && | \\|\\| | [<>=!]= | [^\\s{}"\\w:,] )\n'),
+        ('pattern', '(?x)\n  (?! (?! (?:true|false|index)\\s*: ) [A-Za-z_][A-Za-z0-9_]*\\s* (?: [\\[:] | ,\\s*[A-Za-z_][A-Za-z0-9_]*\\s*[\\[:,] ) )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\\b (?! \\s*\\{ )\n    | && | \\|\\| | [<>=!]= | [^\\s{}"\\w,] )\n'),
     ),
     'RoleName': (
         'match',

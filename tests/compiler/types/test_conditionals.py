@@ -109,3 +109,64 @@ def test_a_double_branch_makes_the_other_one_a_double() -> None:
 def test_it_stands_between_the_braces_of_a_message() -> None:
     text = '/ write_messages.t.state.M { n = b ? 1 : s == "a" ? 2 : 3, o = 3 }'
     assert 't.state.M.n = b ? 1 : s == "a" ? 2 : 3; t.state.M.o = 3' in expression_text(way(text).expression)
+
+
+GIVEN = """
+system S
+let near = 4
+message M { int n }
+topic t { state M  signal M }
+aip ride {
+  participant rider { given low : bool  process = Step  sends inform M }
+  participant lift { process = Wait  receives inform M }
+  control rider { enter Step : [low] / send inform M { n = 1 } to lift }
+}
+srm bot {
+  var n : int = 7
+  plays ride.rider with low = n > 2 ? n < 9 : false, Step = Ride
+  liveness {
+    bot     = Go(n > 1 ? n : 0) . Go(n == 1 ? 5 : has(t.state.M) ? t.state.M.n : -n) . more(n > 2 ? 1 : 2)
+              . rider
+    more(k) = Go(k) . Other(k * 10 + (k == 1 ? 2 : 3))
+  }
+  activities { Go(x : int) takes 1s simulated  Other(x : int) takes 1s simulated  Ride takes 1s simulated }
+}
+srm ann { plays ride.lift liveness { ann = lift } activities { Wait takes 1s simulated } }
+team T {
+  a    : bot with n = index > 1 ? 3 : 5
+  b, c : bot with n = index == 1 ? true ? 1 : 2 : near
+  d    : bot with n = index > 1 ? (near) : index  e : ann
+}
+"""
+
+
+def test_arguments_settings_and_bindings_choose() -> None:
+    played = play(GIVEN)
+    given = {
+        agent: [
+            r["arguments"]["x"] for r in played.of("activity", agent=agent, what="start") if "arguments" in r
+        ]
+        for agent in ("a", "b", "d")
+    }
+    assert given == {"a": [5, -5, 1, 12], "b": [0, 5, 2, 23], "d": [0, 5, 2, 23]}
+    assert {r["agent"] for r in played.of("activity", what="start") if r["activity"] == "Ride"} == {
+        "a"
+    }  # the others' `low` is false
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "hint"),
+    [
+        ("Go(n > 1 ? n : 0)", "Go(n > 1 ? n)", "E102", None),
+        ("Go(n > 1 ? n : 0)", 'Go(n > 1 ? n : "x")', "E500", None),
+        ("has(t.state.M) ? t.state.M.n", "has(t.signal.M) ? t.signal.M.n", "E524", None),
+        ("(near)", "near", "E102", "a name and ':' begin the next agents: write (near) for the value"),
+        ("true ? 1", "n > 1 ? 1", "E200", None),
+        ("low = n > 2 ? n < 9 : false", "low = n > 2 ? n : false", "E500", None),
+    ],
+)
+def test_what_is_wrong_there_is_one_mistake(old: str, new: str, code: str, hint: str | None) -> None:
+    assert old in GIVEN
+    found = [item for item in analysis(GIVEN.replace(old, new)).diagnostics if item.code[0] == "E"]
+    assert [item.code for item in found] == [code]
+    assert hint is None or found[0].hint == hint

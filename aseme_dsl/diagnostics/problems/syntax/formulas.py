@@ -217,8 +217,60 @@ _OPERATORS_OF_OTHERS = {
     "and": "write && for and",
     "or": "write || for or",
     "^": "there is no power; multiply, or call a function",
-    "?": "there is no '? :'; use two transitions, or a function",
+    "?": "only a value is chosen so: n = c ? a : b; for actions write two entries",
 }
+
+
+class AgentsBehindQuestion(UnexpectedInExpression):
+    """`a : r with n = c ? near : far`: `near :` begins other agents. `name` is `near`."""
+
+    name: str = ""
+
+    @property
+    def hint(self) -> str:
+        return f"a name and ':' begin the next agents: write ({self.name}) for the value"
+
+
+class NumberWithoutNought(UnexpectedInExpression):
+    """`.7`; `number` is `0.7`."""
+
+    number: str = ""
+
+    @property
+    def hint(self) -> str:
+        return f"write {self.number}"
+
+
+class ChangeInCondition(UnexpectedInExpression):
+    """`[hp -= 1]`"""
+
+    @property
+    def hint(self) -> str:
+        return f"write '==' to compare; a change stands behind '/': / {self.after} {self.found} …"
+
+
+class CountedUp(Problem):
+    """`n++` and `n--`, by their name and sign."""
+
+    code = "E102"
+    name: str
+    sign: str
+
+    @property
+    def message(self) -> str:
+        return f"there is no '{self.sign}{self.sign}'"
+
+    @property
+    def hint(self) -> str:
+        return f"write {self.name} {self.sign}= 1"
+
+
+class ActionChosen(UnexpectedInExpression):
+    """`/ c ? x = 1 : x = 2`"""
+
+    @property
+    def hint(self) -> str:
+        return f"a value is chosen, not an action: / {self.after} = c ? a : b; or write two entries"
 
 
 class ComparisonOfOthers(UnexpectedInExpression):

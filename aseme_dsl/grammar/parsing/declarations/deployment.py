@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import re
+
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
+from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
+from aseme_dsl.diagnostics.problems.syntax.formulas import AgentsBehindQuestion
 from aseme_dsl.grammar.formulas.expression import read_expression
 from aseme_dsl.grammar.parsing import nodes
 from aseme_dsl.grammar.parsing.declarations.pieces import Pieces
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Span
+
+_BEGUN = re.compile(r"\s*([A-Za-z_]\w*)\s*:")
+"""What begins the next agents."""
 
 
 def team(pieces: Pieces, node: nodes.Team) -> tree.Team:
@@ -26,6 +33,13 @@ def _agents(pieces: Pieces, node: nodes.Agents) -> tree.TeamAgents:
 
 
 def _setting(pieces: Pieces, node: nodes.Setting) -> tree.Setting | None:
+    last = node.tokens[-1]
+    begun = _BEGUN.match(pieces.source.text, last.end) if last == "?" else None
+    if begun is not None:
+        span = Span(pieces.source, begun.start(1), begun.end(1))
+        fix = f"({begun[1]})"
+        pieces.report(AgentsBehindQuestion((Wanted.VALUE,), last, begun[1], name=begun[1]), span, fix=fix)
+        return None
     value = pieces.tried(lambda: read_expression(pieces.source, node.tokens))
     return tree.Setting(pieces.name(node.name), value, pieces.span(node)) if value is not None else None
 

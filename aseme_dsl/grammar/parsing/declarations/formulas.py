@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from aseme_dsl.amola.liveness import Formula, walk
 from aseme_dsl.amola.operators import USUAL
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.grammar.formulas.expression import read_expression
@@ -52,16 +53,18 @@ def formula(
     parameters = pieces.all(_formula_parameter, node.parameters)
     if written is None:
         return None
-    _report_holes(pieces, node.tokens)
+    _report_holes(pieces, node.tokens, written)
     return tree.NamedFormula(name, written, pieces.span(node), parameters)
 
 
-def _report_holes(pieces: Pieces, tokens: Sequence[Token]) -> None:
-    """E109 for each operator of a formula that is still to be chosen."""
-    for token in tokens:
-        if token == HOLE:
-            written = PLACEHOLDER.match(pieces.source.text, token.start)
-            end = written.end() if written is not None else token.end
+def _report_holes(pieces: Pieces, tokens: Sequence[Token], written: Formula) -> None:
+    """E109 for each operator of a formula that is still to be chosen; in an argument `c ? a : b` chooses."""
+    holes = [token for token in tokens if token == HOLE]
+    given = [argument.span for part in walk(written) for argument in part.arguments] if holes else []
+    for token in holes:
+        if not any(span.start <= token.start < span.end for span in given):
+            named = PLACEHOLDER.match(pieces.source.text, token.start)
+            end = named.end() if named is not None else token.end
             usual = tuple((item.value, item.row.meaning) for item in USUAL)
             pieces.report(problems.OperatorToChoose(usual), Span(pieces.source, token.start, end))
 
