@@ -115,7 +115,7 @@ def test_a_verb_that_is_right_is_not_mended() -> None:
         ("on stop", "on stop", "stop"),
         ("after(2s) or when stop", "when stop", "stop"),
         ("when stop > 3", "stop > 3", "[stop > 3]"),
-        ("when t.state.M", "t.state.M", "[t.state.M]"),
+        ("when t.state.M", "t.state.M", "[has(t.state.M)]"),
         ("when stop / x = 1", "stop", "[stop]"),
     ],
 )
