@@ -9,10 +9,13 @@ from functools import cached_property
 
 from aseme_dsl.amola.expression import (
     EMPTY,
+    Has,
     Literal,
+    Logic,
     TransitionExpression,
     Value,
     expression_text,
+    value_text,
     values_of,
     walk,
 )
@@ -127,8 +130,14 @@ def transition_text(transition: Transition) -> str:
     """The text of a transition for readers: its expression after a word for its kind.
 
     The word is `[>` for an interrupt, `on` or `exit` if the state stays active or for an exit action, and
-    `resume` if the target is resumed.
+    `resume` if the target is resumed. What does nothing in a state `ignores` the signals that it takes.
     """
+    if transition.kind is TransitionKind.ON and not transition.expression.actions:
+        ignored = transition.expression.condition
+        parts = ignored.operands if isinstance(ignored, Logic) else (ignored,)
+        names = [value_text(part.message) for part in parts if isinstance(part, Has)]
+        if names:
+            return f"on ignores {', '.join(names)}"
     word = "[>" if transition.first else "" if transition.changes_state else transition.kind.value
     word = "on abandon" if transition.kind is TransitionKind.ABANDON else word
     verb = "resume" if transition.resume else "reactive" if transition.reactive else ""

@@ -144,6 +144,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E432": ("error", "invalid loop period"),
     "E433": ("error", "state query in an action"),
     "E434": ("error", "invalid weight of a branch"),
+    "E435": ("error", "invalid `ignores`"),
     "W400": ("warning", "transition outside the formula"),
     "W401": ("warning", "timeout hidden by `else`"),
     "W402": ("warning", "wait for a state that never completes"),

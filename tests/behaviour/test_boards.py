@@ -199,6 +199,57 @@ def test_an_unread_signal_is_gone_when_it_expires(play: Play) -> None:
     assert run.active == ["B"]
 
 
+def test_an_ignored_signal_does_not_fire_later(play: Play) -> None:
+    """ "What waits when T is entered is dropped, and so is what comes while T is active." """
+    run = play("""
+        srm R {
+          liveness { R = A . B . C }
+          control R {
+            on A : ignores t.signal.M
+            enter B : [has(q.signal.M)]
+            enter C : when [t.signal.M.x > 0]
+          }
+        }
+    """).step()
+    run.step(run.heard("t.signal.M", "ann", x=1), run.heard("t.signal.M", "bob", x=2))
+    run.step(run.heard("t.signal.M", "ann", x=1), run.heard("q.signal.M"), run.done("A"))
+    assert run.active == ["B"]
+    run.step(run.heard("t.signal.M", "ann", x=1))
+    assert run.active == ["C"]
+
+
+def test_what_waits_where_it_is_ignored_is_dropped(play: Play) -> None:
+    """ "what waits when T is entered is dropped", all of a queue and of each signal that is named"""
+    run = play("""
+        srm R {
+          liveness { R = A . f . C  f = B . D }
+          control R {
+            enter C : when [has(q.signal.M) || has(t.signal.M)]
+            on f : ignores q.signal.M, t.signal.M
+          }
+        }
+    """).step()
+    run.step(*(run.heard("q.signal.M", x=x) for x in range(3)), run.heard("t.signal.M"))
+    for done in "ABD":
+        run.step(run.done(done))
+    assert "C" not in run.active
+
+
+def test_a_state_inside_takes_a_signal_before_it_is_ignored(play: Play) -> None:
+    """ "A state inside T that waits for the signal takes it first." """
+    run = play("""
+        srm R {
+          liveness { R = f . C  f = A . B }
+          control R { on f : ignores t.signal.M }
+          control f { enter B : when [t.signal.M.x == 2] }
+        }
+    """).step()
+    run.step(run.heard("t.signal.M", "ann", x=1))
+    assert run.active == ["A"]
+    run.step(run.heard("t.signal.M", "ann", x=2))
+    assert run.active == ["B"]
+
+
 def test_a_signal_of_one_sender(play: Play) -> None:
     """ "`host.t.signal.M` the oldest of that sender" """
     run = play("""

@@ -131,6 +131,13 @@ def test_behind_the_messages_of_a_topic() -> None:
     assert labels(text)[:4] == ["from", "every", "expires", "queued"]
 
 
+def test_signals_that_a_state_ignores() -> None:
+    text = instead(SOCCER, "  control decision {", "  control decision {\n    on decision : ‸")
+    assert "ignores" in labels(text)
+    assert "ignores" not in labels(text.replace("on decision", "leave decision"))
+    assert labels(text.replace("‸", "ignores team.signal.‸")) == ["Pass"]
+
+
 @pytest.mark.parametrize(
     ("written", "expected"),
     [

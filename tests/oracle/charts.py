@@ -621,6 +621,9 @@ class Words:
         if self.crossing and pick.one_in(2):
             event = f"{pick.one_of(EVENTS[:2])} " if verb == "on" else ""
             return f"{event}/ {self._counting()}"
+        if verb == "on" and pick.one_in(6):
+            ignored = ", ".join(pick.one_of(SIGNALS) for _ in range(pick.number(1, 2)))
+            return f"ignores {ignored}" + (f" / {self._action()}" if pick.one_in(3) else "")
         asking = replace(self, in_condition=True)
         text = ""
         if verb == "on" and self.is_participant and pick.one_in(4):

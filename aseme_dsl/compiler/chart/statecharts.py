@@ -30,7 +30,7 @@ from aseme_dsl.compiler.control.choices import (
     never_taken,
 )
 from aseme_dsl.compiler.control.control import LabelledLine, Line, prioritised, structure_problem
-from aseme_dsl.compiler.formula.staying import STAYING, check_staying
+from aseme_dsl.compiler.formula.staying import IGNORING, STAYING, check_ignoring, check_staying
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.compiler.types.typecheck import type_expression
@@ -106,10 +106,11 @@ def read_statechart(
     lines: list[LabelledLine] = []
     for position, entry in enumerate(written.transitions):
         expression, problems = type_expression(entry.expression, typed.scope)
-        found += problems
+        found += (*problems, *check_ignoring(entry, expression))
         if entry.expression.weight is not None:
             found.append(Diagnostic(WeightMisplaced(), entry.expression.weight.span))
-        line = Line(entry.expression, expression, position, entry.span)
+        place = IGNORING if entry.expression.ignores else position
+        line = Line(entry.expression, expression, place, entry.span)
         if isinstance(entry, tree.StandingWay):
             found += check_staying(entry)
             if entry.state.text in nodes:

@@ -18,7 +18,7 @@ from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.reactive import choices_in, no_choice, reconsidered
 from aseme_dsl.compiler.formula.renames import SAME, rename
 from aseme_dsl.compiler.formula.resuming import RESUME, check_resuming
-from aseme_dsl.compiler.formula.staying import STAYING, check_staying, is_abandon
+from aseme_dsl.compiler.formula.staying import IGNORING, STAYING, check_ignoring, check_staying, is_abandon
 from aseme_dsl.compiler.formula.terms import Played, terms_of, way
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.types.given import inside_formula
@@ -140,7 +140,8 @@ def read_lines(
                 written = replace(written, every=None)
             typed, problems = type_expression(written, inner)
             found += problems
-            line = Line(written, typed, position, entry.span)
+            found += check_ignoring(entry, typed)
+            line = Line(written, typed, IGNORING if written.ignores else position, entry.span)
             position += 1
             if written.weight is not None and (control.reactive or isinstance(entry, tree.LabelledWay)):
                 found.append(Diagnostic(WeightMisplaced(), written.weight.span))

@@ -4,10 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from aseme_dsl.amola.expression import Has, Logic, Member, TransitionExpression
+from aseme_dsl.amola.messages import ChannelKind
 from aseme_dsl.amola.operators import Operator
 from aseme_dsl.amola.statechart import TransitionKind
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.diagnostics.problems.control import AbandonWaits, ElseOfOn, ErrorOfOn, ExitWaits, NothingDone
+from aseme_dsl.diagnostics.problems.control import (
+    AbandonWaits,
+    ElseOfOn,
+    ErrorOfOn,
+    ExitWaits,
+    IgnoredNoSignal,
+    IgnoresMisplaced,
+    NothingDone,
+)
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -15,6 +25,8 @@ STAYING: Mapping[str, TransitionKind] = {"on": TransitionKind.ON, "exit": Transi
 """The verbs of these lines, with what they mean."""
 ABANDON = "abandon"
 """The word after `on` that is not a term: the participant is exited before its END."""
+IGNORING = -1
+"""The position of a line with `ignores`: it is tried before the other lines of its state."""
 
 
 def is_abandon(line: tree.Way) -> bool:
@@ -36,8 +48,30 @@ def check_staying(line: tree.Way | tree.StandingWay, *, abandons: bool = False) 
         for event in written.events:
             if isinstance(event, tree.Raised) and event.name.text == "error":
                 yield Diagnostic(ErrorOfOn(state, isinstance(line, tree.StandingWay)), event.span)
-    if not written.actions:
+    if not written.actions and written.ignores is None:
         yield Diagnostic(NothingDone(line.verb.text, state), line.span)
+
+
+def check_ignoring(
+    line: tree.Way | tree.LabelledWay | tree.StandingWay, typed: TransitionExpression
+) -> Iterator[Diagnostic]:
+    """E435 for `ignores` on a line of another verb than `on`, or with something that is not a signal."""
+    word = line.expression.ignores
+    if word is None:
+        return
+    if isinstance(line, tree.LabelledWay) or line.verb.text not in STAYING:
+        yield Diagnostic(IgnoresMisplaced(), word)
+        return
+    condition = typed.condition
+    parts = condition.operands if isinstance(condition, Logic) else (condition,)
+    for part in parts:
+        match part:
+            case Has(message=Member(channel=channel, path=())) if channel.comm is ChannelKind.SIGNAL:
+                pass
+            case Has(span=span):
+                yield Diagnostic(IgnoredNoSignal(span.text), span)
+            case _:
+                pass  # what is wrong with it has been said
 
 
 def _before_actions(written: tree.TransitionExpression) -> Span:
@@ -49,4 +83,4 @@ def _before_actions(written: tree.TransitionExpression) -> Span:
     return Span(written.span.source, written.span.start, max(end, written.span.start))
 
 
-__all__ = ["ABANDON", "STAYING", "check_staying", "is_abandon"]
+__all__ = ["ABANDON", "IGNORING", "STAYING", "check_ignoring", "check_staying", "is_abandon"]

@@ -349,6 +349,27 @@ class WeightMissing(Problem):
     hint = "give each branch of the choice a weight, or write `else`"
 
 
+class IgnoresMisplaced(Problem):
+    """`ignores` on a line whose verb is not `on`."""
+
+    code = "E435"
+    message = "`ignores` belongs to an `on` line"
+    hint = "name the state in which the signal is dropped: `on T : ignores …`"
+
+
+class IgnoredNoSignal(Problem):
+    """What is ignored is a message of another kind, or a part of one."""
+
+    code = "E435"
+    name: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.name}` is not a signal"
+
+    hint = "name a whole signal: `ignores topic.signal.Message`"
+
+
 class PeriodOutsideLoop(Problem):
     code = "E432"
     verb: str

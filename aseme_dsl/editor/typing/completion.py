@@ -392,6 +392,10 @@ def _events(ask: Ask, party: Party | None, parties: Mapping[str, Party], first: 
         yield Item("else", ItemKind.WORD, "no other branch is open", rank=3)
         yield Item("weight", ItemKind.WORD, "weight 3", "", "weight ${1:1}", is_snippet=True, rank=4)
         yield Item("[…]", ItemKind.WORD, "a condition", "", "[${1:condition}]", is_snippet=True, rank=1)
+    if first and (ask.tokens("Way") or ask.tokens("StandingWay"))[:1] == ["on"]:
+        yield Item(
+            "ignores", ItemKind.WORD, "drops signals in this state", "", "ignores ", goes_on=True, rank=4
+        )
     if party is not None:
         yield Item("lost", ItemKind.WORD, "an agent is lost", "", "lost ", rank=4, goes_on=True)
     for name in ask.known.events:

@@ -104,6 +104,8 @@ def _event_slot(tokens: Sequence[Token]) -> Slot:
             return Slot(SlotKind.COMPLETE)
         case (word,) if word in PERFORMATIVES:
             return Slot(SlotKind.RECEIVED_MESSAGE, said=said)
+        case ("ignores", *_) if begin == 0:
+            return value_slot(event[_behind_last(event, ("ignores", ",")) :])
         case ("lost",):
             return Slot(SlotKind.SENDER, said=said)
         case (_, _, *_, "from"):

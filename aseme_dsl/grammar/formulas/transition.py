@@ -69,7 +69,11 @@ def _transition(reader: Reader) -> tree.TransitionExpression:
     otherwise = False
     condition: tree.Expression | None = None
     actions: list[tree.Action] = []
-    if reader.next == "else":
+    ignores = reader.span(reader.tokens[0]) if _is_ignoring(reader) else None
+    if ignores is not None:
+        when = True
+        condition = _ignored(reader)
+    elif reader.next == "else":
         word = reader.take()
         otherwise = True
         if reader.next == "[":
@@ -84,11 +88,11 @@ def _transition(reader: Reader) -> tree.TransitionExpression:
             if reader.next not in ("or", "||"):
                 break
             reader.take()
-    if reader.next == "[":
+    if ignores is None and reader.next == "[":
         opener = reader.take()
         condition = _hole(reader) or operation(reader)
         reader.need("]", opener)
-    elif when:
+    elif when and ignores is None:
         wrong = bare_condition(reader, reader.index) if is_word(reader.next) else None
         raise wrong or reader.unexpected(Wanted.CONDITION)
     weight = None
@@ -108,7 +112,14 @@ def _transition(reader: Reader) -> tree.TransitionExpression:
     if reader.index < len(reader.tokens):
         raise after_transition(reader, bool(actions), condition is not None or otherwise)
     return tree.TransitionExpression(
-        tuple(events), when, otherwise, condition, tuple(actions), reader.since(start), weight=weight
+        tuple(events),
+        when,
+        otherwise,
+        condition,
+        tuple(actions),
+        reader.since(start),
+        weight=weight,
+        ignores=ignores,
     )
 
 
@@ -116,6 +127,30 @@ def _is_weight(reader: Reader) -> bool:
     """Whether `weight 3` follows; without a number `weight` is a name."""
     following = reader.tokens[reader.index + 1 : reader.index + 2]
     return reader.next == "weight" and bool(following) and following[0][0] in "-.0123456789"
+
+
+def _is_ignoring(reader: Reader) -> bool:
+    """Whether `ignores panel.signal.Key` follows; without a name behind it `ignores` is an event."""
+    first, second, third = (*reader.tokens[reader.index : reader.index + 3], "", "", "")[:3]
+    return first == "ignores" and is_word(second) and second not in RESERVED and third != "from"
+
+
+def _ignored(reader: Reader) -> tree.Expression:
+    """The condition that one of the signals behind `ignores` is there, which consumes it."""
+    word = reader.take()
+    found: list[tree.Expression] = []
+    while True:
+        if not is_word(reader.next) or reader.next in RESERVED:
+            raise reader.unexpected(Wanted.SIGNAL)
+        path = read_path(reader.source, reader.take())
+        has = tree.Name("has", reader.span(word))
+        found.append(tree.Call(tree.Path((has,), has.span), (path,), path.span))
+        if reader.next != ",":
+            break
+        reader.take()
+    if len(found) == 1:
+        return found[0]
+    return tree.Logic("||", tuple(found), found[0].span.to(found[-1].span))
 
 
 def _hole(reader: Reader) -> tree.Hole | None:

@@ -160,6 +160,7 @@ EXPRESSION_WORDS: dict[str, str] = {
     "when": r"",
     "after": r"(?=\s*\()",
     "weight": r"(?=\s+[0-9])",
+    "ignores": r"(?=\s+[A-Za-z_])",
     "send": r"(?=\s+[A-Za-z_])",
     "from": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",
     "to": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",

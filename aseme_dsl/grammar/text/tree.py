@@ -299,7 +299,8 @@ class Weight:
 class TransitionExpression:
     """`event [condition] / action; action`. `otherwise` is `else`, `when` the word before a condition.
 
-    `every` is the pace of `repeat T every 200ms : …`.
+    `every` is the pace of `repeat T every 200ms : …`. With `ignores`, the place of this word, the condition
+    asks whether the signals behind it are there.
     """
 
     events: tuple[Event, ...]
@@ -310,6 +311,7 @@ class TransitionExpression:
     span: Span
     every: Duration | None = None
     weight: Weight | None = None
+    ignores: Span | None = None
 
 
 # ---- control -----------------------------------------------------------------------------------

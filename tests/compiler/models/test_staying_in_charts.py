@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.statechart import Statechart, transition_text
 from tests.support.compiling import analysis, codes, printed, system
 
 LAMP = """system S
 message Button {{ bool pressed }}
-topic panel {{ state Button }}
+message Ring {{}}
+topic panel {{ state Button  signal Ring }}
 statechart lamp {{
   var n : int = 0
   state 0 OR
@@ -60,6 +61,13 @@ def test_on_takes_its_turn_in_the_order_of_the_lines() -> None:
     assert [item.kind.value for item in chart.outgoing("0.2")] == ["external", "on", "external"]
 
 
+def test_ignored_signals_come_before_the_other_lines() -> None:
+    lines = "0.2 -> 0.4 : when [has(panel.signal.Ring)]  on 0.2 : ignores panel.signal.Ring"
+    chart = lamp(lines)
+    first, *_ = chart.outgoing("0.2")
+    assert transition_text(first) == "on ignores panel.signal.Ring"
+
+
 @pytest.mark.parametrize(
     ("line", "code"),
     [
@@ -75,6 +83,12 @@ def test_on_takes_its_turn_in_the_order_of_the_lines() -> None:
         ("on 0.2 : knock / m = 1", "E200"),
         ("on 0.2 : knock [1 > 2] / n = 1", "W404"),
         ("enter 0.2 : knock", "E100"),
+        ("exit 0.2 : ignores panel.signal.Ring", "E424"),
+        ("0.2 -> 0.3 : ignores panel.signal.Ring", "E435"),
+        ("on 0.2 : ignores panel.state.Button", "E435"),
+        ("on 0.2 : ignores panel.signal.Ring, panel.state.Button", "E435"),
+        ("on 0.2 : ignores panel.signal.Bell", "E502"),
+        ("on 0.2 : ignores panel.signal.Ring [n == 1]", "E102"),
     ],
 )
 def test_what_is_wrong_with_a_line_is_said(line: str, code: str) -> None:

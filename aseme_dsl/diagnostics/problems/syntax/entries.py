@@ -50,6 +50,7 @@ class Wanted(Enum):
     ROLE = "a role"
     SENDER = "'from' and a participant"
     SENDING_PARTICIPANT = "the participant that sends the message"
+    SIGNAL = "a signal (as topic.signal.Message)"
     TERM = "a term of the formula"
     TEXT = "a text in double quotes"
     VALUE = "a value"
