@@ -8,8 +8,7 @@ from aseme_dsl.amola.statechart import Statechart, transition_text
 from tests.support.compiling import analysis, codes, printed, system
 
 LAMP = """system S
-message Button {{ bool pressed }}
-message Ring {{}}
+message Button {{ bool pressed }}  message Ring {{}}
 topic panel {{ state Button  signal Ring }}
 statechart lamp {{
   var n : int = 0
