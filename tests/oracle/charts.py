@@ -621,9 +621,6 @@ class Words:
         if self.crossing and pick.one_in(2):
             event = f"{pick.one_of(EVENTS[:2])} " if verb == "on" else ""
             return f"{event}/ {self._counting()}"
-        if verb == "on" and pick.one_in(6):
-            ignored = ", ".join(pick.one_of(SIGNALS) for _ in range(pick.number(1, 2)))
-            return f"ignores {ignored}" + (f" / {self._action()}" if pick.one_in(3) else "")
         asking = replace(self, in_condition=True)
         text = ""
         if verb == "on" and self.is_participant and pick.one_in(4):
@@ -639,7 +636,11 @@ class Words:
                     text = " or ".join(self._event(error=False) for _ in range(pick.number(1, 2))) + " "
                     if pick.one_in(3):
                         text += ("or when " if pick.one_in(3) else "") + f"[{asking.value('bool', 2)}] "
-        return f"{text}/ " + "; ".join(self._action() for _ in range(pick.number(1, 3)))
+        actions = "; ".join(self._action() for _ in range(pick.number(1, 3)))
+        if verb == "on" and text[:1] in ("", "[") and len(actions) % 2:
+            ignored = ", ".join(SIGNALS[len(text) % 3 :])
+            return f"ignores {ignored}" + (f" / {actions}" if len(actions) % 3 else "")
+        return f"{text}/ {actions}"
 
     def _event(self, *, error: bool = True) -> str:
         pick = self.choices
