@@ -109,8 +109,8 @@ def read_statechart(
         found += (*problems, *check_ignoring(entry, expression))
         if entry.expression.weight is not None:
             found.append(Diagnostic(WeightMisplaced(), entry.expression.weight.span))
-        place = IGNORING if entry.expression.ignores else position
-        line = Line(entry.expression, expression, place, entry.span)
+        rank = IGNORING if entry.expression.ignores else position
+        line = Line(entry.expression, expression, rank, entry.span)
         if isinstance(entry, tree.StandingWay):
             found += check_staying(entry)
             if entry.state.text in nodes:
