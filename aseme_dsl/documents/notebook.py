@@ -12,6 +12,8 @@ from aseme_dsl.amola.srm import Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
+from aseme_dsl.compiler import Analysis
+from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagrams import Drawing, Layout, Options, draw, draw_model, drawings, render
 from aseme_dsl.diagrams.look.words import words
 from aseme_dsl.diagrams.rendering.drawn import WHOLE
@@ -35,6 +37,8 @@ def _as_html(value: object) -> str | None:
         )
     if isinstance(value, RunResult):
         return _result(value)
+    if isinstance(value, Analysis):
+        return _analysis(value)
     drawing = _drawing_of(value)
     return _figure(drawing, drawing.name) if drawing is not None and _in_pieces(drawing) else None
 
@@ -42,6 +46,8 @@ def _as_html(value: object) -> str | None:
 def _as_text(value: object) -> str:
     if isinstance(value, RunResult):
         return "\n".join((_head(value), *_rest(value)))
+    if isinstance(value, Analysis):
+        return "\n".join((_found(value), *map(_line, value.diagnostics)))
     return " ".join((type(value).__name__, *([value.name] if isinstance(value, _NAMED) else [])))
 
 
@@ -82,6 +88,34 @@ def _result(result: RunResult) -> str:
     rows += [_row("td", (item.name, item.role, _end_of(item))) for item in result.agents]
     rest = "\n".join(_rest(result))
     return f"<p>{escape(_head(result))}</p><table>{''.join(rows)}</table>{html.problem(rest) if rest else ''}"
+
+
+def _analysis(analysis: Analysis) -> str:
+    """What was found, a line each."""
+    rows = [_row("th", ("place", "severity", "code", "message", "hint"))]
+    rows += [_row("td", _told(item)) for item in analysis.diagnostics]
+    table = f"<table>{''.join(rows)}</table>" if analysis.diagnostics else ""
+    return f"<p>{escape(_found(analysis))}</p>{table}"
+
+
+def _found(analysis: Analysis) -> str:
+    name = analysis.system.name if analysis.system is not None else "no system"
+    number = len(analysis.diagnostics)
+    return f"{name}: {number or 'no'} problem{'' if number == 1 else 's'}"
+
+
+def _line(item: Diagnostic) -> str:
+    place, severity, code, message, _ = _told(item)
+    return f"{place}: {severity}[{code}]: {message}"
+
+
+def _told(item: Diagnostic) -> tuple[str, ...]:
+    place = (
+        item.path or ""
+        if item.span is None
+        else f"{item.span.source.path}:{item.span.line}:{item.span.column}"
+    )
+    return place, item.severity, item.code, item.message, item.hint or ""
 
 
 def _head(result: RunResult) -> str:

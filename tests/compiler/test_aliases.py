@@ -126,6 +126,76 @@ def test_what_is_wrong_with_an_alias(old: str, new: str, told: list[tuple[str, s
     assert found[0][0] == "E228"
 
 
+@pytest.mark.parametrize(
+    ("file", "old", "new", "told"),
+    [
+        ("both", "all.state.bob.Near.side ==", "all.state.bob.Near.sid ==", "`bob.Near` has no member `sid`"),
+        ("both", "enter counter", "enter attackr", "did you mean `attacker`?"),
+        (
+            "both",
+            "mates.state.Near.side == side2",
+            "mates.state.Nea.side == side2",
+            "did you mean `alice.Near`?",
+        ),
+        ("both", "", "", "read one agent's: `x.alice.mates.state.alice.Near`; "),
+        ("both", "", "", "`state alice.Near from "),
+        ("both", "", "", "of `alice.Search`, `alice.Ask`"),
+        ("alice", "&& mates.state.Near.side", "&& mates.state.Nea.side", "did you mean `Near`?"),
+        ("alice", "&& mates.state.Near.side", "&& mats.state.Near.side", "did you mean `mates`?"),
+        ("alice", "state Near }", "state Nea }", "did you mean `Near`?"),
+        ("alice", "enter KickBall", "enter KickBal", "did you mean `KickBall`?"),
+    ],
+)
+def test_what_is_told_says_names_as_its_file_writes_them(file: str, old: str, new: str, told: str) -> None:
+    texts = {**FILES, "both.aseme": BOTH}
+    assert old in texts[f"{file}.aseme"]
+    texts[f"{file}.aseme"] = texts[f"{file}.aseme"].replace(old, new, 1)
+    found = analysed(texts["both.aseme"], texts).diagnostics
+    said = [f"{item.message}\n{item.hint}\n{item.fix}" for item in found]
+    assert any(told in item for item in said), said
+    assert not any("alice_" in item or "bob_" in item for item in said), said
+
+
+def test_a_fix_behind_an_alias_compiles_as_it_is_written() -> None:
+    text = BOTH.replace("x.alice.mates.state.Near", "x.alice.mates.state.alice.Near")
+    assert errors(text) == []
+
+
+def test_included_roles_of_equal_names_do_not_share_local_names() -> None:
+    """In `b.aseme`, `speed` is a variable of the role; in `a.aseme`, it is the `let` of the file."""
+    files = {
+        "a.aseme": "let speed = 2\nabstract srm car { liveness { car = Go } activities { Go takes 1s }"
+        " control car { leave Go : [speed > 1] } }\n",
+        "b.aseme": "let speed = 3\nabstract srm car { var speed : int = 1  liveness { car = Run }"
+        " activities { Run takes 1s } control car { leave Run : [speed > 1] / speed = 2 } }\n",
+    }
+    files["c.aseme"] = 'import "a.aseme" as a\nsrm fast { includes a.car  liveness { fast = car } }\n'
+    text = (
+        'system S\nimport "b.aseme" as b\nimport "c.aseme" as c\n'
+        "srm slow { includes b.car  liveness { slow = car } }\nteam T { x : c.fast  y : slow }\n"
+    )
+    first = 'import "b.aseme" as b\nimport "c.aseme" as c\n'
+    second = 'import "c.aseme" as c\nimport "b.aseme" as b\n'
+    for order in (text, text.replace(first, second)):
+        system = analysed(order, files).system
+        assert system is not None
+        assert {chart.name for chart in system.iacs} == {"c_fast", "slow"}
+
+
+def test_the_name_of_a_participant_that_its_role_has_is_told_as_it_is_written() -> None:
+    text = """system P
+aip talk { participant desk { process = Serve } }
+srm desk {
+  plays talk.desk
+  liveness { desk = Think . desk }
+  activities { Serve takes 1s  Think takes 1s }
+  control desk { enter desc : after(1s) }
+}
+"""
+    [item] = [item for item in analyse(Source("p.aseme", text)).diagnostics if item.severity.value == "error"]
+    assert (item.code, item.hint) == ("E400", "did you mean `desk`?")
+
+
 def test_an_alias_of_a_file_that_imports_the_root_is_a_circle() -> None:
     files = {**FILES, "alice.aseme": TEAM + 'import "both.aseme" as all\n'}
     assert "E005" in {item.code for item in analysed(BOTH, files).diagnostics}

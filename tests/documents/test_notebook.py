@@ -10,6 +10,7 @@ from IPython.core.formatters import DisplayFormatter
 
 import aseme_dsl
 from aseme_dsl.amola.system import System
+from aseme_dsl.compiler import analyse
 from aseme_dsl.diagrams import drawings
 from aseme_dsl.project.building.build import Choice, build
 from aseme_dsl.runtime import RunResult, Team, activities_in, load_system, run
@@ -119,6 +120,20 @@ def test_a_result_shows_how_each_agent_ended_and_what_is_open(tmp_path: Path) ->
     assert re.findall(r"<td>(.*?)</td>", html) == ["paula", "cook", "after Look"]
     assert "deadlock since 1 s" in html
     assert "deadlock since 1 s" in printed(result)
+
+
+def test_an_analysis_is_a_short_table() -> None:
+    analysis = analyse(
+        Source("kitchen.aseme", "system Kitchen\nsrm cook { liveness { cook = Look . Serv<e } }")
+    )
+    html = analysis._repr_html_()
+    assert html is not None
+    cells = re.findall(r"<td>(.*?)</td>", html)
+    assert cells[:3] == ["kitchen.aseme:2:41", "error", "E101"]
+    assert "no system: 1 problem" in html
+    assert "&lt;" in cells[3]
+    assert printed(analysis).startswith("no system: 1 problem\nkitchen.aseme:2:41: error[E101]: ")
+    assert "Kitchen: 2 problems" in (analyse(Source("kitchen.aseme", TEXT))._repr_html_() or "")
 
 
 def test_a_result_holds_no_code_of_a_page(tmp_path: Path) -> None:

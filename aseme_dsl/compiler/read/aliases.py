@@ -16,6 +16,7 @@ from typing import TypeVar, cast
 
 from aseme_dsl.amola.liveness import Argument, Formula, names, rewritten
 from aseme_dsl.amola.messages import BUILT_IN
+from aseme_dsl.compiler.read.names import Spelling
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.diagnostics.problems import names as problems
 from aseme_dsl.grammar.formulas.expression import spelled
@@ -73,12 +74,7 @@ def qualified(
     everything = _Everything(
         {name for key, own in exports.items() if not prefixes.get(key) for name in _flat(own)}
         | set(BUILT_IN),
-        {
-            item.name.text: item
-            for _, file in files
-            for item in file.declarations
-            if isinstance(item, tree.Srm)
-        },
+        _roles(files, exports, imports),
         {
             new: exports[key][Sort.ACTIVITY]
             for key in exports
@@ -163,17 +159,64 @@ def _prefixes(root: str, imports: Sequence[Imported]) -> dict[str, str]:
     return found
 
 
+def _behind(key: str, exports: Mapping[str, Exports], imports: Sequence[Imported]) -> dict[str, Exports]:
+    """What a file has behind its aliases."""
+    return {
+        item.item.alias.text: exports[item.target]
+        for item in imports
+        if item.importer == key and item.item.alias is not None and item.target in exports
+    }
+
+
+def _roles(
+    files: Sequence[tuple[str, tree.File]], exports: Mapping[str, Exports], imports: Sequence[Imported]
+) -> dict[str, _WrittenRole]:
+    found = {}
+    for key, file in files:
+        behind, own = _behind(key, exports, imports), exports[key][Sort.ROLE]
+        for item in file.declarations:
+            if isinstance(item, tree.Srm):
+                includes = []
+                for name in item.includes:
+                    alias, dot, bare = name.text.rpartition(".")
+                    there = behind.get(alias, {}).get(Sort.ROLE, {}) if dot else own
+                    includes.append(there.get(bare, bare))
+                found[own[item.name.text]] = _WrittenRole(item, tuple(includes))
+    return found
+
+
+def spellings(files: Sequence[tuple[str, tree.File]], imports: Sequence[Imported]) -> dict[str, Spelling]:
+    """How each file, by the path that people know it by, writes the names that differ in the models."""
+    if not any(item.item.alias is not None for item in imports):
+        return {}
+    prefixes = _prefixes(files[-1][0] if files else "", imports)
+    exports = {key: _exports(file, prefixes.get(key, "")) for key, file in files}
+    anywhere = {
+        new: f"{prefixes[key].rstrip('_')}.{name}"
+        for key in exports
+        if prefixes.get(key)
+        for own in exports[key].values()
+        for name, new in own.items()
+    }
+    found: dict[str, Spelling] = {}
+    for key, file in files:
+        written: dict[str, str] = {}
+        for alias, other in _behind(key, exports, imports).items():
+            written |= {new: f"{alias}.{name}" for own in other.values() for name, new in own.items()}
+        if prefixes.get(key):
+            written |= {new: name for own in exports[key].values() for name, new in own.items()}
+        elsewhere = frozenset(anywhere.keys() - written.keys())
+        found[file.source.path] = Spelling(anywhere | written, elsewhere)
+    return found
+
+
 def _carried(
     files: Sequence[tuple[str, tree.File]], exports: Mapping[str, Exports], imports: Sequence[Imported]
 ) -> dict[str, dict[str, str]]:
     """What the messages of each topic are called; of two that are called the same only one with its alias."""
     found: dict[str, dict[str, str]] = {}
     for key, file in files:
-        behind = {
-            item.item.alias.text: exports[item.target]
-            for item in imports
-            if item.importer == key and item.item.alias is not None and item.target in exports
-        }
+        behind = _behind(key, exports, imports)
         for item in file.declarations:
             if not isinstance(item, tree.Topic):
                 continue
@@ -255,12 +298,22 @@ def _activities(
 
 
 @dataclass(frozen=True, slots=True)
+class _WrittenRole:
+    """A role as it is written, and those that it takes over by their names in the models."""
+
+    written: tree.Srm
+    includes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class _Everything:
-    """What the whole program declares: names without an alias, roles by their written names, and the
-    activities of the file of each role and protocol that has an alias."""
+    """What the whole program declares: names without an alias, and roles by their names in the models.
+
+    `activities` are those of the file of each role and protocol that has an alias.
+    """
 
     plain: set[str]
-    roles: Mapping[str, tree.Srm]
+    roles: Mapping[str, _WrittenRole]
     activities: Mapping[str, Mapping[str, str]]
     carried: Mapping[str, Mapping[str, str]]
     """The messages of each topic, as they are called where the topic is written, without an alias."""
@@ -415,11 +468,13 @@ class _File:
 
     def _included(self, role: tree.Srm) -> list[tree.Srm]:
         """The role and those that it takes over, as far as they are there."""
-        found, waiting = [role], list(role.includes)
+        roles = self.everything.roles
+        own = roles.get(self.declared[Sort.ROLE].get(role.name.text, ""))
+        found, waiting = [role], list(own.includes if own is not None else ())
         while waiting:
-            other = self.everything.roles.get(waiting.pop().text.rpartition(".")[2])
-            if other is not None and all(other is not item for item in found):
-                found.append(other)
+            other = roles.get(waiting.pop())
+            if other is not None and all(other.written is not item for item in found):
+                found.append(other.written)
                 waiting += other.includes
         return found
 
@@ -594,4 +649,4 @@ class _File:
         return replace(argument, value=value, text=spelled(cast("tree.Expression", value)))
 
 
-__all__ = ["Imported", "qualified"]
+__all__ = ["Imported", "qualified", "spellings"]

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl import outside
-from aseme_dsl.compiler.read.aliases import Imported, qualified
+from aseme_dsl.compiler.read.aliases import Imported, qualified, spellings
+from aseme_dsl.compiler.read.names import Spellings
 from aseme_dsl.diagnostics import Diagnostic, Problem, Related, closest, has_errors, surely
 from aseme_dsl.diagnostics.problems import files as problems
 from aseme_dsl.diagnostics.problems.names import AliasOfProto
@@ -53,6 +54,8 @@ class Loaded:
     """Where each file that was looked for really is, by the path that its places show."""
     layout: Layout = NO_PARTS
     """Where the parts of files begin in them."""
+    spellings: Spellings = field(default_factory=dict)
+    """How each file writes the names that differ in the models, for the sake of an alias."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,6 +136,7 @@ def load(
         complete,
         loader.paths,
         Layout(loader.places) if loader.places else NO_PARTS,
+        spellings(loader.files, loader.imports),
     )
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.compiler.formula.formula_to_statechart import LARGEST
 from aseme_dsl.diagnostics.policy import NO_POLICY, Policy
+from aseme_dsl.display import Displayed
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
@@ -26,7 +27,7 @@ class Options:
 
 
 @dataclass(frozen=True, slots=True)
-class Analysis:
+class Analysis(Displayed):
     """What is known of a file: every diagnostic, in order, and its system if none of them is an error.
 
     `missing` are the notes with what `asemec scaffold` writes for each. `is_library`: the file declares no

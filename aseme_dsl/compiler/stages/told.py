@@ -13,6 +13,7 @@ from aseme_dsl.compiler.read.allow import allow
 from aseme_dsl.compiler.read.load import Loaded
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.missing import Missing
+from aseme_dsl.compiler.read.names import as_written, of_homonyms, together
 from aseme_dsl.compiler.stages.analysis import Analysis
 from aseme_dsl.compiler.stages.charts import Charts
 from aseme_dsl.compiler.stages.declarations import Declarations
@@ -52,6 +53,9 @@ def tell(
     kept = without_consequences(placed.values())
     not_looked_for = _OF_CODE | FROM_CONDITIONS if unchecked else _OF_CODE
     diagnostics, suppressed = allow(loaded.files, kept, not_looked_for, layout)
+    spellings = together(loaded.spellings, of_homonyms(declared.blocks.srms))
+    if spellings:
+        diagnostics = as_written(diagnostics, spellings)
     accepted = {id(item.diagnostic) for item in suppressed}
     still_missing = (_placed(item, placed.get(id(item.note), item.note), layout) for item in missing)
     return Analysis(

@@ -401,7 +401,9 @@ class RoleWithoutAgent(Problem):
 
 def _carried(channel: str) -> str:
     """The kind and the message of a channel, as a topic declares them."""
-    return " ".join(channel.split(".")[1:])
+    parts = channel.split(".")
+    kind = next(at for at, part in enumerate(parts) if at and part in ("signal", "state", "data"))
+    return f"{parts[kind]} {'.'.join(parts[kind + 1 :])}"
 
 
 __all__ = [
