@@ -433,6 +433,26 @@ def test_what_activities_and_formulas_are_given() -> None:
     assert labels(text.replace("goal : Place", "goal : ‸"))[:2] == ["bool", "int"]
 
 
+@pytest.mark.parametrize(
+    "place", ["true ? ‸", "true ? ‸ : Place.HOME", "true ? Place.HOME : ‸", "here == to ? ‸"]
+)
+def test_values_that_are_chosen(place: str) -> None:
+    text = PARAMETERS.replace(CURSOR, "")
+    assert "here" in labels(text.replace("MoveTo(to)", f"MoveTo({place})"))
+    assert "here" in labels(text.replace("= Place.HOME\n", f"= Place.HOME\n let x = {place}\n"))
+    team = f"{text}team T {{ one : r with here = {place.replace('here == to', 'index > 1')} }}\n"
+    assert "Place" in labels(team)
+
+
+def test_a_weight_stands_behind_the_condition_of_a_branch() -> None:
+    text = (
+        "system T\nsrm r {\n liveness { r = A . (B | C) }\n activities { A takes 1s }\n"
+        " control r { enter B : [1 < 2] ‸\n leave C : [1 < 2]\n }\n}\n"
+    )
+    assert {"weight", "enter"} <= set(labels(text))
+    assert "weight" not in labels(text.replace(" ‸", "").replace("[1 < 2]\n }", "[1 < 2] ‸\n }"))
+
+
 def test_outcomes_of_activities() -> None:
     text = (
         "system T\nsrm r {\n liveness { r = Grasp . (Lift | Cry) }\n"

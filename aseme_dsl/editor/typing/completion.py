@@ -363,6 +363,9 @@ def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
                 return
             named = tuple(outcomes(scope, slot))
             yield from named or values(scope, ask.known, slot, ask.place.text)
+        case SlotKind.WEIGHT:
+            if ask.tokens("Way")[:1] == ["enter"]:
+                yield _WEIGHT
         case SlotKind.COMPLETE:
             pass
         case _:
@@ -381,6 +384,9 @@ def _states(ask: Ask, party: Party | None) -> Iterator[Item]:
         yield Item(name, ItemKind.ACTIVITY, "activity", rank=1)
 
 
+_WEIGHT = Item("weight", ItemKind.WORD, "weight 3", "", "weight ${1:1}", is_snippet=True, rank=4)
+
+
 def _events(ask: Ask, party: Party | None, parties: Mapping[str, Party], first: bool) -> Iterator[Item]:
     """What a transition may wait for."""
     yield Item(
@@ -390,7 +396,7 @@ def _events(ask: Ask, party: Party | None, parties: Mapping[str, Party], first: 
     yield Item("error", ItemKind.EVENT, "an activity inside has failed", rank=4)
     if first:
         yield Item("else", ItemKind.WORD, "no other branch is open", rank=3)
-        yield Item("weight", ItemKind.WORD, "weight 3", "", "weight ${1:1}", is_snippet=True, rank=4)
+        yield _WEIGHT
         yield Item("[…]", ItemKind.WORD, "a condition", "", "[${1:condition}]", is_snippet=True, rank=1)
     if first and (ask.tokens("Way") or ask.tokens("StandingWay"))[:1] == ["on"]:
         yield Item(
@@ -440,7 +446,7 @@ def _is_open(place: Place, expected: Expected) -> bool:
         tokens = _behind(place, expected, "=")
         return tokens is not None and (formula_is_open(tokens) or bool(value_slot(tokens).calls))
     slot = _slot(place, expected)
-    if slot is None or slot.kind is SlotKind.COMPLETE:
+    if slot is None or slot.kind in (SlotKind.COMPLETE, SlotKind.WEIGHT):
         return False
     # `enter A :` may end there; on the next line, another entry is likelier.
     return (

@@ -32,6 +32,7 @@ class SlotKind(StrEnum):
     TO = "to"
     RECEIVER = "receiver"
     FILL = "fill"  # a member of the message that is sent
+    WEIGHT = "weight"  # behind the condition
     COMPLETE = "complete"  # an operator, or the end
 
 
@@ -65,7 +66,7 @@ class Slot:
     decides: bool = False
 
 
-OPERATORS = frozenset("&& || and or ! not == != < <= > >= + - * / % ( [ , = when else & |".split())
+OPERATORS = frozenset("&& || and or ! not == != < <= > >= + - * / % ( [ , = when else & | ? :".split())
 _COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
 _LOGIC = ("&&", "||", "and", "or")
 
@@ -86,7 +87,9 @@ def transition_slot(tokens: Sequence[Token]) -> Slot:
     if condition < 0:
         return _event_slot(tokens)
     inside = value_slot(tokens[condition + 1 :])
-    return replace(inside, decides=True) if depth > 0 else Slot(SlotKind.COMPLETE)
+    if depth > 0:
+        return replace(inside, decides=True)
+    return Slot(SlotKind.WEIGHT if tokens[-1] == "]" else SlotKind.COMPLETE)
 
 
 def _event_slot(tokens: Sequence[Token]) -> Slot:
