@@ -161,25 +161,28 @@ def test_a_fix_behind_an_alias_compiles_as_it_is_written() -> None:
     assert errors(text) == []
 
 
-def test_included_roles_of_equal_names_do_not_share_local_names() -> None:
-    """In `b.aseme`, `speed` is a variable of the role; in `a.aseme`, it is the `let` of the file."""
+@pytest.mark.parametrize("first", ["a", "b"])
+def test_included_roles_of_equal_names_do_not_share_local_names(first: str) -> None:
+    """`speed` is a variable in the `car` of `b.aseme`; in a role with the other, it is the `let`."""
+    car = "abstract srm car { VAR liveness { car = Go . Rest } activities { Go takes 1s  Rest takes 1s } }\n"
     files = {
-        "a.aseme": "let speed = 2\nabstract srm car { liveness { car = Go } activities { Go takes 1s }"
-        " control car { leave Go : [speed > 1] } }\n",
-        "b.aseme": "let speed = 3\nabstract srm car { var speed : int = 1  liveness { car = Run }"
-        " activities { Run takes 1s } control car { leave Run : [speed > 1] / speed = 2 } }\n",
+        "a.aseme": car.replace("VAR", ""),
+        "b.aseme": car.replace("VAR", "var speed : int = 1"),
+        "c.aseme": (
+            'import "a.aseme" as a\nimport "b.aseme" as b\nlet speed = 9\n'
+            "srm slow { includes a.car  liveness { slow = car . Stop }  activities { Stop takes 1s }\n"
+            "control slow { enter Stop : [speed > 1] } }\n"
+            "srm fast { includes b.car  liveness { fast = car . Stop }  activities { Stop takes 1s }\n"
+            "control fast { enter Stop : [speed > 1] / speed = 2 } }\n"
+        ),
     }
-    files["c.aseme"] = 'import "a.aseme" as a\nsrm fast { includes a.car  liveness { fast = car } }\n'
-    text = (
-        'system S\nimport "b.aseme" as b\nimport "c.aseme" as c\n'
-        "srm slow { includes b.car  liveness { slow = car } }\nteam T { x : c.fast  y : slow }\n"
-    )
-    first = 'import "b.aseme" as b\nimport "c.aseme" as c\n'
-    second = 'import "c.aseme" as c\nimport "b.aseme" as b\n'
-    for order in (text, text.replace(first, second)):
-        system = analysed(order, files).system
-        assert system is not None
-        assert {chart.name for chart in system.iacs} == {"c_fast", "slow"}
+    if first == "b":
+        order = '"a.aseme" as a\nimport "b.aseme" as b', '"b.aseme" as b\nimport "a.aseme" as a'
+        files["c.aseme"] = files["c.aseme"].replace(*order)
+    system = analysed('system S\nimport "c.aseme" as c\nteam T { x : c.fast  y : c.slow }\n', files).system
+    assert system is not None
+    assert [item.name for item in system.iac("c_fast").variables] == ["speed"]
+    assert [item.name for item in system.iac("c_slow").variables] == []
 
 
 def test_the_name_of_a_participant_that_its_role_has_is_told_as_it_is_written() -> None:
