@@ -17,7 +17,7 @@ from pathlib import PurePath
 from aseme_dsl.amola.aip import Aip, DeclaredVariable, NamedFormula, Participant, Plays
 from aseme_dsl.amola.expression import Literal, action_text, duration_text, events_text, value_text
 from aseme_dsl.amola.liveness import canonical
-from aseme_dsl.amola.messages import AGENT, DURATION, Bounds, Kind, Parameter
+from aseme_dsl.amola.messages import DURATION, Bounds, Kind, Parameter
 from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Module, Srm, Subscription
 from aseme_dsl.amola.statechart import State, Statechart
@@ -360,8 +360,8 @@ def _subscription(item: Subscription) -> Json:
 
 
 def _initial(literal: Literal) -> object:
-    """An initial value in JSON: a duration as in the source; null for an agent, which has none."""
-    if literal.type == AGENT:
+    """An initial value in JSON: a duration as in the source; null for an agent or a message."""
+    if literal.type.kind in (Kind.AGENT, Kind.MESSAGE):
         return None
     if literal.type.kind is Kind.LIST:
         return []

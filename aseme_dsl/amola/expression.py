@@ -5,7 +5,7 @@ Nesting is bounded by the compiler (E103), so walking an expression may recurse.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -19,7 +19,7 @@ from aseme_dsl.source import Source, Span
 class Literal:
     """A constant; a duration's value is in ns. The initial value of an enum is its constant's name.
 
-    That of an agent is empty: there is none at first.
+    That of an agent or a message is empty: there is none at first.
     """
 
     value: bool | int | float | str
@@ -39,12 +39,22 @@ class EnumConstant:
 
 @dataclass(frozen=True, slots=True)
 class VariableValue:
-    """A variable of the role or of a played participant; `name` is its key in the statechart."""
+    """A variable of the role or of a played participant; `name` is its key in the statechart.
+
+    With a `path` it is a member of the message that the variable holds, which is of the type `message`.
+    """
 
     name: str
     type: Type
     span: Span
     bounds: Bounds | None = None
+    path: tuple[str, ...] = ()
+    message: str = ""
+
+    @property
+    def may_be_unset(self) -> bool:
+        """Whether the variable holds nothing at first: it is absent then."""
+        return bool(self.path) or self.type.kind in (Kind.AGENT, Kind.MESSAGE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,18 +185,29 @@ class Change(StrEnum):
     REMOVE = "remove"
     """`remove(xs, v)`: without the first element that equals v."""
     DROP = "drop"
-    """`remove(xs[i])`: without the element with the number i; absent where there is none."""
+    """`remove(xs[i])`: without the element with the number i."""
+    PUT = "put"
+    """`xs[i] = v`: with v in place of the element with the number i."""
 
 
 @dataclass(frozen=True, slots=True)
 class Changed:
-    """A list as an action changes it; `value` is what is appended or removed, or the number of an element."""
+    """A list as an action changes it.
+
+    `value` is what is appended, removed or put, `index` the number of the one that is dropped or replaced.
+    """
 
     change: Change
-    list: Value
-    value: Value
+    list: VariableValue
+    value: Value | None
+    index: Value | None
     type: Type
     span: Span
+
+    @property
+    def given(self) -> tuple[Value, ...]:
+        """What the action computes besides the list: the number of an element before its value."""
+        return tuple(item for item in (self.index, self.value) if item is not None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -607,8 +628,10 @@ def operands(value: Value) -> tuple[Value, ...]:
             return (whole, index)
         case Size(list=whole):
             return (whole,)
-        case Contains(list=whole, value=wanted) | Changed(list=whole, value=wanted):
+        case Contains(list=whole, value=wanted):
             return (whole, wanted)
+        case Changed(list=whole):
+            return (whole, *value.given)
         case Not(operand=operand) | Negate(operand=operand) | Holds(operand=operand):
             return (operand,)
         case Logic(operands=parts):
@@ -639,8 +662,16 @@ def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
             return replace(value, list=parts[0], index=parts[1])
         case Size():
             return replace(value, list=parts[0])
-        case Contains() | Changed():
+        case Contains():
             return replace(value, list=parts[0], value=parts[1])
+        case Changed(list=whole):
+            given = iter(parts[1:])
+            return replace(
+                value,
+                list=parts[0] if isinstance(parts[0], VariableValue) else whole,
+                index=None if value.index is None else next(given),
+                value=None if value.value is None else next(given),
+            )
         case Logic():
             return replace(value, operands=parts)
         case Not() | Negate() | Holds():
@@ -845,8 +876,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = _literal_text(constant, kind)
             case EnumConstant(constant=constant, type=kind):
                 text = f"{kind.name}.{constant}"
-            case VariableValue(name=name):
-                text = name.split("@")[0]
+            case VariableValue(name=name, path=path):
+                text = ".".join((name.split("@")[0], *path))
             case ParameterValue(name=name):
                 text = name
             case Member(host=host, channel=channel, path=path):
@@ -867,8 +898,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = f"size({show(whole)})"
             case Contains(list=whole, value=wanted):
                 text = f"contains({show(whole)}, {show(wanted)})"
-            case Changed(change=change, list=whole, value=wanted):
-                text = _changed_text(change, show(whole), show(wanted))
+            case Changed(change=change, list=whole):
+                text = _changed_text(change, show(whole), [show(part) for part in item.given])
             case Has(message=message):
                 text = f"has({show(message)})"
             case Age(message=message):
@@ -911,8 +942,13 @@ def value_text(value: Value, *, expand: bool = False) -> str:
     return show(value)
 
 
-def _changed_text(change: Change, whole: str, value: str) -> str:
-    return f"remove({whole}[{value}])" if change is Change.DROP else f"{change.value}({whole}, {value})"
+def _changed_text(change: Change, whole: str, given: Sequence[str]) -> str:
+    match change:
+        case Change.DROP:
+            return f"remove({whole}[{given[0]}])"
+        case Change.PUT:
+            return f"{whole}[{given[0]}] = {given[1]}"
+    return f"{change.value}({whole}, {given[0]})"
 
 
 def _literal_text(constant: bool | int | float | str, kind: Type) -> str:
@@ -922,6 +958,8 @@ def _literal_text(constant: bool | int | float | str, kind: Type) -> str:
         return str(constant)
     if kind.kind is Kind.LIST:
         return "[]"
+    if kind.kind is Kind.MESSAGE:
+        return ""
     if isinstance(constant, str):
         return f"{kind}.{constant}" if kind.kind is Kind.ENUM else _quoted(constant)
     return duration_text(int(constant)) if kind == DURATION else _number(constant)

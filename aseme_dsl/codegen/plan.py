@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
-from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Kind, Topic
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Kind, Topic
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import (
     State,
@@ -42,8 +42,8 @@ def value_term(value: e.Value) -> Term:
             return ("const", constant)
         case e.EnumConstant(type=kind, constant=constant, number=number):
             return ("enum", kind.name, constant, number)
-        case e.VariableValue(name=name):
-            return ("variable", name)
+        case e.VariableValue(name=name, path=path):
+            return ("variable", name, path) if path else ("variable", name)
         case e.ParameterValue(name=name):
             raise AssertionError(f"{name} is replaced where its formula is expanded")
         case e.Member(host=host, channel=channel, path=path):
@@ -67,8 +67,8 @@ def value_term(value: e.Value) -> Term:
             return ("size", value_term(whole))
         case e.Contains(list=whole, value=wanted):
             return ("contains", value_term(whole), value_term(wanted))
-        case e.Changed(change=change, list=whole, value=wanted):
-            return (change.value, value_term(whole), value_term(wanted))
+        case e.Changed(change=change, list=whole, given=given):
+            return (change.value, value_term(whole), *map(value_term, given))
         case e.Has(message=message):
             return ("has", value_term(message))
         case e.Age(message=message):
@@ -215,7 +215,8 @@ def _transition(transition: Transition, placed: bool = True) -> str:
 
 
 def _variable(system: System, variable: Variable) -> str:
-    initial = None if variable.type == AGENT else _constant(system, variable.initial)
+    is_unset = variable.type.kind in (Kind.AGENT, Kind.MESSAGE)
+    initial = None if is_unset else _constant(system, variable.initial)
     bounds = None if variable.bounds is None else (variable.bounds.least, variable.bounds.most)
     return _call(
         "Variable",

@@ -259,7 +259,7 @@ def _free_atom(value: e.Value, vocabulary: Vocabulary) -> e.Value | None:
         return atom if is_unknown_function(atom) and plain else None
     kinds = e.Member | e.Bound | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.RoundValue
     kinds |= e.Index | e.Has
-    if isinstance(atom, e.Has) and not isinstance(atom.message, e.VariableValue) and atom.message.path:
+    if isinstance(atom, e.Has) and atom.message.path:
         return None  # it depends on the message around it, too
     return atom if isinstance(atom, kinds) else None
 

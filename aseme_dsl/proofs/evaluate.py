@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import cast
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Kind
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Kind
 from aseme_dsl.proofs.unknowns import RAISES, THERE, Key, Vocabulary, identity, presences, written_size
 
 Values = Mapping[Key, object]
@@ -122,7 +122,7 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
         case e.At() | e.Mean():
             key = identity(value)
             return _is_known_there(key, ((THERE, *key),), values)
-        case e.VariableValue() if value.type == AGENT:
+        case e.VariableValue() if value.may_be_unset:
             return _is_known_there(identity(value), presences(value, vocabulary), values)
         case (
             e.Literal()

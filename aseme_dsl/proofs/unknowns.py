@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import cast
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.messages import AGENT, BOOL, Bounds, ChannelKind, EnumType, Function, Kind, Message, Type
+from aseme_dsl.amola.messages import BOOL, Bounds, ChannelKind, EnumType, Function, Kind, Message, Type
 
 Key = tuple[object, ...]
 """Which unknown it is: two places that read the same in one snapshot have the same key."""
@@ -71,8 +71,8 @@ def identity(value: e.Value) -> Key:
             return ("literal", str(kind), type(constant).__name__, constant)
         case e.EnumConstant(type=kind, number=number):
             return ("enum", kind.name, number)
-        case e.VariableValue(name=name):
-            return (VARIABLE, name)
+        case e.VariableValue(name=name, path=path):
+            return (VARIABLE, name, path) if path else (VARIABLE, name)
         case e.ParameterValue(name=name):
             raise AssertionError(f"{name} is replaced where its formula is expanded")
         case e.Expired(timer=timer):
@@ -145,11 +145,15 @@ Read = e.Member | e.Bound | e.VariableValue
 
 def presences(read: Read, vocabulary: Vocabulary) -> tuple[Key, ...]:
     """What must be there for it to have a value: its message, and each optional member on the path."""
-    if isinstance(read, e.VariableValue):
-        return ((SET, VARIABLE, read.name),) if read.type == AGENT else ()
     found: list[Key] = []
-    if isinstance(read, e.Bound):
-        where: Key = (None, read.message)
+    if isinstance(read, e.VariableValue):
+        if not read.may_be_unset:
+            return ()
+        where: Key = (VARIABLE, read.name)
+        owner = vocabulary.messages.get(read.message)
+        found.append((SET, *where))
+    elif isinstance(read, e.Bound):
+        where = (None, read.message)
         owner = vocabulary.messages.get(read.message)
     else:
         where = (read.host, read.channel)
@@ -255,7 +259,7 @@ def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
 
 
 def _presence_unknowns(read: Read, vocabulary: Vocabulary) -> Iterator[Unknown]:
-    whole = e.value_text(read if isinstance(read, e.VariableValue) else replace(read, path=()))
+    whole = e.value_text(replace(read, path=()))
     for key in presences(read, vocabulary):
         text = ".".join((whole, *cast("tuple[str, ...]", key[3]))) if len(key) > 3 else whole
         yield Unknown(key, text, BOOL)
@@ -268,7 +272,9 @@ def sources(value: e.Value) -> frozenset[Key]:
         match part:
             case e.Member(host=host, channel=channel):
                 found.add((HAS, host, channel))
-            case e.VariableValue() | e.Expired() | e.Outcome() | e.StateValue() | e.RoundValue() | e.Index():
+            case e.VariableValue(name=name):
+                found.add((VARIABLE, name))
+            case e.Expired() | e.Outcome() | e.StateValue() | e.RoundValue() | e.Index():
                 found.add(identity(part))
             case e.Bound(message=message):
                 found.add((TAKEN, None, message, ()))

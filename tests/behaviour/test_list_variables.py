@@ -38,10 +38,24 @@ def test_a_list_is_copied(play: Play) -> None:
     assert (run.variable("xs"), run.variable("ys")) == ((1, 2), (1, 3))
 
 
-def test_an_element_that_is_not_there_is_not_removed(play: Play) -> None:
-    run = after(play, "append(xs, 1); remove(xs[4]); remove(xs[0 - 1]); append(xs, 2)")
-    assert run.variable("xs") == (1, 2)
-    assert [line for line in run.did if line.startswith("fault")]
+@pytest.mark.parametrize(
+    ("action", "reason"),
+    [
+        ("remove(xs[4])", "list xs of 1 elements has no element 4"),
+        ("remove(xs[0 - 1])", "list xs of 1 elements has no element -1"),
+        ("xs[1] = 3", "list xs of 1 elements has no element 1"),
+        ("xs[0 - n] = 3", "list xs of 1 elements has no element -7"),
+    ],
+)
+def test_an_element_that_is_not_there_fails_the_state(play: Play, action: str, reason: str) -> None:
+    run = after(play, f"append(xs, 5); {action}")
+    assert reason in str(run.last.failure)
+    assert run.variable("xs") == (5,)
+
+
+def test_an_element_is_set(play: Play) -> None:
+    run = after(play, "xs = [1, 2]; xs[1] = n; xs[0] += 4; d = [1]; d[0] = n")
+    assert (run.variable("xs"), run.variable("d")) == ((5, 7), (7.0,))
 
 
 def test_ints_among_doubles(play: Play) -> None:
@@ -70,3 +84,61 @@ def test_another_region_sees_the_list_in_the_next_step(play: Play) -> None:
     run.step(run.done("A"))
     run.step()
     assert run.active == ["B", "D"]
+
+
+def with_messages(play: Play, actions: str, condition: str = "n == 9") -> Run:
+    """An agent that has got a message on `t.state.M`, and is in B after these actions."""
+    run = play(
+        "srm R { var m : M  var o : M  var q : list[2] of M  var n : int = 7 liveness { R = A . B . C }"
+        f" control R {{ enter B : / {actions} enter C : when [{condition}] }} }}"
+    ).step()
+    return run.step(run.heard("t.state.M", x=3, s="a"), run.done("A"))
+
+
+def test_a_variable_holds_a_message(play: Play) -> None:
+    run = with_messages(play, "m = t.state.M; o = m; n = o.x", 'm.x == 3 && o.s == "a" && has(m)')
+    assert (run.variable("n"), run.active) == (3, ["C"])
+
+
+def test_a_message_stays_when_another_comes(play: Play) -> None:
+    run = with_messages(play, "m = t.state.M", "m.x == 3 && t.state.M.x == 4")
+    run.step(run.heard("t.state.M", x=4))
+    assert run.active == ["C"]
+
+
+@pytest.mark.parametrize("condition", ["m.x != 3", "!(m.x == 3)", "m.on", "has(m)", "size(q) > 0 && m.x < 9"])
+def test_a_variable_without_a_message_is_absent(play: Play, condition: str) -> None:
+    run = with_messages(play, "n = m.x; o = m", condition)
+    assert (run.active, run.variable("n"), run.variable("o")) == (["B"], 7, None)
+    assert [line for line in run.did if line.startswith("fault")]
+
+
+def test_a_list_of_messages(play: Play) -> None:
+    actions = "append(q, t.state.M); append(q, q[0]); m = q[1]; remove(q[0]); q[0] = t.state.M"
+    run = with_messages(play, actions, "size(q) == 1 && q[0].x == 3 && q[0].s == m.s")
+    assert run.active == ["C"]
+
+
+def test_a_list_of_messages_is_full(play: Play) -> None:
+    run = with_messages(play, "append(q, t.state.M); append(q, t.state.M); append(q, t.state.M)")
+    assert "list q of at most 2 elements cannot have 3" in str(run.last.failure)
+
+
+@pytest.mark.parametrize(
+    ("actions", "published"),
+    [
+        ("write_messages.t.data.M { ..m }", "{x=3 s=a}"),
+        ("write_messages.t.data.M { x = 5, ..m }", "{x=5 s=a}"),
+        ("t.data.M.x = 5; t.data.M = m; write_messages.t.data.M", "{x=3 s=a}"),
+        ("t.data.M = m; t.data.M.x = n; write_messages.t.data.M", "{x=7 s=a}"),
+    ],
+)
+def test_a_message_of_a_variable_is_published(play: Play, actions: str, published: str) -> None:
+    run = with_messages(play, f"m = t.state.M; {actions}")
+    assert f"publish t.data.M {published}" in run.did
+
+
+def test_nothing_fills_a_draft_from_a_variable_without_a_message(play: Play) -> None:
+    run = with_messages(play, "t.data.M = m; write_messages.t.data.M")
+    assert "publish t.data.M {}" in run.did
+    assert [line for line in run.did if line.startswith("fault")]

@@ -585,7 +585,10 @@ class Words:
             case "bool":
                 return pick.one_of((name, f"!{name}"))
             case "int":
-                read = "size(line)" if name in BOUNDS else name
+                read = name
+                if name in BOUNDS:
+                    lists = ("size(line)", "size(kept.many)", "notes[1].x")
+                    read = pick.one_of((*lists, "kept.x", "kept.inner.z"))
                 return f"{read} {pick.one_of(('==', '>', '!='))} {pick.number(0, 3)}"
         return f"{name} {pick.one_of(('==', '!='))} {self._plain(self.variables[name], 0)}"
 
@@ -666,13 +669,22 @@ class Words:
                 name = pick.one_of(list(self.variables))
                 if name in BOUNDS:  # a constant may be outside, which the compiler says
                     value = self._assigned(self.variables[name])
+                    channel = pick.one_of([c for c in CHANNELS if c.endswith(".M")])
                     change = (
                         "append(line, k)",
                         f"append(line, {value})",
                         "remove(line, k)",
                         "remove(line[k])",
+                        f"line[size(line) - 1] = {value}",
+                        f"kept = {channel}",
+                        "append(notes, kept)",
+                        "kept = notes[0]",
+                        "remove(notes[0])",
+                        f"notes[0] = {channel}",
+                        f"{channel} = kept",
+                        f"write_messages.{channel} {{ x = kept.x, ..kept }}",
                     )
-                    return f"{change[len(value) % 4]}; {name} += {value}; {change[len(value) // 2 % 4]}"
+                    return f"{pick.one_of(change)}; {name} += {value}; {pick.one_of(change)}"
                 return f"{name} = {self._assigned(self.variables[name])}"
             case "fill":
                 channel = pick.one_of(self.channels)
@@ -836,8 +848,8 @@ def _some(choices: Choices, variables: dict[str, tuple[str, str]]) -> dict[str, 
 
 
 def _variables(variables: dict[str, tuple[str, str]]) -> list[str]:
-    line = ["  var line : list[3] of int"] if "k" in variables else []
-    return line + [
+    lists = ["line : list[3] of int", "kept : M", "notes : list[2] of M"] if "k" in variables else []
+    return [f"  var {item}" for item in lists] + [
         f"  var {name} : {kind}{BOUNDS.get(name, '')} = {initial}"
         for name, (kind, initial) in variables.items()
     ]

@@ -702,7 +702,7 @@ class Reference:
                 case ("member", host, channel, _) if channel.split(".")[1] != "signal":
                     message = region.sees(channel, host)
                     found.append(None if message is None else message.message)
-                case ("variable", name):
+                case ("variable", name, *_):
                     found.append((region.variables[name],))
                 case ("expired", timer):
                     found.append((region.timers.get(timer),))
@@ -1175,6 +1175,11 @@ class Reference:
                     self.fault(number, "a value is absent")
                     return
             values = [self.compute(read) for read in reads]
+        except NoElement as error:
+            count, wanted = error.args
+            own = action[1].partition("@")[0]
+            self.breach_by(number, f"list {own} of {count} elements has no element {wanted}")
+            return
         except Exception as error:
             self.fault(number, str(error))
             return
@@ -1191,18 +1196,16 @@ class Reference:
                 if length is not None and len(values[0]) > length:
                     reason = f"list {own} of at most {length} elements cannot have {len(values[0])}"
                 if reason:
-                    # "A write outside of the bounds is not made"
-                    self.fault(number, reason)
-                    if self.breach is None and self.failure is None:
-                        way = self.way()
-                        target = self.plan.transitions[way[-1]].target if way else self.root()
-                        self.breach = target, f"{reason} ({self.plan.transitions[number].at})"
+                    self.breach_by(number, reason)
                     return
                 region.variables[name] = place.variables[name] = values[0]
                 self.writes.append((place.label, name, values[0]))
             case ("fill", ("member", host, channel, path), _):
-                # "Drafts belong to the region: `t.c.M.f = v` fills one"
-                region.drafts.setdefault((channel, host), {})[path] = values[0]
+                # "Drafts belong to the region: `t.c.M.f = v` fills one", `t.c.M = m` makes one of m
+                draft = region.drafts.setdefault((channel, host), {})
+                if not path:
+                    draft.clear()
+                draft[path] = values[0]
             case ("publish", channel):
                 self.publish(channel, region, place)
             case ("read_messages",):
@@ -1274,6 +1277,14 @@ class Reference:
             if self.reads(place.label, channel) and host in (None, self.agent):
                 own = Sample(channel, message, self.agent, self.now, (self.agent, 0), place.label)
                 place.put(own, self.queued(channel))
+
+    def breach_by(self, number: int, reason: str) -> None:
+        """ "A write outside of the bounds is not made"; the state that is entered fails."""
+        self.fault(number, reason)
+        if self.breach is None and self.failure is None:
+            way = self.way()
+            target = self.plan.transitions[way[-1]].target if way else self.root()
+            self.breach = target, f"{reason} ({self.plan.transitions[number].at})"
 
     def fault(self, number: int, reason: str) -> None:
         """ "a fault is recorded once per transition and step" """
@@ -1372,9 +1383,15 @@ class Reference:
             case ("enum", enum, constant, _):
                 return ("const", self.messages[enum][constant])
             case ("variable", name):
-                # A variable of type agent "is absent until set".
+                # A variable of type agent, or of a message, "is absent until set".
                 value = region.variables[name]
                 return ABSENT if value is None else ("const", value)
+            case ("variable", name, path):
+                value = region.variables[name]
+                found = ABSENT if value is None else member(value, path)
+            case ("has", ("variable", name, path)):
+                value = region.variables[name]
+                return ("const", value is not None and member(value, path) is not ABSENT)
             case ("has", ("taken", path)):
                 assert self.in_hand is not None
                 return ("const", member(self.in_hand.content, path) is not ABSENT)
@@ -1445,14 +1462,6 @@ class Reference:
                     held, number = [self.compute(item) for item in read]
                     numbered = dict(enumerate(held))
                     found = member(numbered[number], path) if number in numbered else ABSENT
-            case ("drop", items, index):
-                read = [self.look_up(items, region)]
-                read.append(ABSENT if read[0] is ABSENT else self.look_up(index, region))
-                found = ABSENT
-                if ABSENT not in read:
-                    held, number = [self.compute(item) for item in read]
-                    kept = [item for n, item in enumerate(held) if n != number]
-                    found = tuple(kept) if len(kept) < len(held) else ABSENT
             case ("holds", operand):
                 # "`holds(c)` is two-valued"
                 found = self.holds(operand, region)
@@ -1493,6 +1502,19 @@ class Reference:
                 return tuple(self.compute(element) for element in elements)
             case ("append", items, item):
                 return (*self.compute(items), self.compute(item))
+            case ("drop", items, index):
+                # "An element that is not there": the action fails the state
+                held, number = self.compute(items), self.compute(index)
+                kept = [item for n, item in enumerate(held) if n != number]
+                if len(kept) == len(held):
+                    raise NoElement(len(held), number)
+                return tuple(kept)
+            case ("put", items, index, item):
+                held, number, new = self.compute(items), self.compute(index), self.compute(item)
+                changed = [new if n == number else old for n, old in enumerate(held)]
+                if not 0 <= number < len(held):
+                    raise NoElement(len(held), number)
+                return tuple(changed)
             case ("remove", items, item):
                 kept, sought = [], [self.compute(item)]
                 for held in self.compute(items):
@@ -1631,6 +1653,8 @@ def member(message: Any, path: tuple[str, ...]) -> Any:
 
 def with_member(message: Any, path: tuple[str, ...], value: Any) -> Any:
     """A copy of the message with another value at the path."""
+    if not path:
+        return value
     if len(path) > 1:
         value = with_member(getattr(message, path[0]), path[1:], value)
     return replace(message, **{path[0]: value})
@@ -1649,12 +1673,16 @@ def values_of(action: Term) -> list[Term]:
     return []
 
 
+class NoElement(Exception):
+    """An action changes an element that is not there: how many there are, and which was meant."""
+
+
 def parts(term: Term | None) -> Iterator[Term]:
     """A term and all terms in it."""
     if term is None:
         return
     yield term
-    path = term[3] if term[0] == "element" else None
+    path = term[3] if term[0] == "element" else term[2:] and term[2] if term[0] == "variable" else None
     for item in term[1:]:
         if isinstance(item, tuple) and item and term[0] not in ("member", "taken") and item is not path:
             yield from parts(item)

@@ -10,6 +10,7 @@ from aseme_dsl.amola.expression import (
     Age,
     Assign,
     At,
+    Changed,
     Evaluate,
     Event,
     Expired,
@@ -59,7 +60,19 @@ def _tamed(chart: Statechart, simple: bool) -> Statechart:
     variables = chart.variables
     if any(isinstance(event, Failed) for item in transitions for event in item.expression.events):
         variables = tuple(replace(item, bounds=None, length=None) for item in variables)
+        transitions = tuple(map(_without_places, transitions))
     return replace(chart, transitions=transitions, regions=regions, variables=variables)
+
+
+def _without_places(transition: Transition) -> Transition:
+    """Without actions that change an element, which may not be there."""
+    expression = transition.expression
+    actions = tuple(
+        action
+        for action in expression.actions
+        if not (isinstance(action, Assign) and isinstance(action.value, Changed) and action.value.index)
+    )
+    return replace(transition, expression=replace(expression, actions=actions))
 
 
 def _members(transitions: tuple[Transition, ...]) -> list[Member]:

@@ -107,6 +107,10 @@ class Face:
             return f"tuple[{self.python(kind.element)}, ...]"
         return _PYTHON[kind.kind]
 
+    def held(self, kind: Type) -> str:
+        """A type of a variable as the module annotates it."""
+        return f"{self.python(kind)} | None" if kind.kind is Kind.MESSAGE else self.python(kind)
+
     def bounded(self, name: str, code: Expr) -> Expr:
         """What a variable gets: code that raises where the value is outside of its bounds."""
         bounds, length = self.variables[name].bounds, self.variables[name].length
@@ -123,7 +127,7 @@ class Face:
     def initial(self, variable: Variable) -> str:
         """What a variable holds at first."""
         value = variable.initial.value
-        if variable.type.kind is Kind.AGENT:
+        if variable.type.kind in (Kind.AGENT, Kind.MESSAGE):
             return "None"
         if variable.type.kind is Kind.LIST:
             return "()"

@@ -48,7 +48,7 @@ from aseme_dsl.amola.expression import (
     VariableValue,
     walk,
 )
-from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, EnumType, Type, list_of
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, EnumType, Type, list_of
 from aseme_dsl.amola.python_names import kept_apart
 from aseme_dsl.codegen.code.tree import (
     NONE,
@@ -196,7 +196,7 @@ def _is(truth: bool, value: Value, names: Names, known: Known) -> tuple[Expr, Kn
                 known = after if every else known
             return all_of(codes) if every else Group(any_of(codes)), known
         case Has(message=message):
-            if isinstance(message, Bound) or (isinstance(message, Member) and message.path):
+            if isinstance(message, Bound) or message.path:
                 there = all_of(evaluate(message, names, known).needs)
                 return there if truth else Negated(Group(there)), known
             return compared(_place(message, names), "is not" if truth else "is", NONE), known
@@ -280,12 +280,12 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return Piece(EnumName(names.constants[kind.name, constant], number), known=known)
         case ParameterValue(name=name):
             raise AssertionError(f"{name} is replaced where its formula is expanded")
-        case VariableValue(name=name, type=kind):
+        case VariableValue(name=name, type=kind, path=path):
             code = names.variables[name]
-            if kind != AGENT:
+            if not value.may_be_unset:
                 return Piece(code, known=known)
             local = names.local()
-            return Piece(local, (_there(local, code),), known)
+            return _path(local, value.message or kind.name, path, (_there(local, code),), names, known)
         case Bound(message=message, path=path):
             return _path(Field(Name(names.mail), "content"), message, path, (), names, known)
         case Sender():
@@ -390,12 +390,10 @@ def may_fail(value: Value) -> bool:
             return not function.target.startswith("builtin:")
         case Arithmetic():
             return may_raise(value)
-        case Changed(change=change):
-            return change is Change.DROP
         case Member() | Element() | Outcome() | Age() | At() | Mean() | Bound() | Sender() | LossReason():
             return True
-        case VariableValue(type=kind):
-            return kind == AGENT
+        case VariableValue():
+            return value.may_be_unset
     return False
 
 
@@ -472,18 +470,25 @@ def _contains(value: Contains, word: str, names: Names, known: Known) -> Piece:
 
 
 def _changed(value: Changed, names: Names, known: Known) -> Piece:
-    whole, wanted = _pair(value.list, value.value, names, known)
-    element = value.type.element
-    if value.change is Change.DROP or element is None:
-        place = names.local()
-        there = Compared(
-            CallOf(Name("len"), (whole.code,)), ((">", Group(Bind(place, wanted.code))), (">=", Const(0)))
-        )
-        needs = (*whole.needs, *wanted.needs, there)
-        return Piece(own_call("dropped", whole.code, place), needs, wanted.known)
-    item = converted(wanted, value.value.type, element)
-    word = "appended" if value.change is Change.APPEND else "removed"
-    return Piece(own_call(word, whole.code, item), whole.needs + wanted.needs, wanted.known)
+    """The list that there is then. Putting and dropping raise where there is no such element."""
+    whole = evaluate(value.list, names, known)
+    needs, known = whole.needs, whole.known
+    given: list[Expr] = [whole.code] if value.index is None else [Const(value.list.name), whole.code]
+    for item, kind in ((value.index, INT), (value.value, value.type.element)):
+        if item is not None and kind is not None:
+            piece = _in_parentheses(evaluate(item, names, known), item)
+            given.append(converted(piece, item.type, kind))
+            needs, known = needs + piece.needs, piece.known
+    return Piece(own_call(_CHANGES[value.change], *given), needs, known)
+
+
+_CHANGES = {
+    Change.APPEND: "appended",
+    Change.REMOVE: "removed",
+    Change.DROP: "dropped",
+    Change.PUT: "put",
+}
+"""The methods of charts that give the changed list."""
 
 
 def _outcome(activity: str, names: Names, known: Known) -> Piece:

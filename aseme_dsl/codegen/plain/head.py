@@ -110,7 +110,7 @@ class Head:
         for label in names.registers.counted:
             yield Slot(names.count(label).name, "int")
         for name, copies in names.copied.items():
-            kind = names.python(names.variables[name].type)
+            kind = names.held(names.variables[name].type)
             for region in copies:
                 yield Slot(names.copy(name, region).name, kind, copies=name)
         if self._spends:
@@ -295,7 +295,7 @@ class Head:
         """The class of the blackboard, or the function that makes a dictionary."""
         names = self._names
         values = [
-            (names.on_board(v.name), names.python(v.type), names.initial(v)) for v in self._chart.variables
+            (names.on_board(v.name), names.held(v.type), names.initial(v)) for v in self._chart.variables
         ]
         for slot, message in names.message_slots().values():
             names.messages.add(message)

@@ -46,7 +46,7 @@ class Head(Part):
         attributes += [(self.names.count_name(label), "int", "0") for label in self.registers.counted]
         for variable in self.chart.variables:
             attributes += [
-                (copy, self.names.python(variable.type), self.names.initial(variable))
+                (copy, self.names.held(variable.type), self.names.initial(variable))
                 for copy in self.names.copies(variable.name)
             ]
         names = ", ".join(f'"{name}"' for name, _, _ in sorted(attributes, key=lambda item: natural(item[0])))

@@ -146,6 +146,11 @@ def _variable(checker: Checker, path: tree.Path) -> Value | None:
     key, kind = checker.scope.variables[name]
     if len(path.segments) == 1:
         return VariableValue(key, kind, path.span, checker.scope.bounds.get(name))
+    if kind.kind is Kind.MESSAGE:
+        found = member_path(checker, kind, (), path.segments[1:])
+        if found is None:
+            return None
+        return VariableValue(key, found[1], path.span, path=found[0], message=kind.name)
     hides = checker.scope.symbols.topic(name) is not None
     _no_members(checker, path.segments[1], "variable", name, str(kind), hides)
     return None
@@ -159,9 +164,13 @@ def _let(checker: Checker, path: tree.Path, let: TypedLet) -> Value | None:
     message = unnamed(let.value)
     if isinstance(message, Member) and message.type.kind is Kind.MESSAGE:
         return _members(checker, message, path.segments[1:], path.span)
-    if isinstance(message, amola.Element) and message.type.kind is Kind.MESSAGE:
+    if isinstance(message, amola.Element | VariableValue) and message.type.kind is Kind.MESSAGE:
         found = member_path(checker, message.type, message.path, path.segments[1:])
-        return None if found is None else replace(message, path=found[0], type=found[1], span=path.span)
+        if found is None:
+            return None
+        if isinstance(message, VariableValue):
+            message = replace(message, message=message.message or message.type.name)
+        return replace(message, path=found[0], type=found[1], span=path.span)
     member = path.segments[1]
     problem = NoMembers(member.text, None, (), "let", let.name, str(let.value.type))
     checker.report(problem, member.span, (Related(let.span, "declared here"),))

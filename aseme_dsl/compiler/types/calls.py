@@ -16,7 +16,7 @@ from aseme_dsl.compiler.read.library import providers
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Related
 from aseme_dsl.diagnostics.problems.expressions import arguments as problems
-from aseme_dsl.diagnostics.problems.expressions.absences import EventAsFunction, NoFunction
+from aseme_dsl.diagnostics.problems.expressions.absences import SIZES, EventAsFunction, NoFunction
 from aseme_dsl.diagnostics.problems.expressions.paths import (
     AgeFromArrival,
     NoHistory,
@@ -33,18 +33,34 @@ def function_name(checker: Checker, written: tree.Call) -> str | None:
     name = written.function.segments[0]
     symbols = checker.scope.symbols
     if len(written.function.segments) > 1:
-        checker.report(NotAFunction(written.function.text), written.function.span)
+        checker.report(NotAFunction(written.function.text, _of_list(checker, written)), written.function.span)
         return None
     if name.text in FORMS or symbols.overloads(name.text):
         return name.text
     if name.text == "after":
         checker.report(EventAsFunction(name.text), written.span)
+    elif name.text in SIZES and written.arguments:
+        meant = f"size({written.arguments[0].span.text})"
+        checker.report(NotAFunction(name.text, meant), name.span, fix="size")
     elif not symbols.is_excused(name.text):
         pool = (*symbols.function_names, *FORMS)
         checker.diagnostics.append(
             unknown(NoFunction, name, pool, libraries=providers(name.text, "function"))
         )
     return None
+
+
+def _of_list(checker: Checker, written: tree.Call) -> str | None:
+    """How the language writes what other languages write as `xs.append(v)` and `xs.length()`."""
+    first, word = written.function.segments[0].text, written.function.segments[-1].text
+    known = checker.scope.variables.get(first)
+    if known is None or known[1].kind is not Kind.LIST or len(written.function.segments) != 2:
+        return None
+    if word in (*SIZES, "size"):
+        return f"size({first})"
+    if word not in ("append", "remove", "contains"):
+        return None
+    return f"{word}({', '.join((first, *(item.span.text for item in written.arguments)))})"
 
 
 def call(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
@@ -199,10 +215,10 @@ def _message(
 def _has(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
     """Whether something is there that may be absent: a message, an optional member, an agent."""
     asked = unnamed(arguments[0]) if len(arguments) == 1 else None
-    if isinstance(asked, amola.VariableValue) and asked.type == AGENT:
+    if isinstance(asked, amola.VariableValue) and asked.may_be_unset and not asked.path:
         return amola.Has(asked, written.span)
-    if isinstance(asked, Member | amola.Bound) and asked.path:
-        message = asked.message if isinstance(asked, amola.Bound) else asked.channel.message
+    if isinstance(asked, Member | amola.Bound | amola.VariableValue) and asked.path:
+        message = asked.channel.message if isinstance(asked, Member) else asked.message
         if is_optional(checker, message, asked.path):
             return amola.Has(asked, written.span)
     if isinstance(asked, amola.Bound):

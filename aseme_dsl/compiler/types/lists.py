@@ -12,10 +12,12 @@ from aseme_dsl.compiler.names.paths import member_path, unnamed
 from aseme_dsl.compiler.read.builtins import FORMS
 from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.compiler.types.calls import assignable, fits, is_given
+from aseme_dsl.compiler.types.operators import arithmetic
 from aseme_dsl.diagnostics import Related
 from aseme_dsl.diagnostics.problems.expressions import values as problems
 from aseme_dsl.diagnostics.problems.expressions.arguments import ListOfMessages, OtherKind, OtherThanElements
-from aseme_dsl.diagnostics.problems.expressions.bounds import ChangeOfOther
+from aseme_dsl.diagnostics.problems.expressions.bounds import ChangeOfOther, RemovedMessage
+from aseme_dsl.diagnostics.problems.expressions.paths import MemberOfVariable
 from aseme_dsl.diagnostics.wording import a
 from aseme_dsl.grammar.text import tree
 
@@ -118,19 +120,69 @@ def change(checker: Checker, written: tree.Call, typed: Typed) -> amola.Assign |
         if first is None:
             is_given(checker, word, written, 2)
         return None
-    place = first.list if isinstance(first, tree.Element) and drops else first
+    if drops and isinstance(first, tree.Element):
+        target = _variable(checker, word, first.list)
+        if target is None or target.type.element is None:
+            return None
+        if first.members:
+            checker.report(ChangeOfOther(word, first.span.text), first.span)
+            return None
+        index = _given(checker, first.index, INT, typed)
+        if index is None:
+            return None
+        changed = amola.Changed(amola.Change.DROP, target, None, index, target.type, written.span)
+        return amola.Assign(target, changed, written.span)
+    target = _variable(checker, word, first)
+    if target is None or target.type.element is None:
+        return None
+    if word == "remove" and target.type.element.kind is Kind.MESSAGE:
+        checker.report(RemovedMessage(target.span.text, str(target.type.element)), written.arguments[1].span)
+        return None
+    value = _given(checker, written.arguments[1], target.type.element, typed)
+    if value is None:
+        return None
+    changed = amola.Changed(amola.Change(word), target, value, None, target.type, written.span)
+    return amola.Assign(target, changed, written.span)
+
+
+def put(checker: Checker, written: tree.Assign, typed: Typed) -> amola.Assign | None:
+    """`xs[i] = v`, `xs[i] += v` (E507, E535)."""
+    assert written.index is not None
+    target = _variable(checker, "xs[i] = v", written.target)
+    if target is None or target.type.element is None:
+        return None
+    if written.members:
+        name = f"{written.target.text}[{written.index.span.text}]"
+        checker.report(MemberOfVariable(name, str(target.type.element)), written.target.span)
+        return None
+    index = _given(checker, written.index, INT, typed)
+    value = typed(checker, written.value)
+    if index is None or value is None:
+        return None
+    if written.operator is not None:
+        before = amola.Element(target, index, (), target.type.element, written.target.span)
+        operator = written.operator
+        sides = tree.Binary(operator.text, written.target, written.value, operator.span, written.span)
+        value = arithmetic(checker, sides, before, value)
+    if value is None or not assignable(checker, value, target.type.element):
+        return None
+    changed = amola.Changed(amola.Change.PUT, target, value, index, target.type, written.span)
+    return amola.Assign(target, changed, written.span)
+
+
+def _variable(checker: Checker, word: str, place: tree.Expression) -> amola.VariableValue | None:
+    """The variable with the list that is changed (E535)."""
     name = place.segments[0].text if isinstance(place, tree.Path) and len(place.segments) == 1 else ""
     known = checker.scope.variables.get(name)
-    if known is None or known[1].element is None or name in checker.scope.parameters:
-        checker.report(ChangeOfOther(word, place.span.text), place.span)
-        return None
-    target = amola.VariableValue(known[0], known[1], place.span)
-    value = typed(checker, first.index if isinstance(first, tree.Element) and drops else written.arguments[1])
-    if value is None or not assignable(checker, value, INT if drops else known[1].element):
-        return None
-    kind = amola.Change.DROP if drops else amola.Change(word)
-    changed = amola.Changed(kind, target, value, known[1], written.span)
-    return amola.Assign(target, changed, written.span)
+    if known is not None and known[1].element is not None and name not in checker.scope.parameters:
+        return amola.VariableValue(known[0], known[1], place.span)
+    checker.report(ChangeOfOther(word, place.span.text), place.span)
+    return None
+
+
+def _given(checker: Checker, written: tree.Expression, kind: Type, typed: Typed) -> Value | None:
+    value = typed(checker, written)
+    return value if value is not None and assignable(checker, value, kind) else None
 
 
 def _is_of_list(
@@ -145,4 +197,4 @@ def _is_of_list(
     return not is_empty(checker, arguments[0])
 
 
-__all__ = ["CHANGES", "change", "contains", "element", "is_empty", "literal", "size"]
+__all__ = ["CHANGES", "change", "contains", "element", "is_empty", "literal", "put", "size"]

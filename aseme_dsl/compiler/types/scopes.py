@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import AgentMessage, DeclaredVariable
@@ -22,6 +22,7 @@ from aseme_dsl.diagnostics.problems.expressions.values import NoTypeOfVariable
 from aseme_dsl.diagnostics.problems.names import ReservedName
 from aseme_dsl.diagnostics.problems.talk import InitialAgent
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,8 +87,8 @@ def protocol_scopes(
     for name, item in first.items():
         # An input is typed as a variable, so that both cannot have one name.
         given = [tree.Var(one.name, one.type, None, one.span) for one in item.inputs]
-        declared, wrong_variables = type_variables((*_variables_of(item), *given), scope)
         names = {one.name.span for one in item.inputs}
+        declared, wrong_variables = type_variables((*_variables_of(item), *given), scope, names)
         own_variables = tuple(one for one in declared if one.span not in names)
         inputs = tuple(one for one in declared if one.span in names)
         own = replace(
@@ -123,11 +124,12 @@ def _bounds_of(variables: Iterable[DeclaredVariable]) -> dict[str, Bounds]:
 
 
 def type_variables(
-    variables: Sequence[tree.Var], scope: Scope
+    variables: Sequence[tree.Var], scope: Scope, inputs: Collection[Span] = ()
 ) -> tuple[tuple[DeclaredVariable, ...], tuple[Diagnostic, ...]]:
-    """Variables with their types and initial values; by default 0, false, "", the first constant or no agent.
+    """Variables with their types and initial values; by default 0, false, "", the first constant or nothing.
 
-    One whose type is wrong is missing; one whose initial value is wrong has the default.
+    One whose type is wrong is missing; one whose initial value is wrong has the default. `inputs` are the
+    places of those that a role supplies: no message.
     """
     found: dict[str, DeclaredVariable] = {}
     diagnostics: list[Diagnostic] = []
@@ -144,7 +146,7 @@ def type_variables(
         if name.text in found:
             diagnostics.append(declared_twice("variable", name, found[name.text].span))
             continue
-        kind, wrong = _variable_type(item.type, scope)
+        kind, wrong = _variable_type(item.type, scope, is_input=name.span in inputs)
         diagnostics += wrong
         if kind is None:
             if item.initial is not None:
@@ -157,8 +159,8 @@ def type_variables(
             found[name.text] = DeclaredVariable(name.text, kind, initial, name.span, length=length)
             continue
         initial = default_value(kind, scope)
-        if item.initial is not None and kind == AGENT:
-            diagnostics.append(Diagnostic(InitialAgent(), item.initial.span))
+        if item.initial is not None and kind.kind in (Kind.AGENT, Kind.MESSAGE):
+            diagnostics.append(Diagnostic(InitialAgent(str(kind)), item.initial.span))
         elif item.initial is not None:
             written, problems = constant(item.initial, kind, scope)
             diagnostics += problems
@@ -181,10 +183,11 @@ def _kind_of(item: tree.Var, scope: Scope) -> Type | None:
     return list_of(kind) if item.is_list and kind is not None else kind
 
 
-def _variable_type(name: tree.Name, scope: Scope) -> tuple[Type | None, tuple[Diagnostic, ...]]:
+def _variable_type(
+    name: tree.Name, scope: Scope, *, is_input: bool
+) -> tuple[Type | None, tuple[Diagnostic, ...]]:
     kind = _kind_named(name.text, scope)
-    usable = [text for text in scope.symbols.type_names if scope.symbols.message(text) is None]
-    usable.append(str(AGENT))
+    usable = [*scope.symbols.type_names, str(AGENT)]
     if kind is None:
         if scope.symbols.is_excused(name.text):
             return None, ()
@@ -192,8 +195,8 @@ def _variable_type(name: tree.Name, scope: Scope) -> tuple[Type | None, tuple[Di
         if other:
             return None, (Diagnostic(NoType(name.text, None, (), spelling=other), name.span, fix=other),)
         return None, (unknown(NoType, name, set(usable) - {"bytes"}),)
-    if kind == BYTES or kind.kind is Kind.MESSAGE:
-        return None, (Diagnostic(NoTypeOfVariable(kind.kind is Kind.MESSAGE), name.span),)
+    if kind == BYTES or (is_input and kind.kind is Kind.MESSAGE):
+        return None, (Diagnostic(NoTypeOfVariable(is_input), name.span),)
     return kind, ()
 
 
@@ -207,7 +210,7 @@ def default_value(kind: Type, scope: Scope) -> Literal:
         return Literal(0.0, kind, span)
     if kind == BOOL:
         return Literal(False, kind, span)
-    return Literal("" if kind in (STRING, AGENT) else 0, kind, span)
+    return Literal("" if kind == STRING or kind.kind in (Kind.AGENT, Kind.MESSAGE) else 0, kind, span)
 
 
 # ---- messages of participants ------------------------------------------------------------------

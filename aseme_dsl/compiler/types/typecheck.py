@@ -394,14 +394,22 @@ def _actions(checker: Checker, written: tree.Action) -> Iterator[amola.Action]:
 
 def _parts(written: tree.Action) -> int:
     """For how many actions a written one stands, if none of them is left out."""
-    return 1 + len(written.fills or ()) if isinstance(written, tree.Publish) else 1
+    if not isinstance(written, tree.Publish):
+        return 1
+    return 1 + len(written.fills or ()) + (written.rest is not None)
 
 
 def _filled(checker: Checker, written: tree.Publish, fills: tuple[tree.Fill, ...]) -> Iterator[amola.Action]:
-    """`write_messages.t.state.M { f = v }`: fill the draft, then publish it."""
+    """`write_messages.t.state.M { f = v, ..m }`: fill the draft, then publish it."""
     publish = _publish(checker, written.path, written.span)
     if not isinstance(publish, amola.Publish):
         return
+    if written.rest is not None and written.rest.message is not None:
+        whole = Type(Kind.MESSAGE, publish.channel.message)
+        source = _whole(checker, written.rest.message)
+        if source is not None and assignable(checker, source, whole):
+            draft = amola.Member(None, publish.channel, (), whole, written.rest.span)
+            yield amola.Assign(draft, source, written.rest.span)
     for item in exchange.fill(checker, publish.channel.message, fills, _whole) or ():
         target = amola.Member(None, publish.channel, item.path, item.type, item.span)
         yield amola.Assign(target, item.value, item.span)
@@ -498,6 +506,8 @@ def _publish(checker: Checker, path: tree.Path, span: Span) -> amola.Action | No
 
 
 def _assign(checker: Checker, written: tree.Assign) -> amola.Action | None:
+    if written.index is not None:
+        return lists.put(checker, written, _whole)
     target = _target(checker, written.target)
     value = _whole(checker, written.value)
     if target is None or value is None:
@@ -528,6 +538,9 @@ def _target(checker: Checker, path: tree.Path) -> amola.VariableValue | amola.Me
     if first.text in scope.variables:
         target = value_of_path(checker, path)
         assert target is None or isinstance(target, amola.VariableValue)
+        if target is not None and target.path:
+            checker.report(problems.MemberOfVariable(first.text, target.message), path.span)
+            return None
         return target
     if first.text in scope.lets:
         related = (Related(scope.lets[first.text].span, "declared here"),)
@@ -542,8 +555,8 @@ def _target(checker: Checker, path: tree.Path) -> amola.VariableValue | amola.Me
     member = member_of(checker, path)
     if member is None:
         return None
-    if member.type.kind is Kind.MESSAGE:
-        checker.report(problems.MessageAssigned(bool(member.path)), path.span)
+    if member.type.kind is Kind.MESSAGE and member.path:
+        checker.report(problems.MessageAssigned(), path.span)
         return None
     optional = through_optional(checker, member.channel.message, member.path)
     if optional is not None:

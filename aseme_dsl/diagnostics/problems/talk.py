@@ -148,8 +148,16 @@ class NotTaken(Problem):
 
 class InitialAgent(Problem):
     code = "E534"
-    message = "a variable of type agent has no initial value"
-    hint = "it is set when a message has come: `/ best = sender(b)`"
+    type: str
+
+    @property
+    def message(self) -> str:
+        return f"a variable of type {self.type} has no initial value"
+
+    @property
+    def hint(self) -> str:
+        value = "sender(b)" if self.type == "agent" else f"topic.state.{self.type}"
+        return f"it is set when a message has come: `/ best = {value}`"
 
 
 class AnswersInAction(Problem):

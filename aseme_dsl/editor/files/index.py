@@ -167,6 +167,8 @@ class Around:
     terms: Mapping[str, Symbol] = field(default_factory=dict)
     parties: Mapping[str, Symbol] = field(default_factory=dict)
     lets: Mapping[Symbol, tree.Expression] = field(default_factory=dict)
+    held: Mapping[Symbol, str] = field(default_factory=dict)
+    """The types of variables, or of the elements of those that are lists."""
     formula: str = ""
     activity: str = ""
     role: str = ""
@@ -438,9 +440,11 @@ def _held(around: Around, written: tree.Expression | None) -> str | None:
         seen.add(named)
         written = around.lets[named]
     last = next(reversed(list(_value(around, written))), None)
-    if last is None or last.symbol.kind is not Kind.FIELD:
+    if last is None or last.symbol.kind not in (Kind.FIELD, Kind.VARIABLE):
         return None
-    message = _held_by(around, last.symbol.owner, last.symbol.name)
+    message = around.held.get(last.symbol)
+    if last.symbol.kind is Kind.FIELD:
+        message = _held_by(around, last.symbol.owner, last.symbol.name)
     for member in members:
         message = None if message is None else _held_by(around, message, member)
     return message
@@ -457,7 +461,7 @@ def _value(around: Around, path: tree.Path, use: Use = Use.READ) -> Iterator[Occ
     if first.text in around.values:
         symbol = around.values[first.text]
         yield Occurrence(first.span, symbol, use, node)
-        message = around.taken.get(first.text) or _message_of_let(around, symbol)
+        message = around.taken.get(first.text) or around.held.get(symbol) or _message_of_let(around, symbol)
         yield from _members(around, message, path.segments[1:], use)
         return
     if first.text in PERFORMATIVES and symbols.topic(first.text) is None and len(path.segments) > 1:
@@ -790,21 +794,24 @@ def _in_participant(party: tree.Participant, around: Around) -> Around:
         values[item.text] = Symbol(Kind.VARIABLE, item.text, owner)
     values |= _lets(party.lets, owner)
     lets = {**around.lets, **_meanings(party.lets, owner)}
-    return replace(around, owner=owner, values=values, lets=lets, terms=terms)
+    held = _types_of(party.variables, owner)
+    return replace(around, owner=owner, values=values, lets=lets, terms=terms, held=held)
 
 
 def _in_role(role: tree.Srm | tree.Statechart, around: Around) -> Around:
     """What a role says itself goes before what it takes over, and that before what is around it."""
     values, lets = dict(around.values), dict(around.lets)
     terms: dict[str, Symbol] = {}
+    held: dict[Symbol, str] = {}
     for part in (*reversed(around.world.included.get(role.name.text, ())), role):
         owner = part.name.text
         values |= {item.name.text: Symbol(Kind.VARIABLE, item.name.text, owner) for item in part.variables}
         values |= _lets(part.lets, owner)
         lets |= _meanings(part.lets, owner)
+        held |= _types_of(part.variables, owner)
         if isinstance(part, tree.Srm):
             terms |= _terms(part)
-    return replace(around, block=role, owner=role.name.text, values=values, lets=lets, terms=terms)
+    return replace(around, block=role, owner=role.name.text, values=values, lets=lets, terms=terms, held=held)
 
 
 def _terms(role: tree.Srm) -> dict[str, Symbol]:
@@ -830,6 +837,10 @@ def _played_terms(plays: Iterable[tree.Plays], owner: str) -> dict[str, Symbol]:
 
 def _lets(written: Iterable[tree.Let], owner: str) -> dict[str, Symbol]:
     return {item.name.text: Symbol(Kind.LET, item.name.text, owner) for item in written}
+
+
+def _types_of(variables: Iterable[tree.Var], owner: str) -> dict[Symbol, str]:
+    return {Symbol(Kind.VARIABLE, item.name.text, owner): item.type.text for item in variables}
 
 
 def _meanings(written: Iterable[tree.Let], owner: str) -> dict[Symbol, tree.Expression]:

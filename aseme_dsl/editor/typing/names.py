@@ -12,7 +12,7 @@ from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.amola.liveness import names
-from aseme_dsl.amola.messages import AGENT, BYTES, Kind
+from aseme_dsl.amola.messages import AGENT, BYTES
 from aseme_dsl.compiler.chart.aip_to_eac import PROCESS
 from aseme_dsl.compiler.read.builtins import PERFORMATIVES
 from aseme_dsl.editor.files.known import Known, bindable, used_names
@@ -75,7 +75,7 @@ def _variable_types(ask: Ask) -> Iterator[Item]:
 
     def fits(name: str) -> bool:
         kind = symbols.type_named(name)
-        return kind is not None and kind != BYTES and kind.kind is not Kind.MESSAGE
+        return kind is not None and kind != BYTES
 
     yield from _type_items(ask.known, fits)
     yield Item(str(AGENT), ItemKind.TYPE, "built in", rank=2)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from aseme_dsl.amola.expression import Member, duration_text
+from aseme_dsl.amola.expression import Member, VariableValue, duration_text
 from aseme_dsl.amola.messages import BOOL, ChannelKind, ChannelRules, EnumType, Function, Kind, Message, Type
 from aseme_dsl.compiler.names.paths import unnamed
 from aseme_dsl.compiler.names.scope import Scope, TypedLet
@@ -185,7 +185,8 @@ def members(scope: Scope, known: Known, path: Sequence[str], comms: Sequence[str
     """What may follow the dot behind a path; `comms` limits the classes of messages, if it names any."""
     symbols = scope.symbols
     first, rest = path[0], list(path[1:])
-    if not rest and first in scope.variables:
+    if first in scope.variables:
+        yield from _fields(scope, known, symbols.message(scope.variables[first][1].name), rest)
         return
     if first in known.aliases and first not in scope.lets:
         if not rest:
@@ -226,7 +227,7 @@ def members(scope: Scope, known: Known, path: Sequence[str], comms: Sequence[str
 
 def _members_of_let(scope: Scope, known: Known, let: TypedLet, rest: Sequence[str]) -> Iterator[Item]:
     message = unnamed(let.value) if let.value is not None else None
-    if isinstance(message, Member) and message.type.kind is Kind.MESSAGE:
+    if isinstance(message, Member | VariableValue) and message.type.kind is Kind.MESSAGE:
         yield from _fields(scope, known, scope.symbols.message(message.type.name), rest)
 
 

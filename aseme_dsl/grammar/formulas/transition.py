@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from aseme_dsl.diagnostics import Edit
 from aseme_dsl.diagnostics.problems.syntax import formulas as problems
@@ -240,17 +241,21 @@ def _action(reader: Reader) -> tree.Action:
         if not dot:
             raise reader.error(problems.PublishWithoutChannel(), first)
         topic = tree.Path(path.segments[1:], path.segments[1].span.to(path.span))
-        fills = _fills(reader) if reader.next == "{" else None
-        return tree.Publish(topic, reader.since(first.start), fills)
+        fills, rest = _content(reader, is_sent=False) if reader.next == "{" else (None, None)
+        return tree.Publish(topic, reader.since(first.start), fills, rest)
     expression = operation(reader)
     if reader.next not in ASSIGNMENTS:
         return tree.Evaluate(expression, reader.since(first.start))
     equals = reader.take()
-    if not isinstance(expression, tree.Path):
+    place = expression.list if isinstance(expression, tree.Element) else expression
+    if not isinstance(place, tree.Path):
         raise reader.error(problems.NotAssignable(str(equals)), equals)
     value = operation(reader)
     operator = None if equals == "=" else tree.Name(equals[0], reader.span(equals))
-    return tree.Assign(expression, value, reader.since(first.start), operator)
+    found = tree.Assign(place, value, reader.since(first.start), operator)
+    if isinstance(expression, tree.Element):
+        return replace(found, index=expression.index, members=expression.members)
+    return found
 
 
 def _send(reader: Reader) -> tree.Send:
@@ -312,18 +317,22 @@ def _one(reader: Reader) -> Span | None:
     return reader.span(reader.take())
 
 
-def _fills(reader: Reader) -> tuple[tree.Fill, ...]:
-    """`{ f = v, g.h = v }` behind what is published: other members keep what they have."""
-    return _content(reader, is_sent=False)[0]
+def _is_behind(reader: Reader) -> bool:
+    """Whether a name is behind the next token."""
+    following = reader.tokens[reader.index + 1] if reader.index + 1 < len(reader.tokens) else ""
+    return is_word(following) and following not in RESERVED
 
 
 def _content(reader: Reader, *, is_sent: bool = True) -> tuple[tuple[tree.Fill, ...], tree.Rest | None]:
-    """`{ f = v, g.h = v }`, and the `..` or `..m` at its end."""
+    """`{ f = v, g.h = v }`, and the `..` or `..m` at its end.
+
+    Of what is published, not sent, members that are not named keep what they have; so it has no `..` alone.
+    """
     opener = reader.take()
     found: list[tree.Fill] = []
     rest: tree.Rest | None = None
     while reader.next != "}":
-        if is_sent and rest is None and reader.next == "..":
+        if rest is None and reader.next == ".." and (is_sent or _is_behind(reader)):
             dots = reader.take()
             message = None
             if is_word(reader.next) and reader.next not in RESERVED:
@@ -349,7 +358,7 @@ def _content(reader: Reader, *, is_sent: bool = True) -> tuple[tuple[tree.Fill, 
         found.append(tree.Fill(read_path(reader.source, name), value, reader.since(name.start)))
         if reader.next in (",", ";"):
             reader.take()
-        elif reader.next == ".." and is_sent:
+        elif reader.next == ".." and (is_sent or _is_behind(reader)):
             raise _without_comma(reader)
         elif reader.next != "}":
             raise reader.unexpected(Wanted.OPERATOR, ",", "}", related=(reader.still_open(opener),))

@@ -212,12 +212,15 @@ Event = After | Received | Lost | Raised
 
 @dataclass(frozen=True, slots=True)
 class Assign:
-    """`target = value`, or `target += value` with the operator before its `=`."""
+    """`target = value`, or `target += value` with the operator before its `=`; `target[index] = value`."""
 
     target: Path
     value: Expression
     span: Span
     operator: Name | None = None
+    index: Expression | None = None
+    members: tuple[Name, ...] = ()
+    """What is written behind the index."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -239,7 +242,7 @@ class Rest:
 
 @dataclass(frozen=True, slots=True)
 class Publish:
-    """`write_messages.topic.kind.Message { f = v }`; `path` is what follows `write_messages.`.
+    """`write_messages.topic.kind.Message { f = v, ..m }`; `path` is what follows `write_messages.`.
 
     `fills` is None without braces.
     """
@@ -247,6 +250,7 @@ class Publish:
     path: Path
     span: Span
     fills: tuple[Fill, ...] | None = None
+    rest: Rest | None = None
 
 
 @dataclass(frozen=True, slots=True)

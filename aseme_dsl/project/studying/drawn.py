@@ -195,8 +195,11 @@ class _Drawing:
                 return found[chance.choice(self.enums[kind.name].constants)[0]]
             case Kind.MESSAGE:
                 return self.content(kind.name)
-            case Kind.OUTCOME | Kind.AGENT | Kind.LIST:
+            case Kind.OUTCOME | Kind.AGENT:
                 return None
+            case Kind.LIST:
+                assert kind.element is not None
+                return tuple(self.value(kind.element) for _ in range(chance.randrange(3)))
             case _:
                 assert_never(kind.kind)
 
@@ -204,6 +207,8 @@ class _Drawing:
 def _inside(variable: Variable, value: object) -> object:
     """The nearest value that a variable can hold."""
     bounds = variable.bounds
+    if isinstance(value, tuple):
+        return value[: variable.length]
     if bounds is None or not isinstance(value, int | float):
         return value
     return min(max(value, bounds.least), bounds.most)

@@ -10,10 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import GenericAlias
 
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.functions import TYPES
 from aseme_dsl.runtime.chart.inputs import (
     LOST,
     Addressed,
@@ -274,6 +276,15 @@ class _Reading:
                 else f"step {number} takes other transitions than in the run"
             )
 
+    def _type_of(self, agent: str, name: str) -> object:
+        """The Python type of what a variable holds."""
+        chart = self.agents[agent].recorder.chart
+        said = next(item.type for item in chart.PLAN.variables if item.name == name)
+        element = said.removeprefix("list of ")
+        if element != said:
+            return GenericAlias(tuple, (self.messages.get(element) or TYPES[element][-1], ...))
+        return self.messages.get(said) or type(chart.variable(name))
+
     def input(self, agent: str, identity: Identity) -> Input | None:
         """What an input of an agent was; None if the trace does not say."""
         record = self.brought.get((agent, identity)) or self.said.get(identity)
@@ -290,9 +301,10 @@ class _Reading:
             case "event":
                 return Happened(record["event"])
             case "variable":
-                kind = type(self.agents[agent].recorder.chart.variable(record["variable"]))
                 value = record["value"]
-                return Written(record["variable"], value if value is None else from_json(kind, value))
+                name = record["variable"]
+                kind = self._type_of(agent, name)
+                return Written(name, value if value is None else from_json(kind, value))
             case "activity" if record["what"] == "end":
                 return Completed(record["label"], record["token"], record.get("outcome"))
             case "activity":

@@ -200,8 +200,11 @@ class Board:
     # ---- drafts ----------------------------------------------------------------------------
 
     def fill(self, channel: str, host: str | None, path: tuple[str, ...], value: object) -> None:
-        """Set a member of the message that the next publication of the channel sends."""
-        self.drafts.setdefault((channel, host), {})[path] = value
+        """Set a member of the message that the next publication of the channel sends; without a path all."""
+        members = self.drafts.setdefault((channel, host), {})
+        if not path:
+            members.clear()
+        members[path] = value
 
     def take_drafts(self, channel: str, kind: type[DataclassInstance]) -> list[tuple[str | None, object]]:
         """The drafts of a channel as (receiver, message); one of defaults for all where there is none."""
@@ -217,7 +220,7 @@ def built(
     """A new message with the members at these paths; the others are those `given`, or have their defaults."""
     whole = dict(given)
     for path, value in members.items():
-        if len(path) > 1:
+        if len(path) != 1:
             break
         whole[path[0]] = value
     else:  # the usual case: it is made, and its fields are checked, once
@@ -229,6 +232,9 @@ def built(
 
 
 def _with(message: DataclassInstance, path: tuple[str, ...], value: object) -> DataclassInstance:
+    if not path:
+        assert isinstance(value, type(message))
+        return value
     if len(path) > 1:
         value = _with(getattr(message, path[0]), path[1:], value)
     return replace(message, **{path[0]: value})

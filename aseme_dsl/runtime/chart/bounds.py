@@ -24,6 +24,13 @@ def check_length(name: str, length: int, items: Sized) -> None:
         raise OutOfBounds(f"list {own} of at most {length} elements cannot have {len(items)}")
 
 
+def check_place(name: str, items: Sized, place: int) -> None:
+    """Raises OutOfBounds for an element that a list does not have."""
+    if not 0 <= place < len(items):
+        own = name.partition("@")[0]
+        raise OutOfBounds(f"list {own} of {len(items)} elements has no element {place}")
+
+
 def check_variable(variable: Variable, value: object) -> None:
     """Raises OutOfBounds where a variable has bounds that the value is not within."""
     if variable.bounds is not None:

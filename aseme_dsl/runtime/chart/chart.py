@@ -12,7 +12,7 @@ from random import Random
 from typing import Any, TypeVar
 
 from aseme_dsl.runtime.chart.board import NEVER, Board, built
-from aseme_dsl.runtime.chart.bounds import OutOfBounds, check, check_length
+from aseme_dsl.runtime.chart.bounds import OutOfBounds, check, check_length, check_place
 from aseme_dsl.runtime.chart.functions import checked, find_function, results_of
 from aseme_dsl.runtime.chart.inputs import (
     AgentMessage,
@@ -287,9 +287,16 @@ class Chart(ChartState):
         return (*items[:place], *items[place + 1 :])
 
     @staticmethod
-    def dropped(items: tuple[T, ...], place: int) -> tuple[T, ...]:
-        """A list without the element at a place."""
+    def dropped(name: str, items: tuple[T, ...], place: int) -> tuple[T, ...]:
+        """A list without the element at a place. Raises OutOfBounds if there is none."""
+        check_place(name, items, place)
         return (*items[:place], *items[place + 1 :])
+
+    @staticmethod
+    def put(name: str, items: tuple[T, ...], place: int, item: T) -> tuple[T, ...]:
+        """A list with another element at a place. Raises OutOfBounds if there is none."""
+        check_place(name, items, place)
+        return (*items[:place], item, *items[place + 1 :])
 
     @staticmethod
     def is_news(mark: Seen | None, seen: Seen) -> bool:

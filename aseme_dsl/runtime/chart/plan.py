@@ -6,6 +6,7 @@ Conditions and values are nested tuples whose first item says what they are:
 
     ```text
     ("const", value)  ("enum", "PlayerState", "PLAYING", 3)  ("variable", name)
+    ("variable", name, ("member",))
     ("member", sender or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
     ("taken", path)  ("sender",)  ("reason",)       (of the agent message that the transition takes)
     ("call", name, value, …)  ("builtin", name, value, …)  ("has", member or variable)

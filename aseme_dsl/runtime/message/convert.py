@@ -47,6 +47,8 @@ def like(value: object, example: object, messages: Messages) -> object:
         if not isinstance(value, IntEnum) or value.name not in kind.__members__:
             raise LookupError(f"{kind.__name__} has no constant {getattr(value, 'name', value)}")
         return kind[value.name]
+    if isinstance(value, tuple):
+        return tuple(converted(item, messages) for item in value)
     return converted(value, messages)
 
 

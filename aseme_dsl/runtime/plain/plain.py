@@ -306,9 +306,19 @@ class Plain:
         place = items.index(item) if item in items else len(items)
         return (*items[:place], *items[place + 1 :])
 
-    def dropped(self, items: Any, place: int) -> Any:
-        """A list without the element at a place."""
+    def dropped(self, name: str, items: Any, place: int) -> Any:
+        """A list without the element at a place. Raises OutOfBounds if there is none."""
+        self._check_place(name, items, place)
         return (*items[:place], *items[place + 1 :])
+
+    def put(self, name: str, items: Any, place: int, item: Any) -> Any:
+        """A list with another element at a place. Raises OutOfBounds if there is none."""
+        self._check_place(name, items, place)
+        return (*items[:place], item, *items[place + 1 :])
+
+    def _check_place(self, name: str, items: Any, place: int) -> None:
+        if not 0 <= place < len(items):
+            raise OutOfBounds(f"list {name} of {len(items)} elements has no element {place}")
 
     def fault(self, transition: int, reason: object) -> bool:
         """Something of a transition could not be done; always False.

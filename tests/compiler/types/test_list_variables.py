@@ -60,6 +60,17 @@ WANTED = "an int is wanted here, not a string"
         (text("list of int = [1]"), "E514", "[1]", "the list `xs` begins empty"),
         (text("list of int 0..3"), "E518", "0..3", "a list of int has no bounds"),
         (text("list of agent", "xs = []"), "E500", "agent", "a list does not hold agents"),
+        (text(action="xs[0] = true"), "E500", "true", "an int is wanted here, not a bool"),
+        (text(action="xs[true] = 1"), "E500", "true", "an int is wanted here, not a bool"),
+        (text(action="ys[0] = 1"), "E535", "ys", NO_LIST.replace("`append`", "`xs[i] = v`")),
+        (text(action="xs.append(1)"), "E502", "xs.append", "`xs.append` is not a function"),
+        (text(action="append(xs, len(xs))"), "E502", "len", "`len` is not a function"),
+        (
+            text(action="append(xs, xs.length)"),
+            "E501",
+            "length",
+            "the variable `xs` is a list of int: it has no members",
+        ),
         (text(action="xs = append(xs, 1)"), "E504", "append(xs, 1)", "`append` is an action, not a value"),
     ],
 )
@@ -84,3 +95,75 @@ def test_the_models_have_them() -> None:
         assert (variable["type"], variable["length"], variable["initial"]) == ("list of int", 3, [])
     [action] = models["iac.r.json"]["transitions"][0]["actions"]  # type: ignore[index]
     assert action == "append(xs, 1)"
+
+
+MESSAGES = """system S
+message Place {{ int x }}
+message Order {{ int id  Place place  optional string note  repeated string names }}
+message Other {{ int id }}
+topic t {{ state Order  state Other }}
+srm r {{
+  var m : Order
+  var o : Order
+  var q : list[3] of Order
+  liveness {{ r = A . B }}
+  activities {{ A takes 1s  B takes 1s }}
+  control r {{ enter A : / {action}  enter B : [{condition}] }}
+}}
+"""
+
+
+def with_messages(action: str = "m = t.state.Order; append(q, m)", condition: str = "m.id == o.id") -> str:
+    return MESSAGES.format(action=action, condition=condition)
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        with_messages(),
+        with_messages("m = t.state.Order; o = m; append(q, o); q[0] = m; remove(q[0]); m = q[0]; q = [m, o]"),
+        with_messages(
+            "write_messages.t.state.Order { ..m }; t.state.Order = q[0]; t.state.Order.id = q[0].id"
+        ),
+        with_messages(condition='has(m) && has(m.note) && m.place.x == 1 && contains(m.names, "a")'),
+        with_messages(condition='q[0].names[1] == "a" && size(q[1].names) > 0 && q[0].place.x < m.place.x'),
+    ],
+)
+def test_variables_hold_messages(written: str) -> None:
+    assert told(written) == []
+
+
+@pytest.mark.parametrize(
+    ("written", "code", "place", "message"),
+    [
+        (
+            with_messages("m = t.state.Other"),
+            "E500",
+            "t.state.Other",
+            "an Order is wanted here, not an Other",
+        ),
+        (with_messages("m.id = 3"), "E507", "m.id", "the message in `m` does not change"),
+        (with_messages("q[0].id = 3"), "E507", "q", "the message in `q[0]` does not change"),
+        (with_messages("remove(q, m)"), "E535", "m", "`remove` does not look for an Order"),
+        (
+            with_messages("write_messages.t.state.Other { ..m }"),
+            "E500",
+            "m",
+            "an Other is wanted here, not an Order",
+        ),
+        (with_messages(condition="m == o"), "E509", "m == o", "two messages (Order) cannot be compared"),
+        (with_messages(condition="m.age > 3"), "E501", "age", "`Order` has no member `age`"),
+        (with_messages(condition="has(q[0])"), "E504", "q[0]", "`has` wants a message, not an Order"),
+    ],
+)
+def test_what_does_not_fit_a_message_is_said_once(written: str, code: str, place: str, message: str) -> None:
+    assert told(written) == [(code, place, message)]
+
+
+def test_the_models_have_variables_with_messages() -> None:
+    variables = models_json(system_of(with_messages()))["iac.r.json"]["variables"]
+    assert [(v["type"], v["initial"]) for v in variables] == [  # type: ignore[index, union-attr]
+        ("Order", None),
+        ("Order", None),
+        ("list of Order", []),
+    ]

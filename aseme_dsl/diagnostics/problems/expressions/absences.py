@@ -10,6 +10,8 @@ from aseme_dsl.diagnostics.wording import a, carried_on, listed
 
 Meant = Literal["constant", "variable", "participant", "nothing", "topic", "message", "function"]
 """The thing that has the name, if the name is not a value."""
+SIZES = ("len", "length")
+"""How other languages call `size`."""
 MemberlessKind = Literal["", "variable", "let", "constant", "list"]
 
 
@@ -123,6 +125,8 @@ class NoMembers(Absent):
         if self.kind == "list":
             last = self.owner.rpartition(".")[2]
             return f"take one of its elements: `{last}[0].{self.name}` for the first"
+        if self.type.startswith("list of ") and self.kind == "variable" and self.name in (*SIZES, "size"):
+            return f"write `size({self.owner})`"
         if self.hides_topic:
             return f"the variable hides the topic `{self.owner}`: call it something else"
         return None

@@ -96,7 +96,7 @@ class ListNotEmpty(Problem):
 
 
 class ChangeOfOther(Problem):
-    """`word`: append or remove."""
+    """`word`: append, remove, or an assignment to an element."""
 
     code = "E535"
     word: str
@@ -107,6 +107,20 @@ class ChangeOfOther(Problem):
         return f"`{self.word}` changes a variable that is a list, not `{self.written}`"
 
     hint = "declare a list: `var names : list of string`"
+
+
+class RemovedMessage(Problem):
+    code = "E535"
+    list: str
+    type: str
+
+    @property
+    def message(self) -> str:
+        return f"`remove` does not look for {a(self.type)}"
+
+    @property
+    def hint(self) -> str:
+        return f"say which element: `remove({self.list}[0])`"
 
 
 class ResultWithOtherBounds(Problem):

@@ -180,12 +180,19 @@ class PathWithoutMessage(Problem):
 
 
 class NotAFunction(Problem):
+    """`meant` is what is written instead, where that is known."""
+
     code = "E502"
     path: str
+    meant: str | None = None
 
     @property
     def message(self) -> str:
         return f"`{self.path}` is not a function"
+
+    @property
+    def hint(self) -> str | None:
+        return None if self.meant is None else f"write `{self.meant}`"
 
 
 class PublishedForHost(Problem):
@@ -376,16 +383,27 @@ class MemberChanged(Problem):
 
 
 class MessageAssigned(Problem):
-    """`is_inner`: it is a member of another."""
+    """It is a member of another."""
 
     code = "E507"
-    is_inner: bool
+    message = "a message inside a message is not assigned to"
+    hint = "assign to its members one by one"
+
+
+class MemberOfVariable(Problem):
+    """`order.count = 1`: `type` is the message that the variable, or an element of the list, holds."""
+
+    code = "E507"
+    name: str
+    type: str
 
     @property
     def message(self) -> str:
-        return f"{'a message inside a message' if self.is_inner else 'a whole message'} is not assigned to"
+        return f"the message in `{self.name}` does not change"
 
-    hint = "assign to its members one by one"
+    @property
+    def hint(self) -> str:
+        return f"put another {self.type} in its place: `{self.name} = topic.state.{self.type}`"
 
 
 class InnerMessageFilled(Problem):

@@ -36,16 +36,20 @@ class OtherTypeWanted(Problem):
 
 
 class NoTypeOfVariable(Problem):
-    """A message, or bytes."""
+    """`is_input`: it stands behind `given`, and may be a message."""
 
     code = "E500"
-    is_message: bool
+    is_input: bool
 
     @property
     def message(self) -> str:
-        return f"a variable cannot hold {'a message' if self.is_message else 'bytes'}"
+        return "an input cannot hold messages or bytes" if self.is_input else "a variable cannot hold bytes"
 
-    hint = "a variable is a bool, int, double, string, duration, agent, an enum or a list"
+    @property
+    def hint(self) -> str:
+        if self.is_input:
+            return "an input is a bool, int, double, string, duration, agent or an enum"
+        return "a variable is a bool, int, double, string, duration, agent, an enum, a message or a list"
 
 
 class DifferentBranches(Problem):
