@@ -108,9 +108,17 @@ def test_types_of_fields_and_variables() -> None:
         *("E", "M", "N", "optional", "repeated"),
     ]
     text = "system T\nenum E { A }\nmessage M { bool b }\nsrm r { var x : ‸ }\n"
-    assert labels(text) == ["bool", "int", "double", "string", "duration", "agent", "E", "list"]
+    assert labels(text) == ["bool", "int", "double", "string", "duration", "agent", "E", "M", "list"]
     text = "system T\nenum E { A }\nmessage M { bool b }\nsrm r { var x : list of ‸ }\n"
-    assert labels(text) == ["bool", "int", "double", "string", "duration", "agent", "E"]
+    assert labels(text) == ["bool", "int", "double", "string", "duration", "agent", "E", "M"]
+
+
+def test_members_of_the_message_in_a_variable() -> None:
+    text = "system T\nmessage P { int y }\nmessage M { bool b  P p }\nsrm r { var x : M  let z = x\n"
+    text += "liveness { r = A . B } control r { enter B : [CURSOR] } }"
+    assert labels(text.replace("CURSOR", "x.‸")) == ["b", "p"]
+    assert labels(text.replace("CURSOR", "x.p.‸")) == ["y"]
+    assert labels(text.replace("CURSOR", "z.‸")) == ["b", "p"]
 
 
 def test_an_initial_value_is_a_constant_of_its_type() -> None:

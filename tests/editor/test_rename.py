@@ -55,6 +55,19 @@ def test_a_participant_is_renamed_with_its_role_in_the_use_cases() -> None:
     assert "team.state.Assignment.center_for == my" in text
 
 
+def test_a_member_is_renamed_in_the_messages_of_variables() -> None:
+    text = """message M { int ^x }
+topic t { state M }
+srm r {
+  var m : M  var q : list of M
+  liveness { r = A . B }
+  control r { enter B : [m.x == q[0].x] / m = t.state.M; append(q, m); write_messages.t.state.M { x = q[1].x, ..m } }
+}
+"""
+    after = renamed(text.replace("^", ""), "message M { int ^x", "y")
+    assert "[m.y == q[0].y]" in after and "{ y = q[1].y, ..m }" in after
+
+
 def test_a_formula_is_renamed_in_its_role_only() -> None:
     text = renamed(KOURETES, "^decision   =", "choice")
     assert "choice~" in text and "control choice {" in text and "choice   = CheckForBall" in text
