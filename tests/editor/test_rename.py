@@ -61,7 +61,9 @@ topic t { state M }
 srm r {
   var m : M  var q : list of M
   liveness { r = A . B }
-  control r { enter B : [m.x == q[0].x] / m = t.state.M; append(q, m); write_messages.t.state.M { x = q[1].x, ..m } }
+  control r {
+    enter B : [m.x == q[0].x] / m = t.state.M; append(q, m); write_messages.t.state.M { x = q[1].x, ..m }
+  }
 }
 """
     after = renamed(text.replace("^", ""), "message M { int ^x", "y")
