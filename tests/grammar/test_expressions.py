@@ -281,7 +281,7 @@ def test_an_expression_ends_where_the_next_entry_begins() -> None:
         ("/ n = way[1", "1"),
         ("/ n = [1, 2", "2"),
         ("/ n = [1 2]", "2"),
-        ("/ way[0] = 2", "="),
+        ("/ size(way) = 2", "="),
     ],
 )
 def test_malformed_transitions(text: str, place: str) -> None:
