@@ -226,8 +226,11 @@ class Game:
             case ("write", number, value):
                 if not self.plan.variables:
                     return []
-                variable = self.plan.variables[number % len(self.plan.variables)].name
-                return [Written(variable, like(self.expected.variable(variable), value))]
+                variable = self.plan.variables[number % len(self.plan.variables)]
+                before = self.expected.variable(variable.name)
+                if before is None and variable.type != "agent":
+                    return []  # a message that nothing has set
+                return [Written(variable.name, like(before, value))]
             case ("mail", kind, number, sender, members):
                 if not self.plan.branches:
                     return []

@@ -112,8 +112,11 @@ class Game:
 
     def on_board(self, choices: Choices) -> Input | None:
         if choices.one_in(2) and self.plan.variables:
-            variable = choices.one_of(self.plan.variables).name
-            return Written(variable, like(self.expected.variable(variable), choices.number(0, 3)))
+            variable = choices.one_of(self.plan.variables)
+            before, number = self.expected.variable(variable.name), choices.number(0, 3)
+            if before is None and variable.type != "agent":
+                return None  # a message that nothing has set
+            return Written(variable.name, like(before, number))
         channels = [info for info in self.plan.channels if info.name.startswith("t.state")]
         if not channels:
             return None

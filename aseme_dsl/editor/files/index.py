@@ -403,6 +403,7 @@ UNNAMED: frozenset[tuple[type, str]] = frozenset(
     {
         (tree.Way, "verb"),  # a word of the language
         (tree.Assign, "operator"),
+        (tree.Assign, "members"),  # E507: an element is set as a whole
         (tree.Import, "alias"),  # what stands behind it has its own occurrences
         (tree.Roles, "type"),
         (tree.Activity, "kind"),

@@ -277,9 +277,9 @@ class _Reading:
             )
 
     def _type_of(self, agent: str, name: str) -> object:
-        """The Python type of what a variable holds."""
+        """The Python type of what a variable holds. Raises LookupError or TypeError if there is none."""
         chart = self.agents[agent].recorder.chart
-        said = next(item.type for item in chart.PLAN.variables if item.name == name)
+        said = {item.name: item.type for item in chart.PLAN.variables}[name]
         element = said.removeprefix("list of ")
         if element != said:
             return GenericAlias(tuple, (self.messages.get(element) or TYPES[element][-1], ...))
