@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Fill, Literal, Value, value_text
 from aseme_dsl.amola.liveness import Formula
-from aseme_dsl.amola.messages import Bounds, Kind, Parameter, Type
+from aseme_dsl.amola.messages import Bounds, Parameter, Type
 from aseme_dsl.display import Displayed
 from aseme_dsl.source import Span
 
@@ -40,8 +40,7 @@ class DeclaredVariable:
     @property
     def text(self) -> str:
         """`bids : int 0..10 = 0`; `best : agent`, which has no initial value, as a message."""
-        is_unset = self.type.kind in (Kind.AGENT, Kind.MESSAGE)
-        said = "" if is_unset else f" = {value_text(self.initial)}"
+        said = "" if self.type.begins_unset else f" = {value_text(self.initial)}"
         bounds = "" if self.bounds is None else f" {self.bounds}"
         kind = str(self.type) if self.length is None else f"list[{self.length}] of {self.type.element}"
         return f"{self.name} : {kind}{bounds}{said}"

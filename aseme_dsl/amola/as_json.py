@@ -361,7 +361,7 @@ def _subscription(item: Subscription) -> Json:
 
 def _initial(literal: Literal) -> object:
     """An initial value in JSON: a duration as in the source; null for an agent or a message."""
-    if literal.type.kind in (Kind.AGENT, Kind.MESSAGE):
+    if literal.type.begins_unset:
         return None
     if literal.type.kind is Kind.LIST:
         return []

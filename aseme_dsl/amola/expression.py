@@ -54,7 +54,7 @@ class VariableValue:
     @property
     def may_be_unset(self) -> bool:
         """Whether the variable holds nothing at first: it is absent then."""
-        return bool(self.path) or self.type.kind in (Kind.AGENT, Kind.MESSAGE)
+        return bool(self.path) or self.type.begins_unset
 
 
 @dataclass(frozen=True, slots=True)
@@ -1031,9 +1031,8 @@ def expression_text(expression: TransitionExpression) -> str:
     events = events_text(expression)
     if events:
         parts.append(events)
-    condition = expression.condition
-    if condition is not None:
-        parts.append(f"[{value_text(condition)}]")
+    if expression.condition is not None:
+        parts.append(f"[{value_text(expression.condition)}]")
     if expression.weight is not None:
         parts.append(f"weight {expression.weight}")
     if expression.actions:

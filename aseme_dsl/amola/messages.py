@@ -35,6 +35,11 @@ class Type:
     element: Type | None = None
     """Of a list; None for `[]`, which has no elements to tell."""
 
+    @property
+    def begins_unset(self) -> bool:
+        """Whether a variable of this type holds nothing at first."""
+        return self.kind in (Kind.AGENT, Kind.MESSAGE)
+
     def __str__(self) -> str:
         if self.element is not None:
             return f"list of {self.element}"

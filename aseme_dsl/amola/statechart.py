@@ -161,6 +161,11 @@ class Variable:
     length: int | None = None
     """How many elements a list has at most."""
 
+    @property
+    def is_limited(self) -> bool:
+        """Whether there are values of its type that it cannot hold."""
+        return self.bounds is not None or self.length is not None
+
 
 @dataclass(frozen=True, slots=True)
 class Region:

@@ -78,7 +78,7 @@ def _limits(chart: Statechart, activities: Iterable[Activity]) -> Iterator[Limit
     for variable in chart.variables:
         if variable.type == AGENT:
             yield Limit(AgentFeature.AGENTS, variable.span)
-        if (variable.bounds is not None or variable.length is not None) and has_error:
+        if variable.is_limited and has_error:
             yield Limit(AgentFeature.BOUNDS, variable.span)
 
 

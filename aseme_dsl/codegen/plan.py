@@ -192,7 +192,7 @@ def _given(node: State) -> tuple[tuple[str, Term], ...]:
 
 def _transition(transition: Transition, placed: bool = True) -> str:
     expression = transition.expression
-    said = expression.condition
+    condition = None if expression.condition is None else value_term(expression.condition)
     return _call(
         "Transition",
         [transition.source, transition.target],
@@ -202,7 +202,7 @@ def _transition(transition: Transition, placed: bool = True) -> str:
             ("when", expression.when, False),
             ("otherwise", expression.otherwise, False),
             ("every", expression.every, None),
-            ("condition", None if said is None else value_term(said), None),
+            ("condition", condition, None),
             ("weight", expression.weight, None),
             ("actions", tuple(action_term(action) for action in expression.actions), ()),
             ("first", transition.first, False),
@@ -215,8 +215,7 @@ def _transition(transition: Transition, placed: bool = True) -> str:
 
 
 def _variable(system: System, variable: Variable) -> str:
-    is_unset = variable.type.kind in (Kind.AGENT, Kind.MESSAGE)
-    initial = None if is_unset else _constant(system, variable.initial)
+    initial = None if variable.type.begins_unset else _constant(system, variable.initial)
     bounds = None if variable.bounds is None else (variable.bounds.least, variable.bounds.most)
     return _call(
         "Variable",

@@ -122,12 +122,12 @@ class Face:
 
     def is_bounded(self, name: str) -> bool:
         """Whether a write to a variable may fail for its value."""
-        return self.variables[name].bounds is not None or self.variables[name].length is not None
+        return self.variables[name].is_limited
 
     def initial(self, variable: Variable) -> str:
         """What a variable holds at first."""
         value = variable.initial.value
-        if variable.type.kind in (Kind.AGENT, Kind.MESSAGE):
+        if variable.type.begins_unset:
             return "None"
         if variable.type.kind is Kind.LIST:
             return "()"

@@ -233,8 +233,8 @@ class Head:
         """The transitions that write or ask for a variable by which regions wake each other."""
         wakes = self._names.uses.wakes
         for number, transition in enumerate(self._chart.transitions):
-            condition = transition.expression.guard
-            values = walk(condition) if condition is not None else ()
+            guard = transition.expression.guard
+            values = walk(guard) if guard is not None else ()
             read = {value.name for value in values if isinstance(value, VariableValue)}
             if not wakes.keys().isdisjoint((*read, *assigned(transition.expression))):
                 yield number

@@ -94,7 +94,7 @@ class PlainNames(Face):
         )
         self.has_chance = any(isinstance(value, Random) for _, value in chart.values())
         self.faults = any(may_fail(value) for _, value in chart.values()) or any(
-            variable.bounds is not None or variable.length is not None for variable in chart.variables
+            variable.is_limited for variable in chart.variables
         )
         self.seen = {key: self.place_on_board(slot) for key, (slot, _) in self.message_slots().items()}
         self._variables = {region.number: self._variables_of(region.number) for region in self.flat.regions}

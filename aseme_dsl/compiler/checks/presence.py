@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TypeVar
 
 from aseme_dsl.amola.expression import (
     Assign,
@@ -38,6 +39,8 @@ Paths = frozenset[tuple[str, tuple[str, ...]]]
 """Members of agent messages: the type of the message, and the path of the member."""
 NO_PATHS: Paths = frozenset()
 
+Found = TypeVar("Found")
+
 
 def check_presence(
     chart: Statechart, activities: Mapping[str, Activity], symbols: Symbols
@@ -71,7 +74,7 @@ def _in_content(chart: Statechart, symbols: Symbols) -> Iterator[Diagnostic]:
         if not sent:
             continue
         condition = transition.expression.condition
-        there = NO_PATHS if condition is None else _optional_if(True, condition)
+        there = NO_PATHS if condition is None else _sure(True, condition, _optional, _asked_optional)
         for action in sent:
             for value in action.values:
                 for item in sorted(_optional(value) - there):
@@ -80,35 +83,19 @@ def _in_content(chart: Statechart, symbols: Symbols) -> Iterator[Diagnostic]:
                         yield Diagnostic(SentWithoutMember(item[0], text), value.span)
 
 
-def _optional_if(holds: bool, value: Value) -> Paths:
-    """The members of the taken message that are there if the condition holds, or if it fails."""
-    match value:
-        case Not(operand=operand):
-            return _optional_if(not holds, operand)
-        case Named(expression=inner) | Holds(operand=inner):
-            return _optional_if(holds, inner)
-        case Logic(operator=operator, operands=parts):
-            found = [_optional_if(holds, part) for part in parts]
-            is_all = (operator == "&&") == holds
-            return frozenset().union(*found) if is_all else frozenset.intersection(*found)
-        case Has(message=Bound(message=message, path=path)):
-            return frozenset(((message, path),)) if holds else NO_PATHS
-    return _optional(value)
-
-
 def _optional(value: Value) -> Paths:
     """The members of the taken message that a value needs."""
-    found: set[tuple[str, tuple[str, ...]]] = set()
-    stack = [value]
-    while stack:
-        item = stack.pop()
-        if isinstance(item, Bound):
-            found.update((item.message, item.path[:length]) for length in range(1, len(item.path) + 1))
-        elif isinstance(item, Conditional):
-            stack.append(item.condition)
-        elif not isinstance(item, (Has, Holds, Logic)):
-            stack += operands(item)
-    return frozenset(found)
+    return frozenset(
+        (item.message, item.path[:length])
+        for item in _needs(value)
+        if isinstance(item, Bound)
+        for length in range(1, len(item.path) + 1)
+    )
+
+
+def _asked_optional(value: Has) -> Paths:
+    message = value.message
+    return frozenset(((message.message, message.path),)) if isinstance(message, Bound) else NO_PATHS
 
 
 def _is_optional(symbols: Symbols, message: str, path: tuple[str, ...]) -> bool:
@@ -127,54 +114,55 @@ def _is_optional(symbols: Symbols, message: str, path: tuple[str, ...]) -> bool:
 
 
 def there_if_holds(value: Value) -> Channels:
-    """The channels of which a message is there if the condition holds, by Kleene's logic.
+    """The channels of which a message is there if the condition holds."""
+    return _sure(True, value, _read, _asked)
 
-    Nesting of expressions is bounded (E103), so this may recurse.
+
+def _sure(
+    holds: bool,
+    value: Value,
+    read: Callable[[Value], frozenset[Found]],
+    asked: Callable[[Has], frozenset[Found]],
+) -> frozenset[Found]:
+    """What is there for sure if the condition holds, or if it fails, by Kleene's logic.
+
+    `read` gives what a value needs, and `asked` what is there where a `has` holds. Nesting of expressions is
+    bounded (E103), so this may recurse.
     """
     match value:
         case Not(operand=operand):
-            return _there_if_fails(operand)
-        case Logic(operator="&&", operands=parts):
-            return frozenset().union(*(there_if_holds(part) for part in parts))
-        case Logic(operands=parts):
-            return frozenset.intersection(*(there_if_holds(part) for part in parts))
+            return _sure(not holds, operand, read, asked)
+        case Logic(operator=operator, operands=parts):
+            found = [_sure(holds, part, read, asked) for part in parts]
+            is_all = (operator == "&&") == holds
+            return frozenset().union(*found) if is_all else frozenset.intersection(*found)
         case Named(expression=inner):
-            return there_if_holds(inner)
-        case Has(message=Member(channel=channel)):
-            return frozenset((channel,))
+            return _sure(holds, inner, read, asked)
+        case Has():
+            return asked(value) if holds else frozenset()
         case Holds(operand=operand):
-            return there_if_holds(operand)
-    return _read(value)
+            return _sure(True, operand, read, asked) if holds else frozenset()
+    return read(value)
 
 
-def _there_if_fails(value: Value) -> Channels:
-    match value:
-        case Not(operand=operand):
-            return there_if_holds(operand)
-        case Logic(operator="&&", operands=parts):
-            return frozenset.intersection(*(_there_if_fails(part) for part in parts))
-        case Logic(operands=parts):
-            return frozenset().union(*(_there_if_fails(part) for part in parts))
-        case Named(expression=inner):
-            return _there_if_fails(inner)
-        case Has() | Holds():
-            return NONE
-    return _read(value)
-
-
-def _read(value: Value) -> Channels:
-    """What a value needs: all that it reads, but for what it only asks after."""
-    found: set[Channel] = set()
+def _needs(value: Value) -> Iterator[Value]:
+    """All that a value needs to be there, but for what it only asks after."""
     stack = [value]
     while stack:
         item = stack.pop()
-        if isinstance(item, Member):
-            found.add(item.channel)
-        elif isinstance(item, Conditional):
+        if isinstance(item, Conditional):
             stack.append(item.condition)
         elif not isinstance(item, (Has, Holds, Logic)):
+            yield item
             stack += operands(item)
-    return frozenset(found)
+
+
+def _read(value: Value) -> Channels:
+    return frozenset(item.channel for item in _needs(value) if isinstance(item, Member))
+
+
+def _asked(value: Has) -> Channels:
+    return frozenset((value.message.channel,)) if isinstance(value.message, Member) else NONE
 
 
 # ---- actions -------------------------------------------------------------------------------------

@@ -1,8 +1,7 @@
 """Names: the diagnostics about names that every phase gives in the same words, and each file's spelling.
 
 A role `attacker` of a file with the alias `alice` is `alice_attacker` in the models; its own file writes
-`attacker`, and a file with the alias `alice.attacker`. A diagnostic has the names
-as its file writes them.
+`attacker`, and a file with the alias `alice.attacker`. A diagnostic has the names as its file writes them.
 """
 
 from __future__ import annotations

@@ -113,35 +113,36 @@ Typed = Callable[[Checker, tree.Expression], Value | None]
 
 def change(checker: Checker, written: tree.Call, typed: Typed) -> amola.Assign | None:
     """`append(xs, v)`, `remove(xs, v)` and `remove(xs[i])` (E504, E535)."""
-    word = written.function.text
-    first = written.arguments[0] if written.arguments else None
-    drops = word == "remove" and len(written.arguments) == 1 and isinstance(first, tree.Element)
-    if first is None or not (drops or is_given(checker, word, written, 2)):
-        if first is None:
-            is_given(checker, word, written, 2)
+    word, arguments = written.function.text, written.arguments
+    if word == "remove" and len(arguments) == 1 and isinstance(arguments[0], tree.Element):
+        return _drop(checker, written, arguments[0], typed)
+    if not is_given(checker, word, written, 2):
         return None
-    if drops and isinstance(first, tree.Element):
-        target = _variable(checker, word, first.list)
-        if target is None or target.type.element is None:
-            return None
-        if first.members:
-            checker.report(ChangeOfOther(word, first.span.text), first.span)
-            return None
-        index = _given(checker, first.index, INT, typed)
-        if index is None:
-            return None
-        changed = amola.Changed(amola.Change.DROP, target, None, index, target.type, written.span)
-        return amola.Assign(target, changed, written.span)
-    target = _variable(checker, word, first)
+    target = _variable(checker, word, arguments[0])
     if target is None or target.type.element is None:
         return None
     if word == "remove" and target.type.element.kind is Kind.MESSAGE:
-        checker.report(RemovedMessage(target.span.text, str(target.type.element)), written.arguments[1].span)
+        checker.report(RemovedMessage(target.span.text, str(target.type.element)), arguments[1].span)
         return None
-    value = _given(checker, written.arguments[1], target.type.element, typed)
+    value = _given(checker, arguments[1], target.type.element, typed)
     if value is None:
         return None
     changed = amola.Changed(amola.Change(word), target, value, None, target.type, written.span)
+    return amola.Assign(target, changed, written.span)
+
+
+def _drop(checker: Checker, written: tree.Call, place: tree.Element, typed: Typed) -> amola.Assign | None:
+    word = written.function.text
+    target = _variable(checker, word, place.list)
+    if target is None:
+        return None
+    if place.members:
+        checker.report(ChangeOfOther(word, place.span.text), place.span)
+        return None
+    index = _given(checker, place.index, INT, typed)
+    if index is None:
+        return None
+    changed = amola.Changed(amola.Change.DROP, target, None, index, target.type, written.span)
     return amola.Assign(target, changed, written.span)
 
 

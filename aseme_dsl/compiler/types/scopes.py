@@ -159,7 +159,7 @@ def type_variables(
             found[name.text] = DeclaredVariable(name.text, kind, initial, name.span, length=length)
             continue
         initial = default_value(kind, scope)
-        if item.initial is not None and kind.kind in (Kind.AGENT, Kind.MESSAGE):
+        if item.initial is not None and kind.begins_unset:
             diagnostics.append(Diagnostic(InitialAgent(str(kind)), item.initial.span))
         elif item.initial is not None:
             written, problems = constant(item.initial, kind, scope)
@@ -210,7 +210,7 @@ def default_value(kind: Type, scope: Scope) -> Literal:
         return Literal(0.0, kind, span)
     if kind == BOOL:
         return Literal(False, kind, span)
-    return Literal("" if kind == STRING or kind.kind in (Kind.AGENT, Kind.MESSAGE) else 0, kind, span)
+    return Literal("" if kind == STRING or kind.begins_unset else 0, kind, span)
 
 
 # ---- messages of participants ------------------------------------------------------------------

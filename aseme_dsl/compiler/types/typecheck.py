@@ -318,15 +318,17 @@ def _unary(checker: Checker, written: tree.Unary, depth: int) -> Value | None:
     return amola.Not(operand, written.span) if fits else None
 
 
+def _is_change(checker: Checker, name: str) -> bool:
+    """Whether it is `append` or `remove` of the language, and no function of the file."""
+    return name in lists.CHANGES and not checker.scope.symbols.overloads(name)
+
+
 def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
     name = function_name(checker, written)
     if name == "expired":
         found = timer(checker, written, name, 1)
         return None if found is None else amola.Expired(found, written.span)
-    if name == "start_timer":
-        checker.report(TimerAsValue(name, FORMS[name]), written.span)
-        return None
-    if name in lists.CHANGES and not checker.scope.symbols.overloads(name):
+    if name is not None and (name == "start_timer" or _is_change(checker, name)):
         checker.report(TimerAsValue(name, FORMS[name]), written.span)
         return None
     if name in NAMED_RESULTS and not checker.scope.symbols.overloads(name):
@@ -430,8 +432,8 @@ def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
             function.text == "start_timer"
         ):
             return _start_timer(checker, inner, span)
-        case tree.Evaluate(expression=tree.Call(function=function) as inner) if (
-            function.text in lists.CHANGES and not checker.scope.symbols.overloads(function.text)
+        case tree.Evaluate(expression=tree.Call(function=function) as inner) if _is_change(
+            checker, function.text
         ):
             return lists.change(checker, inner, _whole)
         case tree.Evaluate(expression=inner, span=span):

@@ -85,7 +85,7 @@ def sent_by_lines(
     system: System, parts: Parts, talks: Mapping[str, tuple[Talk, ...]]
 ) -> Iterator[Diagnostic]:
     """W555 for what an activity sends and, in each participant in which it stands, only a line may send."""
-    charts = {(id(part)): system.eac(aip.name) for aip in system.aips for part in aip.participants}
+    charts = {id(part): system.eac(aip.name) for aip in system.aips for part in aip.participants}
     for name, said in talks.items():
         for talk in said if parts.get(name) else ():
             mine = [part for part in parts[name] if _fits(talk, _listed(talk, [part]))]
