@@ -1,0 +1,197 @@
+"""Blocks: a statechart as the nested forms that the compact layout knows, or the reason why it is not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from aseme_dsl.amola.statechart import State, Statechart, StateType
+
+Link = tuple[int, ...]
+"""Transitions with the same two ends, by their place in the statechart, in the order in which they are tried."""
+
+DEEPEST = 120
+"""The most levels that are drawn: a drawing of more is unreadable."""
+
+
+class NotCompact(ValueError):
+    """A chart has no compact drawing; the text says which state is the reason, and why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Activity:
+    """A BASIC state."""
+
+    label: str
+
+
+@dataclass(frozen=True, slots=True)
+class Parallel:
+    """An AND with its regions in document order."""
+
+    label: str
+    regions: tuple[Group, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """What interrupts a part (`A [> B`): how it is entered, what it is, and how it goes on behind the part."""
+
+    enter: Link
+    part: Part
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A block on a line: `again` leads back to it, `onward` to what follows (a state, or the END)."""
+
+    block: Block
+    again: Link
+    onward: Link
+    cuts: tuple[Cut, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """A line of parts. One without parts passes by: `enter` leads to the END."""
+
+    enter: Link
+    parts: tuple[Part, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """An OR: `enter` leads to the `choice` and on to one of the branches, or to the only branch."""
+
+    label: str
+    start: str
+    end: str | None
+    choice: str | None
+    enter: Link
+    branches: tuple[Branch, ...]
+    reactive: Link = ()
+
+
+Block = Activity | Parallel | Group
+
+
+def blocks(chart: Statechart) -> Group:
+    """The chart as blocks. Raises NotCompact."""
+    if chart.levels > DEEPEST:
+        raise NotCompact(f"it has {chart.levels} levels, more than {DEEPEST}")
+    return _Reader(chart).group(chart.root)
+
+
+class _Reader:
+    """Reads one chart: the links between its states are taken away as they are used."""
+
+    def __init__(self, chart: Statechart) -> None:
+        self._chart = chart
+        places = {id(item): place for place, item in enumerate(chart.transitions)}
+        self._links: dict[str, dict[tuple[str, bool, bool], list[int]]] = {}
+        for state in chart.states:
+            for item in chart.outgoing_edges(state.label):
+                ends = (item.target, item.first, item.reactive)
+                self._links.setdefault(state.label, {}).setdefault(ends, []).append(places[id(item)])
+
+    def group(self, state: State) -> Group:
+        inside = self._chart.children(state.label)
+        start = self._only(state, inside, StateType.START)
+        end = next((item.label for item in inside if item.type is StateType.END), None)
+        first, enter = self._onward(start, {item.label for item in inside})
+        choice = first if self._chart.node(first).type is StateType.CONDITION else None
+        left = {item.label for item in inside} - {start, end, choice}
+        reactive: list[int] = []
+        branches = []
+        ways = [(first, enter)] if choice is None else self._ways(choice)
+        for target, link in ways:
+            parts, back = self._line(target, end, choice, left)
+            reactive += back
+            branches.append(Branch(link, parts))
+        if left:
+            raise NotCompact(f"no line of the formula leads to state {min(left)}")
+        for item in inside:
+            if rest := self._links.get(item.label):
+                (target, _, _) = next(iter(rest))
+                raise NotCompact(f"the arrow from state {item.label} to {target} is none of a formula")
+        entered = () if choice is None else enter
+        return Group(state.label, start, end, choice, entered, tuple(branches), tuple(reactive))
+
+    def _only(self, state: State, inside: Iterable[State], kind: StateType) -> str:
+        found = [item.label for item in inside if item.type is kind]
+        if len(found) != 1:
+            raise NotCompact(f"state {state.label} has {len(found)} states {kind.value}")
+        return found[0]
+
+    def _ways(self, label: str) -> list[tuple[str, Link]]:
+        """The links of a choice, in the order in which they are tried."""
+        found = self._links.pop(label, {})
+        if any(first or reactive for _, first, reactive in found):
+            raise NotCompact(f"the choice {label} has an interrupt")
+        return [(target, tuple(link)) for (target, _, _), link in found.items()]
+
+    def _onward(self, label: str, inside: set[str]) -> tuple[str, Link]:
+        ways = self._ways(label)
+        if len(ways) != 1 or ways[0][0] not in inside:
+            raise NotCompact(f"state {label} has {len(ways)} ways onward")
+        return ways[0]
+
+    def _line(
+        self, label: str | None, end: str | None, choice: str | None, left: set[str]
+    ) -> tuple[tuple[Part, ...], list[int]]:
+        """The parts from a state to the END, and the reactive transitions from them to the choice."""
+        parts: list[Part] = []
+        back: list[int] = []
+        while label is not None and label != end:
+            part, label, reactive = self._part(label, end, choice, left)
+            parts.append(part)
+            back += reactive
+        return tuple(parts), back
+
+    def _part(
+        self, label: str, end: str | None, choice: str | None, left: set[str]
+    ) -> tuple[Part, str | None, list[int]]:
+        if label not in left:
+            raise NotCompact(f"lines lead to state {label} in several ways")
+        left.remove(label)
+        links = self._links.pop(label, {})
+        again: Link = ()
+        back: list[int] = []
+        onward: list[tuple[str, Link]] = []
+        cuts: list[tuple[str, Link]] = []
+        for (target, first, reactive), link in links.items():
+            if reactive and target == choice:
+                back += link
+            elif first:
+                cuts.append((target, tuple(link)))
+            elif target == label:
+                again = tuple(link)
+            else:
+                onward.append((target, tuple(link)))
+        if len(onward) > 1:
+            raise NotCompact(f"state {label} has {len(onward)} ways onward")
+        target, link = onward[0] if onward else (None, ())
+        interrupts = []
+        for other, entered in cuts:
+            part, after, reactive_too = self._part(other, end, choice, left)
+            back += reactive_too
+            if after not in (None, end) or target not in (None, end):
+                raise NotCompact(f"what interrupts state {label} does not lead where it leads")
+            interrupts.append(Cut(entered, part))
+        return Part(self._block(label), again, link, tuple(interrupts)), target, back
+
+    def _block(self, label: str) -> Block:
+        state = self._chart.node(label)
+        match state.type:
+            case StateType.BASIC:
+                return Activity(label)
+            case StateType.AND:
+                regions = self._chart.children(label)
+                return Parallel(label, tuple(self.group(item) for item in regions))
+            case StateType.OR:
+                return self.group(state)
+            case _:
+                raise NotCompact(f"state {label} is a {state.type.value} where a formula has none")
+
+
+__all__ = ["Activity", "Block", "Branch", "Cut", "Group", "Link", "NotCompact", "Parallel", "Part", "blocks"]

@@ -1,0 +1,117 @@
+"""Elements: what a compact drawing consists of, each with the states and transitions that it stands for.
+
+All measures are px, from the top left corner; texts stand on their base line.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+Point = tuple[float, float]
+Link = tuple[int, ...]
+
+
+class Look(StrEnum):
+    """How a text is written."""
+
+    NAME = "name"
+    LABEL = "label"
+    ACTION = "action"
+    CUT = "cut"
+    ERROR = "error"
+    SMALL = "small"
+    TITLE = "title"
+
+
+SIZES = {
+    Look.NAME: 13,
+    Look.LABEL: 12,
+    Look.ACTION: 12,
+    Look.CUT: 12,
+    Look.ERROR: 12,
+    Look.SMALL: 11,
+    Look.TITLE: 16,
+}
+
+
+class Stroke(StrEnum):
+    """How a line is drawn: an ordinary one, one that cuts short, one of errors, one never taken."""
+
+    PLAIN = "plain"
+    CUT = "cut"
+    ERROR = "error"
+    NEVER = "never"
+
+
+class Form(StrEnum):
+    """What a shape is."""
+
+    ACTIVITY = "activity"
+    PARALLEL = "parallel"
+    FRAME = "frame"
+    CHOICE = "choice"
+    INITIAL = "initial"
+    FINAL = "final"
+    FIELD = "field"
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line from state or joint to the next: `chain` is the links that it stands for, one after the other.
+
+    One with an empty chain only goes on from a joint.
+    """
+
+    points: tuple[Point, ...]
+    chain: tuple[Link, ...]
+    stroke: Stroke = Stroke.PLAIN
+    arrow: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A state, or the border of a field (a dashed line above a region)."""
+
+    form: Form
+    x: float
+    y: float
+    width: float
+    height: float
+    state: str
+    marks: Link = ()
+    """The transitions that it stands for itself: those that stay in the state, and reactive ones."""
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """One line of text, with its left end; `of` is the transition that it belongs to, if to one."""
+
+    x: float
+    y: float
+    text: str
+    look: Look
+    width: float
+    of: int | None = None
+
+
+Element = Line | Shape | Text
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A compact drawing of the size `width` × `height`."""
+
+    width: float
+    height: float
+    elements: tuple[Element, ...]
+
+
+def moved(element: Element, dx: float, dy: float) -> Element:
+    """The element at another place."""
+    if isinstance(element, Line):
+        return replace(element, points=tuple((x + dx, y + dy) for x, y in element.points))
+    return replace(element, x=element.x + dx, y=element.y + dy)
+
+
+__all__ = ["SIZES", "Element", "Form", "Line", "Look", "Picture", "Point", "Shape", "Stroke", "Text", "moved"]
