@@ -168,6 +168,9 @@ class _Reader:
                 again = tuple(link)
             else:
                 onward.append((target, tuple(link)))
+        cut = {other for other, _ in cuts}
+        cuts = [(other, (*link, *(place for to, more in onward if to == other for place in more))) for other, link in cuts]
+        onward = [way for way in onward if way[0] not in cut]
         if len(onward) > 1:
             raise NotCompact(f"state {label} has {len(onward)} ways onward")
         target, link = onward[0] if onward else (None, ())

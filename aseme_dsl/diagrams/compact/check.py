@@ -65,6 +65,7 @@ def _ends(
 ) -> Iterator[str]:
     """A line from or to a state with a shape begins or ends at its border."""
     boxes = {shape.state: _box(shape) for shape in shapes if shape.form is not Form.FIELD}
+    going_on = {_rounded(line.points[0]): line.points[-1] for line in lines if not line.chain}
     for line in lines:
         if not line.chain:
             continue
@@ -77,7 +78,9 @@ def _ends(
             if not _on(line.points[0], boxes[source.label]):
                 yield f"transition {line.chain[0]} does not begin at state {source.label}"
         if (target.type in _DRAWN or target.label in boxes) and target.type is not StateType.OR:
-            if not _on(line.points[-1], boxes.get(target.label)):
+            last_point = line.points[-1]
+            last_point = going_on.get(_rounded(last_point), last_point)
+            if not _on(last_point, boxes.get(target.label)):
                 yield f"transition {line.chain[-1]} does not end at state {target.label}"
         wanted = any(follows.is_event(place) for place in line.chain[0]) and group
         if wanted != (line.stroke in (Stroke.CUT, Stroke.ERROR)) and not chart.transitions[line.chain[0][0]].first:
@@ -126,6 +129,10 @@ def _joints(
             yield f"transition {line.chain[-1]} does not lead to {sorted(lost)}"
         if extra := reached - wanted:
             yield f"transition {line.chain[-1]} leads to {sorted(extra)}, which do not follow"
+
+
+def _rounded(point: Point) -> tuple[int, int]:
+    return round(point[0]), round(point[1])
 
 
 def _touching(points: Sequence[Point], boxes: Sequence[Box]) -> set[int]:

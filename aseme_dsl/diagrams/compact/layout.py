@@ -117,14 +117,9 @@ class _Placer:
         elements: list[Element] = [dot, *inside.elements]
         if inside.pen is not None:
             end = inside.pen.at + GAP + 6
-            low = self._clear(inside, inside.pen)
-            end = max(end, low)
             elements.append(line_to(inside.pen, (end, 0)))
             elements.append(Shape(Form.FINAL, end, -6, 12, 12, group.end or group.label))
         return _placed(elements, None)
-
-    def _clear(self, inside: _Placed, line: Pen) -> float:
-        return line.at + GAP
 
     def group(self, group: Group, line: Pen) -> _Placed:
         """An OR, entered by the pen, which has the link to it."""
@@ -225,7 +220,7 @@ class _Placer:
             assert joint is not None
             if again:
                 if behind is None:  # it never ends, so this is never taken
-                    start: Pen = replace(pen(right), stroke=Stroke.NEVER)
+                    start: Pen = replace(pen(right + 10), stroke=Stroke.NEVER)
                     exits = start
                     behind = start
                 else:
@@ -249,7 +244,8 @@ class _Placer:
             elements += self._back_from(again, start, (shape.x + 8, shape.y), top)
         # Onward.
         if onward and behind is None:
-            behind = replace(pen(right), stroke=Stroke.NEVER)
+            behind = replace(pen(right + 10), stroke=Stroke.NEVER)
+            right += 10
         if behind is not None and not onward and not isinstance(block, Group):
             behind = None
         ends: list[tuple[Pen, float]] = []

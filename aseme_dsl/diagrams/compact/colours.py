@@ -1,0 +1,59 @@
+"""Colours of the compact drawings, light and dark, each readable on what it stands on."""
+
+from __future__ import annotations
+
+LIGHT = {
+    "paper": "#ffffff",
+    "ink": "#1b1f24",
+    "soft": "#57606a",
+    "line": "#3b434c",
+    "cut": "#9a4b00",
+    "error": "#c1121f",
+    "node": "#eaf5e0",
+    "node-border": "#4d7a2c",
+    "choice": "#fff3bf",
+    "choice-border": "#8a6d00",
+    "frame": "#f6f7f9",
+    "frame-border": "#7d8792",
+}
+
+DARK = {
+    "paper": "#11151a",
+    "ink": "#e6edf3",
+    "soft": "#a3adb8",
+    "line": "#b3bcc6",
+    "cut": "#ffab5e",
+    "error": "#ff7b82",
+    "node": "#1d2f1c",
+    "node-border": "#7fb65a",
+    "choice": "#3a3210",
+    "choice-border": "#d9b84a",
+    "frame": "#181d24",
+    "frame-border": "#6b7683",
+}
+
+_RULES = """\
+text{font-family:Arial,"Liberation Sans",Helvetica,sans-serif;font-size:12px;fill:{ink}}
+.name{font-size:13px;font-weight:bold}.title{font-size:16px;font-weight:bold}.small{font-size:11px;fill:{soft}}
+.action{font-style:italic;fill:{soft}}text.cut{fill:{cut}}text.error{fill:{error}}
+.paper{fill:{paper}}path{fill:none;stroke:{line};stroke-width:1.3}
+path.cut{stroke:{cut}}path.error{stroke:{error};stroke-dasharray:5 3}path.never{stroke:{soft};stroke-dasharray:2 3}
+.head{fill:{line};stroke:none}.head.cut{fill:{cut}}.head.error{fill:{error}}.head.never{fill:{soft}}
+.activity{fill:{node};stroke:{node-border};stroke-width:1.3}
+path.choice{fill:{choice};stroke:{choice-border}}
+.frame,.parallel{fill:{frame};stroke:{frame-border}}path.field{stroke:{frame-border};stroke-dasharray:6 4}
+.initial{fill:{ink}}.final{fill:{paper};stroke:{ink}}.dot{fill:{ink}}"""
+
+
+def _rules(colours: dict[str, str]) -> str:
+    text = _RULES
+    for name, colour in colours.items():
+        text = text.replace(f"{{{name}}}", colour)
+    return text
+
+
+def style(theme: str | None = None) -> str:
+    """The style sheet: light, and dark where the reader prefers that; or one `theme` alone."""
+    if theme is not None:
+        return _rules(DARK if theme == "dark" else LIGHT)
+    return f"{_rules(LIGHT)}\n@media (prefers-color-scheme:dark){{{_rules(DARK)}}}"
