@@ -207,10 +207,15 @@ class _Placer:
         if isinstance(block, Group) and framed:
             left = line.at + 8
             inside = self.group(block, replace(line, at=left + _PAD))
-            inside = self._frame(label, left, inside)
+            if not onward and not again:
+                inside = self._ended(block, inside)
+            inside = self._frame(label, left, inside, self._wide(again_events) + 16)
+        elif isinstance(block, Group):
+            inside = self.group(block, line)
+            if not onward and not again:
+                inside = self._ended(block, inside)
         else:
-            left = line.at
-            inside = self.block(block, line)
+            inside = self.block(block, line, self._wide(again))
         elements += inside.elements
         behind, right = inside.pen, inside.right
         top, low = inside.up, inside.down
@@ -224,8 +229,8 @@ class _Placer:
                     exits = start
                     behind = start
                 else:
-                    x = max(behind.at, right) + 10
-                    if behind.is_joint and behind.at >= right:
+                    x = max(max(behind.at, right) + 10, joint[0] + self._wide(again))
+                    if behind.is_joint and behind.at >= max(right, joint[0] + self._wide(again)):
                         exits = behind
                     else:
                         elements.append(line_to(behind, (x, 0), arrow=False))
@@ -293,6 +298,19 @@ class _Placer:
             return _placed(elements, None)
         return self._join(elements, ends, side)
 
+    def _ended(self, group: Group, inside: _Placed) -> _Placed:
+        """A group that is complete and waits for an event: its line ends at a ring."""
+        if inside.pen is None:
+            return inside
+        x = max(inside.pen.at, inside.right) + GAP
+        ring = Shape(Form.FINAL, x, -6, 12, 12, group.end or group.label)
+        return _placed([*inside.elements, line_to(inside.pen, (x, 0)), ring], None)
+
+    def _wide(self, link: Link) -> float:
+        """How long a line back must be for its texts."""
+        rows = [row for place in link for part in texts.rows(self._transitions[place], True) for row in part]
+        return max((texts.width(*row) + 36 for row in rows), default=0.0)
+
     def _events(self, link: Link) -> Link:
         """Those that need not wait until their source is complete."""
         items: Sequence[Transition] = self._transitions
@@ -305,7 +323,7 @@ class _Placer:
         named = state.name != label and state.name.partition("(")[0].replace(".", "_").isidentifier()
         return named or label in self._staying or self._chart.is_branch(state)
 
-    def _frame(self, label: str, left: float, inside: _Placed) -> _Placed:
+    def _frame(self, label: str, left: float, inside: _Placed, least: float) -> _Placed:
         """A border around what is placed, with its title and the rows of what stays in it."""
         title = self._title(label)
         rows = self._rows(label)
@@ -313,7 +331,7 @@ class _Placer:
         head += rows
         top = -inside.up - _PAD - len(head) * PITCH
         wide = max((texts.width(text, look) for text, look in head), default=0)
-        right = max(inside.right + _PAD, left + wide + 2 * _PAD)
+        right = max(inside.right + _PAD, left + wide + 2 * _PAD, left + least)
         height = inside.down + _PAD - top
         shape = Shape(Form.FRAME, left, top, right - left, height, label, self._staying.get(label, ()))
         written = [
@@ -355,37 +373,38 @@ class _Placer:
         points = (*start.points, (start.points[-1][0], axis), (joint[0], axis), joint)
         return [*written, Line(points, after.chain, after.stroke)]
 
-    def block(self, block: Block, line: Pen) -> _Placed:
-        """A block, entered by the pen, which has the link to it."""
+    def block(self, block: Block, line: Pen, least: float = 0.0) -> _Placed:
+        """A block, at least so wide, entered by the pen, which has the link to it."""
         match block:
             case Activity():
-                return self._activity(block, line)
+                return self._activity(block, line, least)
             case Parallel():
-                return self._parallel(block, line)
+                return self._parallel(block, line, least)
             case Group():
                 return self.group(block, line)
             case _:
                 assert_never(block)
 
-    def _activity(self, block: Activity, line: Pen) -> _Placed:
+    def _activity(self, block: Activity, line: Pen, least: float) -> _Placed:
         x = line.at + GAP
         name = self._chart.node(block.label).name
         lines: list[tuple[str, Look]] = [(name, Look.NAME), *self._rows(block.label)]
         width = max(texts.width(text, look) for text, look in lines) + 2 * 9
+        width = max(width, least)
         height = len(lines) * PITCH + 9
         shape = Shape(
             Form.ACTIVITY, x, -12, width, height, block.label, self._staying.get(block.label, ())
         )
         written = [
-            Text(x + 9, 4.5 + row * PITCH, text, look, texts.width(text, look))
+            Text(x + (width - texts.width(text, look)) / 2, 4.5 + row * PITCH, text, look, texts.width(text, look))
             for row, (text, look) in enumerate(lines)
         ]
         return _placed([line_to(line, (x, 0)), shape, *written], pen(x + width))
 
-    def _parallel(self, block: Parallel, line: Pen) -> _Placed:
+    def _parallel(self, block: Parallel, line: Pen, least: float) -> _Placed:
         x = line.at + GAP
         elements: list[Element] = []
-        axis, right, up = 0.0, x + 40, 0.0
+        axis, right, up = 0.0, x + max(40, least), 0.0
         borders: list[float] = []
         head = self._rows(block.label)
         for number, region in enumerate(block.regions):

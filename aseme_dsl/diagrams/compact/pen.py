@@ -44,7 +44,7 @@ def over(line: Pen, link: Link, transitions: Sequence[Transition]) -> tuple[Pen,
     """The pen after a link, and the texts at the line that the link's transitions have."""
     if not link:
         return line, ()
-    cuts = line.stroke is Stroke.CUT
+    cuts = line.stroke is Stroke.CUT and not line.chain
     above: list[tuple[str, Look, int]] = []
     below: list[tuple[str, Look, int]] = []
     for place in link:

@@ -14,6 +14,13 @@ from aseme_dsl.diagrams.look.labels import printable
 _RADIUS = 6.0
 _HEAD = 7.0
 
+_ICONS = {
+    "⚡": "M5 -10L1 -4H4L2 1L8 -6H5L7 -10Z",
+    "✕": "M1 -8L8 -1M8 -8L1 -1",
+    "↻": "M8 -4A3.5 3.5 0 1 1 5 -8M5 -10.5V-5.5L8 -8Z",
+}
+"""Signs that not every font has, drawn from the left end of the base line."""
+
 
 def svg(chart: Statechart, picture: Picture, theme: str | None = None) -> str:
     """The drawing in light and dark colours, or in those of one `theme` (`light`, `dark`) alone."""
@@ -49,7 +56,11 @@ def _element(chart: Statechart, item: Line | Shape | Text) -> Iterator[str]:
     match item:
         case Text():
             of = "" if item.of is None else f' data-of="{item.of}"'
-            yield f'<text class="{item.look}" x="{item.x:.1f}" y="{item.y:.1f}"{of}>{_text(item.text)}</text>'
+            text, x = item.text, item.x
+            if text[:1] in _ICONS:
+                yield f'<path class="icon {item.look}" d="{_ICONS[text[0]]}" transform="translate({x:.1f} {item.y:.1f})"/>'
+                text, x = text[1:].lstrip(), x + 12
+            yield f'<text class="{item.look}" x="{x:.1f}" y="{item.y:.1f}"{of}>{_text(text)}</text>'
         case Line():
             yield from _line(chart, item)
         case Shape():
