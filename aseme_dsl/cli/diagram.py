@@ -56,7 +56,7 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
 )
 @click.option("--at", metavar="LABEL", help="Draw only the state with this label and its content.")
 @click.option("--depth", type=click.IntRange(min=1), help="Levels of nested states to draw.")
-@click.option("--layout", type=click.Choice(["nested", "tree"]), help="Draw only this view.")
+@click.option("--layout", type=click.Choice(["nested", "tree", "compact"]), help="Draw only this view.")
 @click.option(
     "--labels",
     type=click.Choice(["plain", "original"]),
@@ -86,6 +86,8 @@ def command(
     from aseme_dsl.project.files.outputs import marked
     from aseme_dsl.project.files.write import write_file
 
+    if layout == "compact" and (at is not None or depth is not None or expressions is not None):
+        raise click.UsageError("--layout compact draws the whole chart: leave out --at, --depth and --expressions.")
     compiled = one_system(target)
     if compiled.system is None:
         if as_json:

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import assert_never
 
@@ -15,6 +16,7 @@ from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
+from aseme_dsl.diagrams import compact
 from aseme_dsl.diagrams.look.drawing import (
     DEFAULT,
     Drawing,
@@ -153,6 +155,15 @@ def _role(role: Srm, activities: tuple[Activity | None, ...]) -> list[Drawing]:
     return [of_sheet(srm.sheet(role, activities, f"srm.{role.name}"))]
 
 
+def _compact(chart: Statechart, options: Options) -> Drawing:
+    """The compact drawing; the nested one with a note where there is no right compact one."""
+    found = compact.drawing(chart)
+    if isinstance(found, Drawing):
+        return found
+    (nested,) = draw_statechart(chart, replace(options, layout=Layout.NESTED))
+    return replace(nested, note=f"{nested.name} is drawn nested: {found}")
+
+
 def draw_statechart(chart: Statechart, options: Options = DEFAULT) -> list[Drawing]:
     """The nested drawing and the tree of a statechart, or the one that `options.layout` asks for.
 
@@ -160,7 +171,9 @@ def draw_statechart(chart: Statechart, options: Options = DEFAULT) -> list[Drawi
     """
     shown = view(chart, at=options.at, depth=options.depth)
     made = []
-    for layout in Layout if options.layout is None else (options.layout,):
+    if options.layout is Layout.COMPACT:
+        return [_compact(chart, options)]
+    for layout in (Layout.NESTED, Layout.TREE) if options.layout is None else (options.layout,):
         name = f"{chart.kind.lower()}.{chart.name}{'.tree' if layout is Layout.TREE else ''}"
         name = division.piece_name(name, options.at) if options.at is not None else name
         sheet = tree.sheet if layout is Layout.TREE else statechart.sheet

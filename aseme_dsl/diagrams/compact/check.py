@@ -6,7 +6,7 @@ It knows nothing of the layout: it reads the elements, and the chart.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagrams.compact import texts
@@ -15,6 +15,9 @@ from aseme_dsl.diagrams.compact.follows import Follows
 
 _NEAR = 3.0
 """Two points that are so near are one on paper, in px."""
+
+_PITCH = 14.5
+"""From one line of text to the next, in px."""
 
 _DRAWN = (StateType.BASIC, StateType.AND, StateType.CONDITION)
 _BOXES = (Form.ACTIVITY, Form.PARALLEL, Form.CHOICE, Form.INITIAL, Form.FINAL, Form.FRAME)
@@ -181,17 +184,25 @@ def _labels(chart: Statechart, lines: Sequence[Line], written: Sequence[Text]) -
                 here = found.pop(place, [])
                 if [item.text for item in here] != expected:
                     yield f"transition {place} has not its own text"
+                reach = 20 + _PITCH * sum(map(_rows_of(chart, cut), link))
                 yield from (
-                    f"the text {item.text!r} is not at its line" for item in here if not _beside(item, line)
+                    f"the text {item.text!r} is not at its line"
+                    for item in here
+                    if not _beside(item, line, reach)
                 )
     yield from (f"transition {place} has a text without a line" for place in found)
 
 
-def _beside(item: Text, line: Line) -> bool:
+def _rows_of(chart: Statechart, cut: bool) -> Callable[[int], int]:
+    """How many lines of text a transition has at most."""
+    return lambda place: 1 + sum(map(len, texts.rows(chart.transitions[place], cut)))
+
+
+def _beside(item: Text, line: Line, reach: float) -> bool:
     """Whether a text stands along a level stretch of a line, not far above or below."""
     middle = item.x + item.width / 2
     return any(
-        a[1] == b[1] and min(a[0], b[0]) <= middle <= max(a[0], b[0]) and abs(item.y - a[1]) < 400
+        a[1] == b[1] and min(a[0], b[0]) <= middle <= max(a[0], b[0]) and abs(item.y - a[1]) < reach
         for a, b in zip(line.points, line.points[1:], strict=False)
     )
 

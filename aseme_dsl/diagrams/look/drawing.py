@@ -20,10 +20,11 @@ class Expressions(StrEnum):
 
 
 class Layout(StrEnum):
-    """The two views of a statechart: states inside states, or the labelled tree (P1, Figures 7 and 5)."""
+    """The views of a statechart: states inside states, the labelled tree (P1, Figures 7 and 5), or compact."""
 
     NESTED = "nested"
     TREE = "tree"
+    COMPACT = "compact"
 
 
 class NoSuchState(ValueError):
@@ -36,7 +37,7 @@ class Options:
 
     `at` is the label of the state to draw, with the states inside it. `depth` is the number of nested levels
     that are drawn open; composites below are closed and show how many states they have. `layout` None means
-    both layouts. Raises ValueError for a depth below 1.
+    nested and tree; the compact one is always of the whole chart. Raises ValueError for a depth below 1.
     """
 
     expressions: Expressions = Expressions.NUMBERED
@@ -57,7 +58,8 @@ class Drawing(Displayed):
     """A drawing: its name as files will be called (`iac.player`), its DOT text, and what it must show.
 
     `pieces` makes the same drawing in smaller ones, the first of them an index, for when Graphviz cannot
-    draw it whole; None where there is nothing to divide. `states` is how many states are in it.
+    draw it whole; None where there is nothing to divide. `states` is how many states are in it. `picture` is
+    the SVG of a drawing that needs no Graphviz, and `note` what must be said of the drawing.
     """
 
     name: str
@@ -65,6 +67,8 @@ class Drawing(Displayed):
     shown: tuple[Shown, ...] = ()
     states: int = 0
     pieces: Callable[[], tuple[Drawing, ...]] | None = field(default=None, compare=False, repr=False)
+    picture: str = ""
+    note: str = ""
 
 
 def of_sheet(

@@ -32,6 +32,8 @@ def draw(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> Dr
     files: list[tuple[str, bytes]] = []
     notes: list[str] = []
     waiting = [drawing]
+    if drawing.note:
+        notes.append(drawing.note)
     while waiting:
         item = waiting.pop(0)
         reason = f"{item.name} has {item.states} states, which is too much for one picture"

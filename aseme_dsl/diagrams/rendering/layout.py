@@ -85,6 +85,13 @@ def render(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> 
     """
     if format not in FORMATS:
         raise ValueError(f"{format!r} is not one of {', '.join(FORMATS)}")
+    if drawing.picture:
+        if format != "svg":
+            raise DrawingFailed(
+                f"{drawing.name} in the compact layout is written as SVG only: use `--format svg`, or "
+                "`--layout nested`"
+            )
+        return drawing.picture.encode()
     if format == "dot":
         return drawing.dot.encode()
     graphviz = program()
