@@ -45,5 +45,9 @@ def rows(transition: Transition, cuts: bool = False) -> tuple[tuple[Row, ...], t
     look = Look.ERROR if expression.is_for_errors else Look.CUT if cuts else Look.LABEL
     head = " ".join(filter(None, (verb, short(head))))
     above = tuple((line, look) for line in wrapped(mark + head, WIDTH)) if head or mark else ()
-    below = tuple((line, Look.ACTION) for text in actions for line in wrapped(f"/ {short(text)}", WIDTH))
+    below = tuple(
+        ("/ " * (number == 0) + line, Look.ACTION)
+        for text in actions
+        for number, line in enumerate(wrapped(short(text), WIDTH))
+    )
     return above, below

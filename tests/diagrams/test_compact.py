@@ -1,0 +1,135 @@
+"""The compact drawings of statecharts: right for the examples, and every planted fault is noticed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+import aseme_dsl
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.diagrams import Layout, Options, draw_statechart, render
+from aseme_dsl.diagrams.compact.blocks import NotCompact
+from aseme_dsl.diagrams.compact.check import faults
+from aseme_dsl.diagrams.compact.elements import Line, Picture, Text
+from aseme_dsl.diagrams.compact.layout import layout
+from aseme_dsl.diagrams.look.labels import text_width
+from tests.diagrams.texts import TEAM, compiled
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+SMALL = "system Small\nsrm r { liveness { r = %s } }\n"
+
+FORMULAS = (
+    "A",
+    "A . B . C",
+    "A | B . C",
+    "[A] . B",
+    "A* . B+",
+    "(A | B)~",
+    "A~ || B || (C . D)",
+    "A || (B | C)+",
+    "A [> B",
+    "(A . B [> C) . D",
+    "[(A . [B])*]",
+)
+
+
+def chart_of(text: str) -> Statechart:
+    return compiled(text).iacs[0]
+
+
+@cache
+def example(name: str) -> tuple[Statechart, ...]:
+    return aseme_dsl.compile(next((EXAMPLES / name).glob("*.aseme"))).statecharts
+
+
+@pytest.mark.parametrize("formula", FORMULAS)
+def test_every_operator_is_drawn_rightly(formula: str) -> None:
+    chart = chart_of(SMALL % formula)
+    assert faults(chart, layout(chart)) == []
+
+
+@pytest.mark.parametrize("name", ["cell", "goalie", "robocup"])
+def test_the_charts_of_examples_are_drawn_rightly(name: str) -> None:
+    for chart in example(name):
+        assert faults(chart, layout(chart)) == [], chart.name
+
+
+def planted(picture: Picture) -> Iterator[tuple[str, Picture]]:
+    """The picture with one fault each."""
+    items = picture.elements
+    lines = [number for number, item in enumerate(items) if isinstance(item, Line) and item.chain]
+    labels = [number for number, item in enumerate(items) if isinstance(item, Text) and item.of is not None]
+
+    def changed(number: int, *new: Line | Text) -> Picture:
+        return replace(picture, elements=(*items[:number], *new, *items[number + 1 :]))
+
+    for place, number in enumerate(lines):
+        line, other = items[number], items[lines[place - 1]]
+        assert isinstance(line, Line) and isinstance(other, Line)
+        yield "removed", changed(number)
+        yield "doubled", changed(number, line, line)
+        x, y = line.points[-1]
+        yield "end moved", changed(number, replace(line, points=(*line.points[:-1], (x + 9, y + 17))))
+        if line.chain != other.chain:
+            swapped = list(items)
+            swapped[number] = replace(line, chain=other.chain)
+            swapped[lines[place - 1]] = replace(other, chain=line.chain)
+            yield "swapped", replace(picture, elements=tuple(swapped))
+    for place, number in enumerate(labels):
+        label, before = items[number], items[labels[place - 1]]
+        assert isinstance(label, Text) and isinstance(before, Text)
+        if label.text != before.text:
+            yield "label exchanged", changed(number, replace(label, text=before.text))
+
+
+def test_planted_faults_are_noticed() -> None:
+    missed: list[str] = []
+    count = 0
+    for chart in (*example("cell"), *example("goalie"), chart_of(TEAM)):
+        for kind, picture in planted(layout(chart)):
+            count += 1
+            if not faults(chart, picture):
+                missed.append(f"{chart.name}: {kind}")
+    assert count > 200
+    assert len(missed) <= count / 100, missed
+
+
+def test_the_svg_shows_each_transition_once_and_no_text_on_another() -> None:
+    (chart,) = (item for item in example("cell") if item.kind == "IAC")
+    (drawing,) = draw_statechart(chart, Options(layout=Layout.COMPACT))
+    root = ElementTree.fromstring(render(drawing, "svg"))
+    shown = sorted(int(place) for item in root.iter() for place in item.get("data-t", "").split())
+    assert shown == list(range(len(chart.transitions)))
+    assert root.get("role") == "img"
+    boxes = []
+    for item in root.iter("{http://www.w3.org/2000/svg}text"):
+        x, y, width = float(item.get("x", "")), float(item.get("y", "")), text_width(item.text or "", 12)
+        boxes.append((x, y - 9, x + width, y + 2))
+    for place, one in enumerate(boxes):
+        for other in boxes[place + 1 :]:
+            apart = one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
+            assert apart, (one, other)
+
+
+def test_a_drawing_is_the_same_each_time() -> None:
+    options = Options(layout=Layout.COMPACT)
+    chart = chart_of(TEAM)
+    assert draw_statechart(chart, options) == draw_statechart(chart_of(TEAM), options)
+
+
+def test_a_chart_that_is_no_formula_is_drawn_nested_with_the_reason() -> None:
+    chart = chart_of(SMALL % "A . B . C")
+    first, *others = chart.transitions
+    odd = replace(first, target=chart.transitions[-1].target, priority=1)
+    other = replace(chart, transitions=(first, odd, *others))
+    with pytest.raises(NotCompact, match="2 ways onward"):
+        layout(other)
+    (drawing,) = draw_statechart(other, Options(layout=Layout.COMPACT))
+    assert not drawing.picture
+    assert "is drawn nested" in drawing.note
