@@ -87,7 +87,9 @@ def command(
     from aseme_dsl.project.files.write import write_file
 
     if layout == "compact" and (at is not None or depth is not None or expressions is not None):
-        raise click.UsageError("--layout compact draws the whole chart: leave out --at, --depth and --expressions.")
+        raise click.UsageError(
+            "--layout compact draws the whole chart: leave out --at, --depth and --expressions."
+        )
     compiled = one_system(target)
     if compiled.system is None:
         if as_json:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from aseme_dsl.amola.statechart import State, Statechart, StateType
 
 Link = tuple[int, ...]
-"""Transitions with the same two ends, by their place in the statechart, in the order in which they are tried."""
+"""Transitions with the same two ends, by their place in the chart, in the order in which they are tried."""
 
 DEEPEST = 120
 """The most levels that are drawn: a drawing of more is unreadable."""
@@ -159,21 +159,25 @@ class _Reader:
         back: list[int] = []
         onward: list[tuple[str, Link]] = []
         cuts: list[tuple[str, Link]] = []
-        for (target, first, reactive), link in links.items():
-            if reactive and target == choice:
-                back += link
+        for (to, first, reactive), places in links.items():
+            if reactive and to == choice:
+                back += places
             elif first:
-                cuts.append((target, tuple(link)))
-            elif target == label:
-                again = tuple(link)
+                cuts.append((to, tuple(places)))
+            elif to == label:
+                again = tuple(places)
             else:
-                onward.append((target, tuple(link)))
+                onward.append((to, tuple(places)))
         cut = {other for other, _ in cuts}
-        cuts = [(other, (*link, *(place for to, more in onward if to == other for place in more))) for other, link in cuts]
-        onward = [way for way in onward if way[0] not in cut]
+        cuts = [
+            (other, (*link, *(place for goal, more in onward if goal == other for place in more)))
+            for other, link in cuts
+        ]
+        onward = [item for item in onward if item[0] not in cut]
         if len(onward) > 1:
             raise NotCompact(f"state {label} has {len(onward)} ways onward")
-        target, link = onward[0] if onward else (None, ())
+        target: str | None = onward[0][0] if onward else None
+        way = onward[0][1] if onward else ()
         interrupts = []
         for other, entered in cuts:
             part, after, reactive_too = self._part(other, end, choice, left)
@@ -181,7 +185,7 @@ class _Reader:
             if after not in (None, end) or target not in (None, end):
                 raise NotCompact(f"what interrupts state {label} does not lead where it leads")
             interrupts.append(Cut(entered, part))
-        return Part(self._block(label), again, link, tuple(interrupts)), target, back
+        return Part(self._block(label), again, way, tuple(interrupts)), target, back
 
     def _block(self, label: str) -> Block:
         state = self._chart.node(label)

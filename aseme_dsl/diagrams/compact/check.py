@@ -77,16 +77,19 @@ def _ends(
         group = source.type is StateType.OR and follows.is_event(line.chain[0][0])
         if (source.type in _DRAWN or group) and not _on(line.points[0], boxes.get(source.label)):
             yield f"transition {line.chain[0]} does not begin at state {source.label}"
-        if source.type is StateType.START and source.label in boxes:
-            if not _on(line.points[0], boxes[source.label]):
-                yield f"transition {line.chain[0]} does not begin at state {source.label}"
+        dot = boxes.get(source.label) if source.type is StateType.START else None
+        if dot is not None and not _on(line.points[0], dot):
+            yield f"transition {line.chain[0]} does not begin at state {source.label}"
         if (target.type in _DRAWN or target.label in boxes) and target.type is not StateType.OR:
             last_point = line.points[-1]
             last_point = going_on.get(_rounded(last_point), last_point)
             if not _on(last_point, boxes.get(target.label)):
                 yield f"transition {line.chain[-1]} does not end at state {target.label}"
         wanted = any(follows.is_event(place) for place in line.chain[0]) and group
-        if wanted != (line.stroke in (Stroke.CUT, Stroke.ERROR)) and not chart.transitions[line.chain[0][0]].first:
+        if (
+            wanted != (line.stroke in (Stroke.CUT, Stroke.ERROR))
+            and not chart.transitions[line.chain[0][0]].first
+        ):
             yield f"transition {line.chain[0]} is not drawn as what it is"
 
 
@@ -152,9 +155,7 @@ def _touching(points: Sequence[Point], boxes: Sequence[Box]) -> set[int]:
     return found
 
 
-def _beginning(
-    point: Point, lines: Sequence[Line], grid: dict[tuple[int, int], list[int]]
-) -> list[int]:
+def _beginning(point: Point, lines: Sequence[Line], grid: dict[tuple[int, int], list[int]]) -> list[int]:
     """The lines that begin at a point."""
     column, row = int(point[0] // 8), int(point[1] // 8)
     return [
@@ -230,7 +231,9 @@ def _overlaps(
             yield f"the text {item.text!r} is outside"
         own = (repr(item.text), box)
         met = {thing for cell in _cells(box) for thing in cells.get(cell, ()) if thing != own}
-        yield from (f"the text {item.text!r} is on {name}" for name, other in sorted(met) if _meet(box, other))
+        yield from (
+            f"the text {item.text!r} is on {name}" for name, other in sorted(met) if _meet(box, other)
+        )
     again = Counter(_text_box(item) for item in written)
     yield from ("two texts are in one place" for count in again.values() if count > 1)
 
@@ -242,7 +245,7 @@ def _cells(box: Box) -> Iterator[tuple[int, int]]:
 
 
 def _meet(one: Box, other: Box) -> bool:
-    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3] or (
+    return (one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]) or (
         (other[0] == other[2] or other[1] == other[3])
         and one[0] < other[2] + 0.01
         and other[0] - 0.01 < one[2]

@@ -37,9 +37,11 @@ text{font-family:Arial,"Liberation Sans",Helvetica,sans-serif;font-size:12px;fil
 .name{font-size:13px;font-weight:bold}.title{font-size:16px;font-weight:bold}.small{font-size:11px;fill:{soft}}
 .action{font-style:italic;fill:{soft}}text.cut{fill:{cut}}text.error{fill:{error}}
 .paper{fill:{paper}}path{fill:none;stroke:{line};stroke-width:1.3}
-path.cut{stroke:{cut}}path.error{stroke:{error};stroke-dasharray:5 3}path.never{stroke:{soft};stroke-dasharray:2 3}
+path.cut{stroke:{cut}}path.error{stroke:{error};stroke-dasharray:5 3}
+path.never{stroke:{soft};stroke-dasharray:2 3}
 .head{fill:{line};stroke:none}.head.cut{fill:{cut}}.head.error{fill:{error}}.head.never{fill:{soft}}
-path.icon{stroke-width:1.4;stroke:{ink}}path.icon.cut{fill:{cut};stroke:none}path.icon.error{stroke:{error};stroke-dasharray:none}
+path.icon{stroke-width:1.4;stroke:{ink}}path.icon.cut{fill:{cut};stroke:none}
+path.icon.error{stroke:{error};stroke-dasharray:none}
 .activity{fill:{node};stroke:{node-border};stroke-width:1.3}
 path.choice{fill:{choice};stroke:{choice-border}}
 .frame,.parallel{fill:{frame};stroke:{frame-border}}path.field{stroke:{frame-border};stroke-dasharray:6 4}

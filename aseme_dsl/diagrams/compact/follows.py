@@ -1,4 +1,4 @@
-"""Follows: which transitions of a statechart follow each other with no state between, from the chart alone."""
+"""Follows: which transitions of a chart follow each other with no state between, from the chart alone."""
 
 from __future__ import annotations
 

@@ -57,7 +57,9 @@ def layout(chart: Statechart) -> Picture:
     field = placer.field(root, 0.0)
     title = texts.width(chart.name, Look.TITLE)
     head = Text(_MARGIN, _MARGIN + 14, chart.name, Look.TITLE, title)
-    about = f"{chart.kind} of {chart.system}: {len(chart.states)} states, {len(chart.transitions)} transitions"
+    about = (
+        f"{chart.kind} of {chart.system}: {len(chart.states)} states, {len(chart.transitions)} transitions"
+    )
     more = Text(_MARGIN + title + 12, _MARGIN + 14, about, Look.SMALL, texts.width(about, Look.SMALL))
     axis = _MARGIN + 34 + field.up
     elements = [head, more, *(moved(item, _MARGIN, axis) for item in field.elements)]
@@ -264,7 +266,9 @@ class _Placer:
         side = right
         if events:
             assert shape is not None
-            written_right = max((item.x + item.width for item in elements if isinstance(item, Text)), default=0)
+            written_right = max(
+                (item.x + item.width for item in elements if isinstance(item, Text)), default=0
+            )
             start = replace(pen(shape.x + shape.width - 12, bottom), stroke=Stroke.CUT)
             rows = max(1, sum(sum(map(len, texts.rows(self._transitions[item], True))) for item in events))
             axis = max(low, bottom) + 10 + rows * PITCH
@@ -357,14 +361,14 @@ class _Placer:
             for text, _ in part
         ]
 
-    def _back(self, link: Link, start: Pen, joint: tuple[float, float], top: float) -> tuple[list[Element], Pen]:
+    def _back(
+        self, link: Link, start: Pen, joint: tuple[float, float], top: float
+    ) -> tuple[list[Element], Pen]:
         """The line back above a group, and the pen that goes on."""
         elements = self._back_from(link, start, joint, top)
         return elements, replace(start, at=start.at + 8)
 
-    def _back_from(
-        self, link: Link, start: Pen, joint: tuple[float, float], top: float
-    ) -> list[Element]:
+    def _back_from(self, link: Link, start: Pen, joint: tuple[float, float], top: float) -> list[Element]:
         """A line from a pen up, back, and down to a joint, with its texts above."""
         low = sum(len(texts.rows(self._transitions[item])[1]) for item in link)
         axis = -top - 8 - (low * PITCH if low else 0)
@@ -392,11 +396,15 @@ class _Placer:
         width = max(texts.width(text, look) for text, look in lines) + 2 * 9
         width = max(width, least)
         height = len(lines) * PITCH + 9
-        shape = Shape(
-            Form.ACTIVITY, x, -12, width, height, block.label, self._staying.get(block.label, ())
-        )
+        shape = Shape(Form.ACTIVITY, x, -12, width, height, block.label, self._staying.get(block.label, ()))
         written = [
-            Text(x + (width - texts.width(text, look)) / 2, 4.5 + row * PITCH, text, look, texts.width(text, look))
+            Text(
+                x + (width - texts.width(text, look)) / 2,
+                4.5 + row * PITCH,
+                text,
+                look,
+                texts.width(text, look),
+            )
             for row, (text, look) in enumerate(lines)
         ]
         return _placed([line_to(line, (x, 0)), shape, *written], pen(x + width))

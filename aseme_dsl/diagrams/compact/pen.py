@@ -57,7 +57,14 @@ def over(line: Pen, link: Link, transitions: Sequence[Transition]) -> tuple[Pen,
             above += below
             below = []
     written = [
-        Text(line.at + 8, line.axis - 5 - (len(above) - 1 - row) * PITCH, text, look, texts.width(text, look), of)
+        Text(
+            line.at + 8,
+            line.axis - 5 - (len(above) - 1 - row) * PITCH,
+            text,
+            look,
+            texts.width(text, look),
+            of,
+        )
         for row, (text, look, of) in enumerate(above)
     ]
     written += [

@@ -58,7 +58,8 @@ def _element(chart: Statechart, item: Line | Shape | Text) -> Iterator[str]:
             of = "" if item.of is None else f' data-of="{item.of}"'
             text, x = item.text, item.x
             if text[:1] in _ICONS:
-                yield f'<path class="icon {item.look}" d="{_ICONS[text[0]]}" transform="translate({x:.1f} {item.y:.1f})"/>'
+                place = f"translate({x:.1f} {item.y:.1f})"
+                yield f'<path class="icon {item.look}" d="{_ICONS[text[0]]}" transform="{place}"/>'
                 text, x = text[1:].lstrip(), x + 12
             yield f'<text class="{item.look}" x="{x:.1f}" y="{item.y:.1f}"{of}>{_text(text)}</text>'
         case Line():

@@ -20,7 +20,7 @@ class Expressions(StrEnum):
 
 
 class Layout(StrEnum):
-    """The views of a statechart: states inside states, the labelled tree (P1, Figures 7 and 5), or compact."""
+    """The views of a statechart: states in states, the labelled tree (P1, Figures 7 and 5), or compact."""
 
     NESTED = "nested"
     TREE = "tree"
