@@ -50,7 +50,7 @@ KNOWS_ONLY = {
 SUBPACKAGES = {
     "compiler": "read names formula types control chart requirements checks stages",
     "codegen": "place seen program code step plain batch",
-    "diagrams": "compact look models sequence rendering",
+    "diagrams": "look compact models sequence rendering",
     "editor": "reading files answers typing changes",
     "grammar": "text formulas parsing layout syntax",
     "project": "files settings code building editing playing studying",

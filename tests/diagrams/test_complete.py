@@ -33,7 +33,7 @@ def test_the_random_charts_are_what_they_should_be() -> None:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_everything_is_drawn(seed: int) -> None:
     chart = random_chart(seed)
-    for layout in Layout:
+    for layout in (Layout.NESTED, Layout.TREE):
         shown = picture(chart, layout)
         assert {f"n{node.label}" for node in chart.states} <= shown.ids
         assert {f"t{place}" for place in range(len(chart.transitions))} <= shown.ids

@@ -35,7 +35,7 @@ class Parallel:
 
 @dataclass(frozen=True, slots=True)
 class Cut:
-    """What interrupts a part (`A [> B`): how it is entered, what it is, and how it goes on behind the part."""
+    """What interrupts a part (`A [> B`): how it is entered, and what it is."""
 
     enter: Link
     part: Part

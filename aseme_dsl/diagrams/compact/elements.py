@@ -36,7 +36,7 @@ SIZES = {
 
 
 class Stroke(StrEnum):
-    """How a line is drawn: an ordinary one, one that cuts short, one of errors, one never taken."""
+    """How a line is drawn: an ordinary one, an interrupt, one of errors, one never taken."""
 
     PLAIN = "plain"
     CUT = "cut"
@@ -60,7 +60,7 @@ class Form(StrEnum):
 class Line:
     """A line from state or joint to the next: `chain` is the links that it stands for, one after the other.
 
-    One with an empty chain only goes on from a joint.
+    One with an empty chain only leads on from a joint.
     """
 
     points: tuple[Point, ...]

@@ -186,7 +186,7 @@ class _Placer:
             elements += placed.elements
             behind = placed.pen
             if behind is None and part is not branch.parts[-1]:
-                raise AssertionError("a line goes on behind every part that has a link onward")
+                raise AssertionError("every part with a link onward has a line behind it")
         return _placed(elements, behind)
 
     def part(self, part: Part, line: Pen) -> _Placed:
@@ -222,7 +222,7 @@ class _Placer:
         behind, right = inside.pen, inside.right
         top, low = inside.up, inside.down
         shape = next((s for s in inside.elements if isinstance(s, Shape) and s.state == label), None)
-        # Back above the block.
+        # The line back above the block.
         if isinstance(block, Group) and (again or again_events):
             assert joint is not None
             if again:
@@ -364,7 +364,7 @@ class _Placer:
     def _back(
         self, link: Link, start: Pen, joint: tuple[float, float], top: float
     ) -> tuple[list[Element], Pen]:
-        """The line back above a group, and the pen that goes on."""
+        """The line back above a group, and the pen behind it."""
         elements = self._back_from(link, start, joint, top)
         return elements, replace(start, at=start.at + 8)
 
