@@ -60,6 +60,12 @@ def test_the_charts_of_examples_are_drawn_rightly(name: str) -> None:
         assert faults(chart, layout(chart)) == [], chart.name
 
 
+def test_the_branches_of_an_interrupt_with_triggers_of_their_own_leave_side_by_side() -> None:
+    control = " control r { enter B : after(1s)\n enter C : after(2s) } }"
+    chart = chart_of((SMALL % "A [> (B | C)").replace("} }", "}" + control))
+    assert faults(chart, layout(chart)) == []
+
+
 def planted(picture: Picture) -> Iterator[tuple[str, Picture]]:
     """The picture with one fault each."""
     items = picture.elements

@@ -280,7 +280,7 @@ class _Placer:
             side = max(side, start.at, written_right)
         for number, cut in enumerate(part.cuts):
             assert shape is not None
-            x = shape.x + 12 + 9 * number
+            x = shape.x + 12 + 9 * (len(part.cuts) - 1 - number)  # a lower one passes left of the texts above
             start = replace(Pen(((x, 0.0), (x, 0.0)), x), stroke=Stroke.CUT)
             start, written = over(start, cut.enter, self._transitions)
             placed = self.part(cut.part, start)
