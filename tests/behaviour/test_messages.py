@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.runtime.chart.inputs import Sending
+from aseme_dsl.runtime.chart.inputs import Fault, Sending
 from tests.behaviour.conftest import Play
 from tests.behaviour.running import Run
 
@@ -48,10 +48,26 @@ def test_a_message_without_braces_is_what_the_activity_has_prepared(play: Play) 
 
 
 def test_a_message_is_not_sent_if_something_of_it_is_absent(play: Play) -> None:
-    """ "an absent or raising value means that this one action is not done, with a fault" """
-    run = run_of(play, "enter A : / send cfp M { x = t.state.M.x, .. } to b; low = 1").step()
+    """ "Missing content or an absent value fails the state that is entered" """
+    run = run_of(
+        play, "enter A : / send cfp M { x = t.state.M.x, .. } to b; low = 1", "enter B : error"
+    ).step()
     assert [line.split()[0] for line in run.did] == ["join", "fault", "start"]
-    assert run.variable("low") == 1
+    (fault,) = run.last.of(Fault)
+    assert fault.reason == "cfp M is not sent: a value is absent"
+    assert run.active == ["B"] and run.variable("low") == 1
+
+
+def test_a_message_is_not_sent_if_something_of_it_raises(play: Play) -> None:
+    run = run_of(play, "enter A : / send cfp M { d = 1 / (low - 100), .. } to b", "enter B : error").step()
+    assert [line.split()[0] for line in run.did] == ["join", "fault", "start"]
+    (fault,) = run.last.of(Fault)
+    assert fault.reason.startswith("cfp M is not sent: ") and run.active == ["B"]
+
+
+def test_without_a_way_for_the_failure_the_agent_stops(play: Play) -> None:
+    run = run_of(play, "enter A : / send cfp M { x = t.state.M.x, .. } to b").step()
+    assert "cfp M is not sent: a value is absent (" in (run.last.failure or "")
 
 
 def test_a_message_on_a_topic_is_filled_and_published(play: Play) -> None:
@@ -149,9 +165,8 @@ def test_nobody_is_addressed_before_an_agent_is_known(play: Play) -> None:
         "enter C : after(1s)",
     ).step()
     run.step(run.done("A"))
-    assert [line.split()[0] for line in run.did] == ["fault", "start"] and run.variable("low") == 3
-    run.step(run.done("B"))
-    assert run.active == ["B"]
+    assert "accept_proposal M is not sent: a value is absent (" in (run.last.failure or "")
+    assert run.variable("low") == 3
 
 
 def test_agents_are_compared(play: Play) -> None:
@@ -246,4 +261,4 @@ def test_a_member_of_an_optional_member_is_there_with_it(play: Play) -> None:
 def test_what_a_message_reads_is_looked_up_before_anything_is_computed(play: Play) -> None:
     """ "An action … that is not done because something is absent draws nothing." """
     run = run_of(play, "enter A : / send cfp M { d = random(), on = even(low), .. } to best").step()
-    assert [line.split()[0] for line in run.did] == ["join", "fault", "start"]
+    assert [line.split()[0] for line in run.did] == ["join", "fault", "part"]

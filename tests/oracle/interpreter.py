@@ -1165,6 +1165,7 @@ class Reference:
         for channel, host in signals_of(action):
             region.look_at(channel, host)
         # "In an action, an absent or raising value means that this one action is not done, with a fault."
+        # "If a value of a `send` is absent or raises, the message is not sent, and the state … fails."
         # "An action … that is not done because something is absent draws nothing": what it reads is looked up
         # first, as written, and only if all of it is there anything is computed.
         try:
@@ -1172,7 +1173,7 @@ class Reference:
             for term in values_of(action):
                 reads.append(self.look_up(term, region))
                 if reads[-1] is ABSENT:
-                    self.fault(number, "a value is absent")
+                    self.not_done(number, action, "a value is absent")
                     return
             values = [self.compute(read) for read in reads]
         except NoElement as error:
@@ -1181,7 +1182,7 @@ class Reference:
             self.breach_by(number, f"list {own} of {count} elements has no element {wanted}")
             return
         except Exception as error:
-            self.fault(number, str(error))
+            self.not_done(number, action, str(error))
             return
         match action:
             case ("assign", name, _):
@@ -1277,6 +1278,15 @@ class Reference:
             if self.reads(place.label, channel) and host in (None, self.agent):
                 own = Sample(channel, message, self.agent, self.now, (self.agent, 0), place.label)
                 place.put(own, self.queued(channel))
+
+    def not_done(self, number: int, action: Term, reason: str) -> None:
+        """An action lacks a value: a fault, and of a `send` that is no farewell a failure."""
+        if action[0] != "send":
+            self.fault(number, reason)
+        elif self.abandoning:
+            self.fault(number, f"{action[1]} {action[2]} is not sent: {reason}")
+        else:
+            self.breach_by(number, f"{action[1]} {action[2]} is not sent: {reason}")
 
     def breach_by(self, number: int, reason: str) -> None:
         """ "A write outside of the bounds is not made"; the state that is entered fails."""

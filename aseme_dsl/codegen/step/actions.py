@@ -106,7 +106,12 @@ class Actions(Part):
                 branch = self.chart.branch_of(source)
                 letter = f"{branch!r}, {performative!r}, {message!r}, {participant!r}"
                 self.computed(
-                    method, depth, number, action.values, lambda *p: [_sending(method, letter, action, p)]
+                    method,
+                    depth,
+                    number,
+                    action.values,
+                    lambda *p: [_sending(method, letter, action, p)],
+                    message=f"{performative} {message}",
                 )
             case StartTimer(timer=timer, duration=duration):
                 self.computed(
@@ -237,8 +242,13 @@ class Actions(Part):
         use: Callable[..., list[str]],
         *,
         can_raise: bool = False,
+        message: str | None = None,
     ) -> None:
-        """Compute values and use them; an absent or raising one is a fault. `can_raise`: the use may, too."""
+        """Compute values and use them; an absent or raising one is a fault.
+
+        `can_raise`: the use may, too. `message` is what they are sent with, if they are: it is then not sent.
+        """
+        fault = f"self.fault({number}" if message is None else f"self.unsent({number}, {message!r}"
         self.names.asked_by(number, method.names)
         found = computed(values, method.names)
         can_raise = can_raise or found.raises
@@ -248,11 +258,11 @@ class Actions(Part):
         if found.needs:
             method.add(depth, f"if {method.code(all_of(found.needs))}:")
             method.add(depth + 1, *use(*found.pieces))
-            method.add(depth, "else:", f"    self.fault({number}, {method.code(Name('ABSENT'))})")
+            method.add(depth, "else:", f"    {fault}, {method.code(Name('ABSENT'))})")
         else:
             method.add(depth, *use(*found.pieces))
         if can_raise:
-            method.add(depth - 1, "except Exception as error:", f"    self.fault({number}, error)")
+            method.add(depth - 1, "except Exception as error:", f"    {fault}, error)")
 
 
 def _sending(method: Method, letter: str, action: Send, pieces: Sequence[Piece]) -> str:

@@ -57,7 +57,7 @@ def check_presence(
         if item.expression.actions and (found := list(_needed(item)))
     ]
     if needing:
-        known = _known(chart, activities, {member.channel for _, found in needing for member, _ in found})
+        known = _known(chart, activities, {member.channel for _, found in needing for member, _, _ in found})
         for transition, found in needing:
             yield from _in_actions(chart, transition, found, known, activities)
     yield from _beside_else(chart, activities)
@@ -168,8 +168,8 @@ def _asked(value: Has) -> Channels:
 # ---- actions -------------------------------------------------------------------------------------
 
 
-def _needed(transition: Transition) -> Iterator[tuple[Member, Span]]:
-    """What the actions read and the condition of the same transition does not make sure of."""
+def _needed(transition: Transition) -> Iterator[tuple[Member, Span, bool]]:
+    """What actions read, whether it is sent, where the condition of the line does not make sure of it."""
     condition = transition.expression.condition
     there = set(there_if_holds(condition)) if condition is not None else set()
     for action in transition.expression.actions:
@@ -184,7 +184,7 @@ def _needed(transition: Transition) -> Iterator[tuple[Member, Span]]:
             needed = _read(value)
             for member, span in members_in([value]):
                 if member.channel in needed and member.channel not in there:
-                    yield member, span
+                    yield member, span, isinstance(action, Send)
         if isinstance(action, Publish):
             there.add(action.channel)
 
@@ -192,17 +192,16 @@ def _needed(transition: Transition) -> Iterator[tuple[Member, Span]]:
 def _in_actions(
     chart: Statechart,
     transition: Transition,
-    needed: Iterable[tuple[Member, Span]],
+    needed: Iterable[tuple[Member, Span, bool]],
     known: Mapping[str, Channels],
     activities: Mapping[str, Activity],
 ) -> Iterator[Diagnostic]:
     there = known.get(transition.source, NONE) | _after(
         chart.by_label[transition.source], transition, activities
     )
-    for member, span in needed:
-        if member.channel in there:
-            continue
-        yield Diagnostic(ActionNeedsMessage(str(member.channel)), span)
+    for member, span, is_sent in needed:
+        if member.channel not in there:
+            yield Diagnostic(ActionNeedsMessage(str(member.channel), is_sent), span)
 
 
 def _after(source: State, transition: Transition, activities: Mapping[str, Activity]) -> Channels:

@@ -196,13 +196,18 @@ class AgentMessageUnmatched(Problem):
         return "receives" if self.clause == "sends" else "sends"
 
 
+UNSENT = "this is not sent, and the state behind it fails"
+
+
 class ActionNeedsMessage(Problem):
     code = "N720"
     channel: str
+    is_sent: bool
 
     @property
     def message(self) -> str:
-        return f"no `{self.channel}` may have come yet: then this action is not done"
+        what = UNSENT if self.is_sent else "this action is not done"
+        return f"no `{self.channel}` may have come yet: then {what}"
 
     @property
     def hint(self) -> str:
@@ -218,7 +223,7 @@ class SentWithoutMember(Problem):
 
     @property
     def message(self) -> str:
-        return f"`{self.member}` of `{self.type}` may be absent: then this message is not sent"
+        return f"`{self.member}` of `{self.type}` may be absent: then {UNSENT}"
 
     @property
     def hint(self) -> str:

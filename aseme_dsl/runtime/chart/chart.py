@@ -49,7 +49,7 @@ from aseme_dsl.runtime.chart.stepping import (
 ROUNDS = 1000
 """A step that does not settle in so many rounds never will, unless they have made what waits become less."""
 
-ABSENT = "absent value"
+ABSENT = "a value is absent"
 """Why an action was not done that needs a message which is not there."""
 
 INACTIVE = -1
@@ -227,17 +227,29 @@ class Chart(ChartState):
 
     def fault(self, transition: int, reason: object) -> bool:
         """Note, once a step, that something of a transition could not be done; always False."""
-        is_breach = isinstance(reason, OutOfBounds)
-        if is_breach and self.breach is None and self.failure is None:
+        if isinstance(reason, OutOfBounds):
+            self._fail_entered(transition, str(reason))
+        self._note_fault(transition, _shown(reason))
+        return False
+
+    def unsent(self, transition: int, message: str, reason: object) -> None:
+        """Note that a message is not sent, as a value of it is absent or raises; what is entered fails."""
+        text = f"{message} is not sent: {_shown(reason)}"
+        if not self.abandoning:  # a farewell enters nothing
+            self._fail_entered(transition, text)
+        self._note_fault(transition, text)
+
+    def _note_fault(self, transition: int, text: str) -> None:
+        if transition not in self._faults:
+            self._faults.add(transition)
+            self.effects.append(Fault(transition, text))
+
+    def _fail_entered(self, transition: int, reason: str) -> None:
+        """The state that the transition in hand enters will fail."""
+        if self.breach is None and self.failure is None:
             way = self._way()
             target = self.PLAN.transitions[way[-1]].target if way else self.REGIONS[0]
             self.breach = target, f"{reason} ({self.PLAN.transitions[transition].at})"
-        if transition not in self._faults:
-            self._faults.add(transition)
-            is_raised = isinstance(reason, Exception) and not is_breach
-            text = f"{type(reason).__name__}: {reason}" if is_raised else str(reason)
-            self.effects.append(Fault(transition, text))
-        return False
 
     def call(self, name: str, *arguments: object) -> Any:
         """Call a function of the document and note its result.
@@ -444,3 +456,9 @@ class Chart(ChartState):
             ):
                 board.ahead.add(item.identity)
                 put(self, region, board, item)
+
+
+def _shown(reason: object) -> str:
+    """Why something was not done, in words; what Python has raised comes with its kind."""
+    is_raised = isinstance(reason, Exception) and not isinstance(reason, OutOfBounds)
+    return f"{type(reason).__name__}: {reason}" if is_raised else str(reason)

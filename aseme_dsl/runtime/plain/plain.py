@@ -18,7 +18,7 @@ ROUNDS = 1000
 SHOWN = 16
 """So many states are named in an error."""
 
-ABSENT = "absent value"
+ABSENT = "a value is absent"
 """Why an action was not done that needs a message which is not there."""
 
 _log = logging.getLogger("aseme_dsl.plain")

@@ -122,6 +122,16 @@ def test_not_before_it_takes_part() -> None:
     assert not run.of("fault", agent="bob", reason="failure Reason is not sent: its participant was left")
 
 
+def test_a_farewell_that_lacks_a_value_fails_nothing() -> None:
+    text = TEXT.format(robot="robot = cook [> Flee", control="control robot { enter Flee : after(2s) }")
+    text = text.replace("var tries : int = 0", "var tries : int = 0  var asker : agent")
+    text = text.replace("tries = tries } to waiter", "tries = tries } to asker")
+    run = play(generate(text), until=5 * SECOND)
+    assert said(run) == []
+    assert run.of("fault", agent="bob", reason="failure Reason is not sent: a value is absent")
+    assert run.of("activity", what="start", agent="bob")[-1]["activity"] == "Flee"
+
+
 @pytest.mark.parametrize(("back", "sent"), [("resume", 0), ("enter", 1)])
 def test_one_that_is_suspended_says_it_when_it_is_discarded(back: str, sent: int) -> None:
     last, run = kitchen(
