@@ -53,7 +53,6 @@ from aseme_dsl.cli.shared import (
     target_argument,
 )
 from aseme_dsl.diagnostics import Diagnostic, has_errors
-from aseme_dsl.diagnostics.problems.network import NetworkInRealTime, NetworkNotSimulated
 from aseme_dsl.diagnostics.problems.running import (
     AgentWithoutRole,
     NetworkOfOneAgent,
@@ -64,6 +63,7 @@ from aseme_dsl.diagnostics.problems.running import (
     WithProcesses,
     WithQuiet,
 )
+from aseme_dsl.diagnostics.problems.scenarios.network import NetworkInRealTime, NetworkNotSimulated
 from aseme_dsl.project.settings.platform_settings import IN_PROCESS, PLATFORMS, ZENOH
 
 if TYPE_CHECKING:

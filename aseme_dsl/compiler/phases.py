@@ -28,6 +28,7 @@ from aseme_dsl.compiler.stages.uses import check_requirements, check_uses, compa
 from aseme_dsl.compiler.stages.whole import check_whole
 from aseme_dsl.compiler.types.scopes import TypedParticipant, TypedRole
 from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source
 
 
@@ -89,6 +90,10 @@ def inspecting(
     return found
 
 
+def _says(file: tree.File) -> bool:
+    return any(isinstance(item, tree.Scenario | tree.Property) for item in file.declarations)
+
+
 def _inspecting(
     root: Source | Path | str,
     sources: Mapping[str, str] | None,
@@ -111,6 +116,18 @@ def _inspecting(
     # Design: the statecharts.
     charts = found.keep((yield from build_charts(declared, processes, described, memory)))
     yield
+    # What scenarios and properties say of all that.
+    files = declared.loaded.files
+    if declared.symbols.system is not None and any(map(_says, files)):
+        # Imported here: most files have none.
+        from aseme_dsl.compiler.requirements.statements import check_statements, known_by
+
+        scopes, aips = processes.scopes, processes.aips
+        known = known_by(
+            files, declared.top, scopes, declared.blocks, aips, charts.iacs, described.activities
+        )
+        found.add(check_statements(files, known, declared.is_damaged))
+        yield
     # What is used but not declared, described but not used, expected but not written.
     uses = found.keep((yield from check_uses(declared, processes, described, charts, memory)))
     yield

@@ -66,6 +66,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E114": ("error", "duplicate clause"),
     "E115": ("error", "empty range"),
     "E116": ("error", "declaration over the parse time limit"),
+    "E117": ("error", "malformed statement of a scenario or property"),
     # Names and declarations (E2xx)
     "E200": ("error", "unknown name"),
     "E201": ("error", "duplicate declaration"),
@@ -96,6 +97,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E226": ("error", "bound name already in use"),
     "E227": ("error", "`waits` beside another clause"),
     "E228": ("error", "invalid alias of an import"),
+    "E229": ("error", "unknown name in a scenario or property"),
+    "E230": ("error", "unsuitable statement of a scenario or property"),
     "W110": ("warning", "unsupported item in a foreign file"),
     "W111": ("warning", "foreign module without a frequency"),
     "W200": ("warning", "name similar to a declared name"),
@@ -295,6 +298,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     # Networks and clocks (N77x)
     "N770": ("note", "network setting ignored in real time"),
     "N771": ("note", "radio message age without a declared delay"),
+    # Scenarios (N78x)
+    "N780": ("note", "scenario or property not played"),
 }
 
 CODES: dict[str, Code] = {code: Code(code, severity, title) for code, (severity, title) in _TABLE.items()}

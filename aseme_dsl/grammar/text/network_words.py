@@ -7,7 +7,7 @@ import re
 from decimal import Decimal
 
 from aseme_dsl.diagnostics import Problem, closest
-from aseme_dsl.diagnostics.problems import network as problems
+from aseme_dsl.diagnostics.problems.scenarios import network as problems
 from aseme_dsl.grammar.text.lexer import UNITS
 from aseme_dsl.runtime.team.network import Network
 

@@ -1,0 +1,701 @@
+"""Statements: whether what scenarios and properties name exists, and whether values have the right types."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields, is_dataclass, replace
+from itertools import islice
+from typing import assert_never
+
+from aseme_dsl.amola.aip import Aip
+from aseme_dsl.amola.expression import Raised, Value
+from aseme_dsl.amola.liveness import names
+from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, Type
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.compiler.names.checker import Checker
+from aseme_dsl.compiler.names.paths import channel_of
+from aseme_dsl.compiler.names.scope import Scope, Taken
+from aseme_dsl.compiler.read.blocks import Blocks, participants_of
+from aseme_dsl.compiler.read.builtins import COMM_TYPES, PERFORMATIVES
+from aseme_dsl.compiler.read.constants import NotConstant, fold
+from aseme_dsl.compiler.read.damage import Damaged
+from aseme_dsl.compiler.read.names import unknown, unknown_performative
+from aseme_dsl.compiler.types import exchange
+from aseme_dsl.compiler.types.scopes import TypedRole
+from aseme_dsl.compiler.types.typecheck import type_value
+from aseme_dsl.diagnostics import Diagnostic, Problem
+from aseme_dsl.diagnostics.problems.absences import Absent
+from aseme_dsl.diagnostics.problems.scenarios import statements as problems
+from aseme_dsl.grammar.formulas.statement import read_statements
+from aseme_dsl.grammar.text import statements as nodes
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What statements may name.
+
+    `states` are those of each role, None where its chart could not be built. `processes` are the places of
+    each participant, under its own name and under those that roles give it.
+    """
+
+    top: Scope
+    scopes: Mapping[str, TypedRole]
+    states: Mapping[str, frozenset[str] | None]
+    processes: Mapping[str, frozenset[str]]
+    events: Mapping[str, frozenset[str]]
+    performed: Mapping[str, frozenset[str]]
+    activities: Mapping[str, Activity]
+    outcomes: tuple[str, ...]
+
+    @property
+    def agents(self) -> dict[str, str]:
+        """The roles of the agents of the team; without a team, an agent is called as its role."""
+        teams = self.top.symbols.teams
+        return {agent.name: agent.role for team in teams for agent in team.agents} or {
+            name: name for name in self.states
+        }
+
+
+def known_by(
+    files: Iterable[tree.File],
+    top: Scope,
+    scopes: Mapping[str, TypedRole],
+    blocks: Blocks,
+    aips: Iterable[Aip],
+    iacs: Mapping[str, Statechart | None],
+    activities: Mapping[str, Activity],
+) -> Known:
+    """What the statements of a system may name."""
+    aliases = frozenset(alias for file in files for alias in _aliases(file))
+    performed: dict[str, set[str]] = {}
+    for role, chart in iacs.items():
+        for node in chart.states if chart is not None else ():
+            if node.activity is not None:
+                performed.setdefault(node.activity, set()).add(role)
+    for name in activities:
+        performed.setdefault(name, set())
+    return Known(
+        top,
+        scopes,
+        {role: None if chart is None else _states(chart, aliases) for role, chart in iacs.items()},
+        _processes(blocks),
+        {role: _events(chart) for role, chart in iacs.items() if chart is not None},
+        {name: frozenset(roles) for name, roles in performed.items()},
+        activities,
+        tuple(text for aip in aips for text in aip.outcomes),
+    )
+
+
+def _states(chart: Statechart, aliases: Iterable[str]) -> frozenset[str]:
+    """The names of its states, those from a file with an alias also without it."""
+    found = {chart.name}
+    for node in chart.states:
+        found.update((node.name, node.activity or "", node.origin.name))
+    todo = list(found)
+    while todo:
+        name = todo.pop()
+        found.add(name)
+        todo += (name[len(alias) + 1 :] for alias in aliases if name.startswith(f"{alias}_"))
+    return frozenset(name for name in found if name.isidentifier())
+
+
+def _events(chart: Statechart) -> frozenset[str]:
+    events = (event for item in chart.transitions for event in item.expression.events)
+    return frozenset(event.name for event in events if isinstance(event, Raised))
+
+
+def _processes(blocks: Blocks) -> dict[str, frozenset[str]]:
+    places: dict[str, set[str]] = {}
+    owned: dict[tuple[str, str], set[str]] = {}
+    for protocol in blocks.aips:
+        for item in participants_of(protocol):
+            own = owned.setdefault((protocol.name.text, item.name.text), set())
+            own.update({one.name.text for one in item.formulas} - {"process"})
+            own.update(node.name for one in item.formulas for node in names(one.formula))
+            own.add(item.name.text)
+            places.setdefault(item.name.text, set()).update(own)
+    for role in blocks.srms:
+        for part in role.plays:
+            own = owned.get((part.protocol.text, part.participant.text), set())
+            bound = {item.own.text for item in part.bindings if item.own is not None}
+            for name in (part.participant.text, *((part.alias.text,) if part.alias else ())):
+                places.setdefault(name, set()).update(own | bound)
+    return {name: frozenset(inside) for name, inside in places.items()}
+
+
+def check_statements(files: Sequence[tree.File], known: Known, is_damaged: Damaged) -> tuple[Diagnostic, ...]:
+    """What is wrong in scenarios and properties: E117, E229, E230, and types as everywhere."""
+    is_read = not any(is_damaged(span) for file in files for span in _between_blocks(file))
+    blocks = [(item, _aliases(file)) for file in files for item in _blocks(file)]
+    read = []
+    for item, aliases in blocks:
+        is_property = isinstance(item, tree.Property)
+        statements, wrong = read_statements(item.span.source, _words(item, aliases), is_property)
+        # Where a brace is missing, what ends too early has been said.
+        read.append((statements, () if is_damaged(item.span) else wrong, is_property))
+    # A property speaks of every run: also of the agents that some scenario introduces.
+    introduced: dict[str, str] = {}
+    for statements, _, _ in read:
+        introduced.update(_introduced(statements))
+    found: list[Diagnostic] = []
+    for (statements, wrong, is_property), (item, _) in zip(read, blocks, strict=True):
+        own = introduced if is_property else _introduced(statements)
+        agents = {**known.agents, **own} if is_property or not own else own
+        check = _Check(known, agents, bool(own) and not is_property, is_damaged(item.span), is_read)
+        for statement in statements:
+            if isinstance(statement, nodes.TakesPart):
+                check.takes_part(statement)
+            elif isinstance(statement, nodes.Input | nodes.Table):
+                check.inputs(statement)
+        for statement in statements:
+            check.statement(statement)
+        found += _each_cause(check.found, wrong)
+    found += _not_played(files)
+    return tuple(dict.fromkeys(found))
+
+
+def _not_played(files: Iterable[tree.File]) -> Iterator[Diagnostic]:
+    """Once for each file that has any."""
+    for file in files:
+        for item in islice(_blocks(file), 1):
+            yield Diagnostic(problems.ScenarioNotPlayed(), item.title.span)
+
+
+def _blocks(file: tree.File) -> Iterator[tree.Scenario | tree.Property]:
+    return (item for item in file.declarations if isinstance(item, tree.Scenario | tree.Property))
+
+
+def _between_blocks(file: tree.File) -> Iterator[Span]:
+    """The text of a file without its scenarios and properties."""
+    start = 0
+    for item in sorted(_blocks(file), key=lambda block: block.span.start):
+        yield Span(file.source, start, max(start, item.span.start - 1))
+        start = item.span.end + 1
+    yield Span(file.source, start, max(start, len(file.source.text)))
+
+
+def _each_cause(named: Sequence[Diagnostic], formed: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """All problems, but what remains of a line whose beginning names something wrong begins no statement."""
+    ends = {(item.span.line): item.span.end for item in reversed(named) if item.span is not None}
+    return [
+        *named,
+        *(
+            item
+            for item in formed
+            if item.span is None
+            or not isinstance(item.problem, problems.NoStatement | problems.WithoutMoment)
+            or ends.get(item.span.line, item.span.end) > item.span.start
+        ),
+    ]
+
+
+def _introduced(statements: Iterable[nodes.Statement]) -> dict[str, str]:
+    """The agents that take part, with their roles."""
+    found: dict[str, str] = {}
+    for item in statements:
+        if isinstance(item, nodes.TakesPart):
+            for name, bounds in item.agents:
+                if bounds is None:
+                    found[name.text] = _model_name(item.role)
+                else:
+                    numbers = range(bounds[0], bounds[1] + 1)
+                    found.update((f"{name}{number}", _model_name(item.role)) for number in numbers)
+    return found
+
+
+def _model_name(name: tree.Name) -> str:
+    """What `alice.attacker` is called in the models."""
+    return name.text.replace(".", "_")
+
+
+def _words(item: tree.Scenario | tree.Property, aliases: frozenset[str]) -> list[tree.Name]:
+    """The words, of which `alice.attacker` is called as it is in the models, which takes as many letters."""
+    written = (
+        item.tokens if isinstance(item, tree.Property) else [w for line in item.statements for w in line]
+    )
+    return [
+        tree.Name(word.text.replace(".", "_", 1), word.span) if word.text.split(".")[0] in aliases else word
+        for word in written
+    ]
+
+
+def _aliases(file: tree.File) -> frozenset[str]:
+    items = (item.alias for item in file.declarations if isinstance(item, tree.Import))
+    return frozenset(alias.text for alias in items if alias is not None)
+
+
+def _only_agent(item: object) -> tree.Name | None:
+    """The agent of a sentence, if it has one only: what its bare conditions are about."""
+    found: dict[str, tree.Name] = {}
+    todo = [item]
+    while todo:
+        node = todo.pop()
+        if isinstance(node, tuple):
+            todo += node
+        elif is_dataclass(node) and type(node).__module__ == nodes.__name__:
+            agent = getattr(node, "agent", None)
+            if isinstance(agent, tree.Name):
+                found[agent.text] = agent
+            todo += (getattr(node, one.name) for one in fields(node))
+    return next(iter(found.values())) if len(found) == 1 else None
+
+
+def _with_paths(written: tree.Expression, change: Callable[[tree.Path], tree.Path]) -> tree.Expression:
+    """An expression with its paths changed. It is as deep as the parser lets it be."""
+
+    def part(item: tree.Expression) -> tree.Expression:
+        return _with_paths(item, change)
+
+    match written:
+        case tree.Path():
+            return change(written)
+        case tree.Call():
+            return replace(written, arguments=tuple(map(part, written.arguments)))
+        case tree.Unary():
+            return replace(written, operand=part(written.operand))
+        case tree.Binary():
+            return replace(written, left=part(written.left), right=part(written.right))
+        case tree.Logic():
+            return replace(written, operands=tuple(map(part, written.operands)))
+        case tree.Conditional():
+            condition, yes, no = map(part, (written.condition, written.yes, written.no))
+            return replace(written, condition=condition, yes=yes, no=no)
+        case tree.Parenthesised():
+            return replace(written, inner=part(written.inner))
+        case tree.List():
+            return replace(written, elements=tuple(map(part, written.elements)))
+        case tree.Element():
+            return replace(written, list=part(written.list), index=part(written.index))
+        case tree.Number() | tree.Duration() | tree.Truth() | tree.Text() | tree.Hole():
+            return written
+        case _:
+            assert_never(written)
+
+
+def _typed(checker: Checker, written: tree.Expression) -> Value | None:
+    value, wrong = type_value(written, checker.scope)
+    checker.diagnostics += wrong
+    return value
+
+
+@dataclass(slots=True)
+class _Check:
+    """Goes through the statements of one scenario or property.
+
+    `is_broken`: a part of it could not be read, which may have introduced what is not known then. `is_read`:
+    all other declarations could be read.
+    """
+
+    known: Known
+    agents: Mapping[str, str]
+    is_listed: bool
+    is_broken: bool
+    is_read: bool
+    found: list[Diagnostic] = field(default_factory=list)
+    parameters: dict[str, Type | None] = field(default_factory=dict)
+    chosen: set[str] = field(default_factory=set)
+    """The columns whose values are states."""
+
+    def takes_part(self, item: nodes.TakesPart) -> None:
+        """`robot1, robot2 : player`"""
+        role = _model_name(item.role)
+        if role not in self.known.states:
+            self._unknown(problems.NoRoleInScenario, item.role, self.known.states)
+            return
+        in_team = self.known.agents if self.known.top.symbols.teams else {}
+        for name, bounds in item.agents:
+            if bounds is None and in_team.get(name.text, role) != role:
+                self._report(problems.OtherRole(name.text, in_team[name.text]), item.role)
+
+    def inputs(self, item: nodes.Input | nodes.Table) -> None:
+        """What a scenario is run with."""
+        if isinstance(item, nodes.Input):
+            self._input(item)
+            return
+        for column in item.columns:
+            self._new(column)
+        whole = [cells for cells, _ in item.rows if len(cells) == len(item.columns)]
+        for cells, span in item.rows:
+            if len(cells) != len(item.columns):
+                columns = tuple(name.text for name in item.columns)
+                self.found.append(Diagnostic(problems.RowOfOtherLength(columns, len(cells)), span))
+        for name, cells in zip(item.columns, zip(*whole, strict=True), strict=False):
+            self.parameters[name.text] = self._column(name, cells)
+
+    def _column(self, name: tree.Name, cells: tuple[tree.Expression, ...]) -> Type | None:
+        """The type of a column; None where it is one of states, or wrong."""
+        single = [
+            cell.segments[0] for cell in cells if isinstance(cell, tree.Path) and len(cell.segments) == 1
+        ]
+        if len(single) == len(cells) and not any(one.text in self.known.top.lets for one in single):
+            self.chosen.add(name.text)
+            for one in single:
+                self._place(tree.Place(one, None, one.span), None)
+            return None
+        kind: Type | None = None
+        for cell in cells:
+            value, wrong = type_value(cell, self.known.top)
+            self.found += wrong
+            if value is None:
+                return None
+            if kind is None or (kind, value.type) == (INT, DOUBLE):
+                kind = value.type
+            elif (kind, value.type) != (DOUBLE, INT) and kind != value.type:
+                self.found += type_value(cell, self.known.top, kind)[1]
+                return None
+        return kind
+
+    def _input(self, item: nodes.Input) -> None:
+        self._new(item.name)
+        self.parameters[item.name.text] = None
+        ends = []
+        for written in (item.least, item.most):
+            value, wrong = type_value(written, self.known.top)
+            self.found += wrong
+            if value is None:
+                return
+            ends.append(value)
+        kinds = {value.type for value in ends}
+        if not kinds <= {INT, DOUBLE} and kinds != {DURATION}:
+            self._report(problems.UnsuitableInput(item.name.text), item)
+            return
+        self.parameters[item.name.text] = DOUBLE if DOUBLE in kinds else ends[0].type
+        try:
+            least, most = (fold(value) for value in ends)
+        except (NotConstant, ArithmeticError):
+            self._report(problems.UnsuitableInput(item.name.text), item)
+            return
+        assert not isinstance(least, str) and not isinstance(most, str)
+        if most < least:
+            span = item.least.span.to(item.most.span)
+            problem = problems.UnsuitableRange(item.least.span.text, item.most.span.text)
+            self.found.append(Diagnostic(problem, span))
+
+    def _new(self, name: tree.Name) -> None:
+        if name.text in self.parameters or name.text in self.agents:
+            self._report(problems.InputTwice(name.text), name)
+        self.parameters.setdefault(name.text, None)
+
+    def statement(self, item: nodes.Statement) -> None:
+        """Everything that a statement names."""
+        match item:
+            case nodes.TakesPart() | nodes.Input() | nodes.Table() | nodes.Setup():
+                pass  # looked at before the others, or by the parser
+            case nodes.Simulated():
+                self._simulated(item)
+            case nodes.Hit():
+                self._event(item)
+            case nodes.Timed():
+                self._moments(item)
+                only = _only_agent(item)
+                if item.of is not None:
+                    self._condition(item.of, self._role_of(only))
+                self._event(item.event)
+                self._share(item.share)
+            case nodes.Rule():
+                only = _only_agent(item)
+                for condition in item.conditions:
+                    if item.word == "never" or not isinstance(condition, nodes.Fault):
+                        self._condition(condition, self._role_of(only))
+                    else:
+                        self._report(problems.FaultNotNever(), condition)
+                self._share(item.share)
+            case nodes.Several():
+                role = None
+                if item.role is not None and (role := _model_name(item.role)) not in self.known.states:
+                    self._unknown(problems.NoRoleInScenario, item.role, self.known.states)
+                    return
+                for place in item.places:
+                    self._place(place, role)
+                self._share(item.share)
+            case nodes.Fails():
+                self._agent(item.agent)
+            case nodes.Assumed():
+                self._activity(item.activity)
+                self._ranges(item.times)
+                if item.writes is not None:
+                    self._channel(item.writes)
+            case _:
+                assert_never(item)
+
+    # ---- parts of statements ---------------------------------------------------------------------
+
+    def _simulated(self, item: nodes.Simulated) -> None:
+        self._ranges(item.times)
+        if not self._activity(item.activity):
+            return
+        name = item.activity.text
+        activity = self.known.activities.get(name)
+        for end in item.ends:
+            ends = activity.ends if activity is not None else ()
+            if end.text not in ends:
+                self._unknown(problems.NoOutcomeOfActivity, end, ends, name)
+        for message in (*item.writes, *item.sends):
+            self._filled(message)
+        roles = self.known.performed.get(name, frozenset())
+        variables = {
+            variable.name: variable.type
+            for role in sorted(roles)
+            if role in self.known.scopes
+            for variable in self.known.scopes[role].variables
+        }
+        for variable, value in item.sets:
+            if variable.text not in variables:
+                self._unknown(problems.NoVariableToSet, variable, variables, name)
+                continue
+            self.found += type_value(self._own(value), self._scope(None), variables[variable.text])[1]
+
+    def _moments(self, item: nodes.Timed) -> None:
+        """`from 8s to 3s` is empty."""
+        if item.word != "from" or len(item.times) < 2:
+            return
+        first, last = item.times
+        between = first.span.source.text[first.span.end : last.span.start]
+        if between.strip() == "to" and last.nanoseconds < first.nanoseconds:
+            self._empty(first, last)
+
+    def _ranges(self, times: Iterable[tuple[tree.Duration, tree.Duration]]) -> None:
+        for least, most in times:
+            text = least.span.text
+            bare = most is not least and text.isdecimal()  # 0..300ms
+            if not bare and most.nanoseconds < least.nanoseconds:
+                self._empty(least, most)
+
+    def _empty(self, least: tree.Duration, most: tree.Duration) -> None:
+        problem = problems.UnsuitableRange(least.span.text, most.span.text)
+        self.found.append(Diagnostic(problem, least.span.to(most.span)))
+
+    def _event(self, item: nodes.Event) -> None:
+        match item:
+            case nodes.Receives():
+                self._agent(item.agent)
+                self._filled(item.message)
+                if item.sender is not None and not self._is_outside(item.sender):
+                    self._agent(item.sender)
+            case nodes.Raises():
+                self._agent(item.agent)
+                role = self._role_of(item.agent)
+                events = self.known.events.get(role or "")
+                if role is not None and events is not None and item.event.text not in events:
+                    self._unknown(problems.NoEventOfRole, item.event, events, role)
+            case nodes.Hit():
+                for agent in item.agents:
+                    self._agent(agent)
+            case nodes.Reached():
+                self._condition(item.condition, self._role_of(_only_agent(item)))
+            case _:
+                assert_never(item)
+
+    def _is_outside(self, name: tree.Name) -> bool:
+        """`from input`; or from an agent of the team that does not take part."""
+        return name.text == "input" or name.text in self.known.agents
+
+    def _share(self, item: nodes.Share | None) -> None:
+        if item is None:
+            return
+        percent = item.percent.value if isinstance(item.percent, tree.Number) else 0
+        seeds = item.seeds.value if isinstance(item.seeds, tree.Number) else 0
+        if not 0 < percent <= 100 or not isinstance(seeds, int) or seeds < 1:
+            self._report(problems.UnsuitableShare(), item)
+
+    def _condition(self, written: nodes.Condition, role: str | None) -> None:
+        todo = [written]
+        while todo:
+            item = todo.pop()
+            match item:
+                case nodes.Joined():
+                    todo += reversed(item.parts)
+                case nodes.InState():
+                    if item.agent is None:
+                        self._bare(item, role)
+                    elif self._agent(item.agent):
+                        for place in item.places:
+                            self._place(place, self._role_of(item.agent))
+                case nodes.Holds():
+                    if item.agent is None or self._agent(item.agent):
+                        self._truth(item.expression, self._role_of(item.agent) or role)
+                case nodes.Heard():
+                    self._heard(item, role)
+                case nodes.Ended():
+                    if self.is_read and item.text.text not in self.known.outcomes:
+                        name = tree.Name(item.text.text, item.text.span)
+                        wrong = unknown(problems.NoOutcomeOfProtocols, name, self.known.outcomes)
+                        self.found.append(replace(wrong, fix=None))
+                case nodes.Fault():
+                    pass
+                case _:
+                    assert_never(item)
+
+    def _bare(self, item: nodes.InState, role: str | None) -> None:
+        """A name alone is a state, else a condition that has this name."""
+        for place in item.places:
+            scope = self._scope(role)
+            name = place.name
+            is_value = (
+                name.text in scope.variables or name.text in scope.lets or name.text in scope.parameters
+            )
+            if (
+                place.at is None
+                and is_value
+                and name.text not in self.chosen
+                and not self._is_state(name.text)
+            ):
+                self._truth(tree.Path((name,), name.span), role)
+            elif place.at is None and name.text in self.known.processes:
+                pass  # a participant, as in a clause
+            elif place.at is None and name.text in self.agents and not self._is_state(name.text):
+                self._report(problems.AgentAlone(name.text), name)
+            else:
+                self._place(place, None)
+
+    def _is_state(self, name: str) -> bool:
+        return any(states is not None and name in states for states in self.known.states.values())
+
+    def _truth(self, written: tree.Expression, role: str | None) -> None:
+        self.found += type_value(self._own(written), self._scope(role), BOOL)[1]
+
+    def _heard(self, item: nodes.Heard, role: str | None) -> None:
+        if item.performative is not None and item.performative.text not in PERFORMATIVES:
+            self.found.append(unknown_performative(item.performative))
+        kind = self._carried(item.what)
+        if item.agent is not None:
+            self._agent(item.agent)
+        if item.condition is None:
+            return
+        scope = self._scope(role)
+        if item.called is not None:
+            if kind is None:
+                return
+            act = item.performative.text if item.performative is not None else "inform"
+            scope = replace(scope, taken=Taken(item.called.text, act, kind, False, item.called.span))
+        self.found += type_value(self._own(item.condition), scope, BOOL)[1]
+
+    # ---- names -----------------------------------------------------------------------------------
+
+    def _agent(self, name: tree.Name) -> bool:
+        """An agent, or a role behind `any`, `some` and `every`."""
+        if name.text in self.agents or _model_name(name) in self.known.states:
+            return True
+        self._unknown(problems.NoAgentInScenario, name, self.agents, self.is_listed)
+        return False
+
+    def _role_of(self, name: tree.Name | None) -> str | None:
+        if name is None:
+            return None
+        if name.text in self.agents:
+            return self.agents[name.text]
+        return name.text if name.text in self.known.states else None
+
+    def _place(self, place: tree.Place, role: str | None) -> None:
+        """A state of a role (of any, if None), in a participant if the place says so."""
+        name = place.name
+        if name.text in self.chosen and place.at is None:
+            return
+        states = self._states_of(role)
+        if states is None:
+            return
+        if place.at is not None:
+            process = self.known.processes.get(place.at.text)
+            if process is None:
+                self._unknown(problems.NoParticipantInScenario, place.at, self.known.processes)
+            elif name.text not in process:
+                self._unknown(problems.NoStateOfParticipant, name, process, place.at.text)
+        elif name.text not in states:
+            self._unknown(problems.NoStateOfRole, name, states, role or "")
+
+    def _states_of(self, role: str | None) -> frozenset[str] | None:
+        """None where a chart is missing: then nothing can be said."""
+        if role is not None:
+            return self.known.states.get(role)
+        playing = set(self.agents.values()) if self.is_listed else set(self.known.states)
+        found: set[str] = set()
+        for name in playing:
+            states = self.known.states.get(name)
+            if states is None:
+                return None
+            found |= states
+        return frozenset(found)
+
+    def _activity(self, name: tree.Name) -> bool:
+        if name.text in self.known.performed:
+            return True
+        if None not in self.known.states.values():
+            self._unknown(problems.NoActivityInScenario, name, self.known.performed)
+        return False
+
+    def _filled(self, item: nodes.Filled) -> None:
+        if item.performative is not None and item.performative.text not in PERFORMATIVES:
+            self.found.append(unknown_performative(item.performative))
+        kind = self._carried(item.what)
+        if kind is None:
+            return
+        checker = Checker(self._scope(None))
+        fills = tuple(replace(one, value=self._own(one.value)) for one in item.fills)
+        exchange.fill(checker, kind, fills, _typed)
+        self.found += checker.diagnostics
+
+    def _carried(self, path: tree.Path) -> str | None:
+        """The type of message that a channel carries, or that is named."""
+        if any(one.text in COMM_TYPES for one in path.segments[1:3]) or len(path.segments) > 1:
+            return self._channel(path)
+        name = path.segments[0]
+        symbols = self.known.top.symbols
+        if symbols.message(name.text) is not None:
+            return name.text
+        self._unknown(problems.NoMessageInScenario, name, (item.name for item in symbols.messages))
+        return None
+
+    def _channel(self, path: tree.Path) -> str | None:
+        checker = Checker(self.known.top)
+        found = channel_of(checker, self._meant(path))
+        self.found += checker.diagnostics
+        return None if found is None else found[1].message
+
+    def _scope(self, role: str | None) -> Scope:
+        typed = self.known.scopes.get(role or "")
+        scope = self.known.top if typed is None else typed.scope
+        return replace(scope, parameters={**scope.parameters, **self.parameters})
+
+    def _own(self, written: tree.Expression) -> tree.Expression:
+        """An expression whose paths mean what they mean here (see `_meant`)."""
+        return _with_paths(written, self._meant)
+
+    def _meant(self, path: tree.Path) -> tree.Path:
+        """The path with an input of a dotted name, as `ball.distance`, as one name.
+
+        On a topic of a file with an alias, messages have the alias before them in the models only.
+        """
+        if path.text in self.parameters:
+            return tree.Path((tree.Name(path.text, path.span),), path.span)
+        segments = path.segments
+        topic = self.known.top.symbols.topic(segments[0].text)
+        if topic is None or len(segments) < 3 or segments[1].text not in COMM_TYPES:
+            return path
+        comm, name = segments[1].text, segments[2].text
+        carried = [item.channel.message for item in topic.channels if item.channel.comm == comm]
+        behind = [item for item in carried if item.endswith(f"_{name}")]
+        if name in carried or len(behind) != 1 or not topic.name.startswith(behind[0][: -len(name)]):
+            return path
+        named = tree.Name(behind[0], segments[2].span)
+        return tree.Path((*segments[:2], named, *segments[3:]), path.span)
+
+    # ---- reports ---------------------------------------------------------------------------------
+
+    def _unknown(
+        self, problem: type[Absent], name: tree.Name, others: Iterable[str], *values: object
+    ) -> None:
+        if not self.is_read or (self.is_broken and problem is problems.NoAgentInScenario):
+            return
+        if not self.known.top.symbols.is_excused(name.text):
+            self.found.append(unknown(problem, name, others, *values))
+
+    def _report(
+        self, problem: Problem, at: tree.Name | nodes.Statement | nodes.Condition | nodes.Share
+    ) -> None:
+        self.found.append(Diagnostic(problem, at.span))
+
+
+__all__ = ["Known", "check_statements", "known_by"]

@@ -1,0 +1,1 @@
+"""What can be wrong in scenarios and properties, and in the networks that are simulated for them."""

@@ -1,0 +1,259 @@
+"""Scenarios and properties: their statements, the names in them, what does not fit, and what is not
+played (E117, E229, E230, N780)."""
+
+from __future__ import annotations
+
+from aseme_dsl.diagnostics.problem import Problem
+from aseme_dsl.diagnostics.problems.absences import Absent
+from aseme_dsl.diagnostics.problems.syntax.entries import Unexpected
+from aseme_dsl.diagnostics.wording import did_you_mean, listed
+
+# ---- E117: statements --------------------------------------------------------------------------
+
+
+class UnexpectedInStatement(Unexpected):
+    """`close`: the word of the language that is spelt alike."""
+
+    code = "E117"
+    whole = "statement"
+    close: str | None = None
+
+    @property
+    def hint(self) -> str | None:
+        return did_you_mean(self.close) if self.close is not None else None
+
+
+class NoStatement(Problem):
+    code = "E117"
+    word: str
+    close: str | None
+
+    @property
+    def message(self) -> str:
+        return f"no statement begins with `{self.word}`"
+
+    @property
+    def hint(self) -> str:
+        if self.close is not None:
+            return did_you_mean(self.close)
+        return "begin with `at`, `by`, `always`, `never`, `eventually`, `every`, or write `X before Y`"
+
+
+class WithoutMoment(Problem):
+    """`verb`: that of a stimulus; empty for an expectation."""
+
+    code = "E117"
+    verb: str
+
+    @property
+    def message(self) -> str:
+        what = f"`{self.verb}`" if self.verb else "an expectation"
+        return f"{what} without a moment"
+
+    @property
+    def hint(self) -> str:
+        return (
+            "write `at 2s` before it"
+            if self.verb
+            else "write `at 2s`, `by 3s`, `always` or `never` before it"
+        )
+
+
+class AgentAlone(Problem):
+    code = "E117"
+    agent: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.agent}` is an agent, not a condition"
+
+    @property
+    def hint(self) -> str:
+        return f"write `{self.agent} in`, and a state"
+
+
+class OnlyInScenario(Problem):
+    code = "E117"
+    word: str
+    hint = "move it to a `scenario`"
+
+    @property
+    def message(self) -> str:
+        return f"a property has no `{self.word}`"
+
+
+# ---- E229: names -------------------------------------------------------------------------------
+
+
+class NoAgentInScenario(Absent):
+    """`is_listed`: the scenario says which agents take part."""
+
+    code = "E229"
+    what = "there is no agent"
+    is_listed: bool = False
+
+    @property
+    def message(self) -> str:
+        return f"no agent `{self.name}` takes part" if self.is_listed else super().message
+
+
+class NoRoleInScenario(Absent):
+    code = "E229"
+    what = "there is no role"
+
+
+class NoStateOfRole(Absent):
+    code = "E229"
+    role: str
+
+    @property
+    def message(self) -> str:
+        return (
+            f"{self.role} has no state `{self.name}`" if self.role else f"no role has a state `{self.name}`"
+        )
+
+
+class NoStateOfParticipant(Absent):
+    code = "E229"
+    participant: str
+
+    @property
+    def message(self) -> str:
+        return f"the process of {self.participant} has no state `{self.name}`"
+
+
+class NoParticipantInScenario(Absent):
+    code = "E229"
+    what = "there is no participant"
+
+
+class NoMessageInScenario(Absent):
+    code = "E229"
+    what = "there is no message"
+
+
+class NoActivityInScenario(Absent):
+    code = "E229"
+    what = "there is no activity"
+
+
+class NoOutcomeOfActivity(Absent):
+    code = "E229"
+    activity: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.activity}` has no outcome `{self.name}`"
+
+    @property
+    def advice(self) -> str | None:
+        return super().advice or f"declare it: `{self.activity} ends {self.name}`"
+
+
+class NoOutcomeOfProtocols(Absent):
+    code = "E229"
+
+    @property
+    def message(self) -> str:
+        return f'no protocol has the outcome "{self.name}"'
+
+    @property
+    def hint(self) -> str | None:
+        if self.close is not None:
+            return f'did you mean "{self.close}"?'
+        return "say it in the `aip`: `outcome`, and the text in quotes"
+
+
+class NoEventOfRole(Absent):
+    code = "E229"
+    role: str
+
+    @property
+    def message(self) -> str:
+        return f"no transition of {self.role} waits for the event `{self.name}`"
+
+
+class NoVariableToSet(Absent):
+    code = "E229"
+    activity: str
+
+    @property
+    def message(self) -> str:
+        return f"no role that performs `{self.activity}` has the variable `{self.name}`"
+
+
+# ---- E230: what does not fit -------------------------------------------------------------------
+
+
+class UnsuitableRange(Problem):
+    code = "E230"
+    least: str
+    most: str
+    hint = "write the smaller value first"
+
+    @property
+    def message(self) -> str:
+        return f"the range {self.least}..{self.most} is empty, or too large"
+
+
+class UnsuitableShare(Problem):
+    code = "E230"
+    message = "a share is 1% to 100%, of at least one seed"
+    hint = "write for example `in 95% of 200 seeds`"
+
+
+class OtherRole(Problem):
+    code = "E230"
+    agent: str
+    role: str
+    hint = "use its role, or another name"
+
+    @property
+    def message(self) -> str:
+        return f"in the team, `{self.agent}` has the role `{self.role}`"
+
+
+class InputTwice(Problem):
+    code = "E230"
+    name: str
+    hint = "use another name"
+
+    @property
+    def message(self) -> str:
+        return f"`{self.name}` is an input or an agent already"
+
+
+class RowOfOtherLength(Problem):
+    code = "E230"
+    columns: tuple[str, ...]
+    found: int
+    hint = "give one value to each column"
+
+    @property
+    def message(self) -> str:
+        return f"a row has {self.found} values, but the columns are {listed(self.columns)}"
+
+
+class UnsuitableInput(Problem):
+    code = "E230"
+    name: str
+    hint = "write two numbers or two durations"
+
+    @property
+    def message(self) -> str:
+        return f"`{self.name}` needs two constants of one type"
+
+
+class FaultNotNever(Problem):
+    code = "E230"
+    message = "a fault cannot be expected"
+    hint = "write `never fault`"
+
+
+# ---- N780: what is not played ------------------------------------------------------------------
+
+
+class ScenarioNotPlayed(Problem):
+    code = "N780"
+    message = "scenarios and properties are checked, but not played"
+    hint = "test the behaviour in Python"

@@ -1,0 +1,789 @@
+"""From the tokens of a scenario or property to its statements.
+
+Statements are separated by the words with which they begin, not by lines. Behind a mistake, reading continues
+at the next line that begins with a word: one mistake gives one message.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import TypeVar
+
+from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.diagnostics.problems.scenarios import statements as problems
+from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
+from aseme_dsl.grammar.formulas.expression import BINDING, operation, read_path, read_text, value
+from aseme_dsl.grammar.formulas.reader import Reader, is_word
+from aseme_dsl.grammar.formulas.words import Malformed
+from aseme_dsl.grammar.text import statements as nodes
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.grammar.text.network_words import NetworkWordsError, read_network
+from aseme_dsl.grammar.text.token import Token, token
+from aseme_dsl.source import Source, Span
+
+_COMPARISON = 3
+"""How tightly comparisons bind: what binds less joins conditions."""
+_NUMBERS = {"one": 1, "two": 2, "three": 3}
+_AND = {"and": "and", "&&": "and"}
+_OR = {"or": "or", "||": "or"}
+_NETWORK = ("delay", "loss", "reorder")
+_ANY = ("any", "some", "every")
+_HEARD = ("sent", "received", "message")
+
+_Made = TypeVar("_Made")
+
+
+def read_statements(
+    source: Source, words: Sequence[tree.Name], in_property: bool = False
+) -> tuple[tuple[nodes.Statement, ...], tuple[Diagnostic, ...]]:
+    """The statements that the words spell, and what is wrong with the others (E102, E103, E108, E117)."""
+    reader = Reader(source, [token(word.text, word.span.start) for word in words])
+    made: list[nodes.Statement] = []
+    found: list[Diagnostic] = []
+    while reader.index < len(reader.tokens):
+        begin = reader.index
+        reader.depth = 0
+        try:
+            made.append(_statement(reader, in_property))
+        except Malformed as problem:
+            found.append(problem.diagnostic)
+            reader.index = _next_line(reader, begin, problem.diagnostic.span)
+    return tuple(made), tuple(found)
+
+
+def _next_line(reader: Reader, begin: int, wrong: Span | None) -> int:
+    """Where the next statement may begin: at the first line with a word, in no brace, from the mistake on.
+
+    `wrong` is where the mistake stands, which is often the word that has just been taken.
+    """
+    depth = 0
+    for index in range(begin, len(reader.tokens)):
+        text = reader.tokens[index]
+        new = index > begin and "\n" in reader.source.text[reader.tokens[index - 1].end : text.start]
+        is_wrong = index == reader.index - 1 and wrong is not None and text.start == wrong.start
+        if new and depth <= 0 and is_word(text) and (index >= reader.index or is_wrong):
+            return index
+        depth += (text == "{") - (text == "}")
+    return len(reader.tokens)
+
+
+# ---- pieces -----------------------------------------------------------------------------------------
+
+
+def _ahead(reader: Reader, steps: int = 1) -> str:
+    place = reader.index + steps
+    return reader.tokens[place] if place < len(reader.tokens) else ""
+
+
+def _wrong(reader: Reader, *wanted: Wanted | str) -> Malformed:
+    """Something else stands here than what is wanted."""
+    previous = reader.tokens[reader.index - 1] if reader.index else None
+    if reader.index == len(reader.tokens):
+        last = reader.tokens[-1]
+        return Malformed(Diagnostic(problems.UnexpectedInStatement(wanted, last, None), reader.span(last)))
+    found = reader.tokens[reader.index]
+    near = closest(found, [word for word in wanted if isinstance(word, str)]) if is_word(found) else None
+    problem = problems.UnexpectedInStatement(wanted, previous, found, near)
+    return Malformed(Diagnostic(problem, reader.span(found), fix=near))
+
+
+def _need(reader: Reader, *words: str) -> Token:
+    if reader.next not in words:
+        raise _wrong(reader, *words)
+    return reader.take()
+
+
+def _close(reader: Reader, sign: str, opener: Token) -> None:
+    """The sign that closes what `opener` opens."""
+    if reader.next != sign:
+        diagnostic = _wrong(reader, sign).diagnostic
+        raise Malformed(replace(diagnostic, related=(reader.still_open(opener),)))
+    reader.take()
+
+
+def _name(reader: Reader, wanted: Wanted) -> tree.Name:
+    if not is_word(reader.next) or "." in reader.next:
+        raise _wrong(reader, wanted)
+    taken = reader.take()
+    return tree.Name(str(taken), reader.span(taken))
+
+
+def _path(reader: Reader, wanted: Wanted) -> tree.Path:
+    if not is_word(reader.next):
+        raise _wrong(reader, wanted)
+    return read_path(reader.source, reader.take())
+
+
+def _duration(reader: Reader) -> tree.Duration:
+    at = reader.index
+    if reader.next[:1].isdigit():
+        found = value(reader)
+        if isinstance(found, tree.Duration):
+            return found
+        if isinstance(found, tree.Number) and found.value == 0:
+            return tree.Duration(0, found.span)
+    reader.index = at
+    raise _wrong(reader, Wanted.DURATION)
+
+
+def _times(reader: Reader) -> tuple[tree.Duration, tree.Duration]:
+    """`2s`, `1s..3s` or `normal(2s, 300ms)`."""
+    if reader.next == "normal":
+        reader.take()
+        opener = _need(reader, "(")
+        mean = _duration(reader)
+        _need(reader, ",")
+        _duration(reader)
+        _close(reader, ")", opener)
+        return mean, mean
+    least = _duration(reader)
+    if reader.next != "..":
+        return least, least
+    reader.take()
+    return least, _duration(reader)
+
+
+def _count(reader: Reader) -> int:
+    text = reader.next
+    if text in _NUMBERS or text.isdecimal():
+        reader.take()
+        return _NUMBERS[text] if text in _NUMBERS else int(text[:9])
+    raise _wrong(reader, Wanted.COUNT)
+
+
+def _several(reader: Reader, one: Callable[[Reader], _Made], sign: str = ",") -> tuple[_Made, ...]:
+    found = [one(reader)]
+    while reader.next == sign:
+        reader.take()
+        found.append(one(reader))
+    return tuple(found)
+
+
+def _agent(reader: Reader) -> tree.Name:
+    """An agent, or `any`, `some`, `every` and a role."""
+    if reader.next in _ANY and is_word(_ahead(reader)):
+        reader.take()
+        return _name(reader, Wanted.ROLE)
+    return _name(reader, Wanted.AGENT_NAME)
+
+
+def _place(reader: Reader) -> tree.Place:
+    name = _name(reader, Wanted.STATE)
+    at = None
+    if reader.next == "@":
+        reader.take()
+        at = _name(reader, Wanted.PARTICIPANT)
+    return tree.Place(name, at, name.span if at is None else name.span.to(at.span))
+
+
+def _places(reader: Reader) -> tuple[tree.Place, ...]:
+    if reader.next != "(":
+        return (_place(reader),)
+    opener = reader.take()
+    found = _several(reader, _place, "or")
+    _close(reader, ")", opener)
+    return found
+
+
+def _fill(reader: Reader) -> tree.Fill:
+    target = _path(reader, Wanted.MEMBER)
+    _need(reader, "=")
+    given = operation(reader)
+    return tree.Fill(target, given, target.span.to(given.span))
+
+
+def _message(reader: Reader) -> nodes.Filled:
+    """`vision.state.Ball { visible = true }`"""
+    begin = reader.tokens[min(reader.index, len(reader.tokens) - 1)].start
+    performative = None
+    if is_word(reader.next) and "." not in reader.next and is_word(_ahead(reader)):
+        performative = _name(reader, Wanted.PERFORMATIVE)
+    what = _path(reader, Wanted.MESSAGE)
+    opener = _need(reader, "{")
+    fills = []
+    while reader.next not in ("}", ""):
+        fills.append(_fill(reader))
+        if reader.next in (",", ";"):
+            reader.take()
+    _close(reader, "}", opener)
+    return nodes.Filled(performative, what, tuple(fills), reader.since(begin))
+
+
+def _share(reader: Reader) -> nodes.Share | None:
+    """`in 95% of 200 seeds` behind an expectation."""
+    if reader.next != "in" or not _ahead(reader)[:1].isdigit():
+        return None
+    begin = reader.take().start
+    percent = value(reader)
+    _need(reader, "%")
+    _need(reader, "of")
+    seeds = value(reader)
+    _need(reader, "seeds")
+    return nodes.Share(percent, seeds, reader.since(begin))
+
+
+# ---- conditions -------------------------------------------------------------------------------------
+
+
+def _condition(reader: Reader) -> nodes.Condition:
+    return _joined(reader, "or", _OR, lambda inner: _joined(inner, "and", _AND, _negated))
+
+
+def _joined(
+    reader: Reader, operator: str, words: dict[str, str], one: Callable[[Reader], nodes.Condition]
+) -> nodes.Condition:
+    parts = [one(reader)]
+    while reader.next in words:
+        reader.take()
+        parts.append(one(reader))
+    return (
+        parts[0]
+        if len(parts) == 1
+        else nodes.Joined(operator, tuple(parts), parts[0].span.to(parts[-1].span))
+    )
+
+
+def _negated(reader: Reader) -> nodes.Condition:
+    signs = []
+    while reader.next in ("!", "not"):
+        signs.append(reader.take())
+    part = _atom(reader)
+    return nodes.Joined("not", (part,), reader.since(signs[0].start)) if len(signs) % 2 else part
+
+
+def _atom(reader: Reader) -> nodes.Condition:
+    if reader.index == len(reader.tokens):
+        raise _wrong(reader, Wanted.CONDITION_OR_STATE)
+    first = reader.tokens[reader.index]
+    if first in _RULES and first not in _ANY and _ahead(reader) not in ("in", "has", "@"):
+        raise _wrong(reader, Wanted.CONDITION_OR_STATE)
+    if first == "(":
+        return _grouped(reader)
+    if first == "[":
+        reader.take()
+        inner = operation(reader)
+        reader.need("]", first)
+        return nodes.Holds(None, inner, reader.since(first.start))
+    if first == "outcome" and _ahead(reader)[:1] == '"':
+        reader.take()
+        text = read_text(reader.source, reader.take())
+        return nodes.Ended(text, reader.since(first.start))
+    if first == "fault":
+        reader.take()
+        return nodes.Fault(reader.since(first.start))
+    if first in _HEARD and is_word(_ahead(reader)):
+        return _heard(reader)
+    is_name = is_word(first) and "." not in first
+    if first in _ANY or (is_name and _ahead(reader) in ("in", "has") and not _is_other_in(reader)):
+        return _of_agent(reader)
+    if is_name and _ahead(reader) not in ("(", "[") and BINDING.get(_ahead(reader), 0) < _COMPARISON:
+        if first in ("true", "false"):
+            return nodes.Holds(None, value(reader), reader.since(first.start))
+        place = _place(reader)
+        return nodes.InState(None, (place,), place.span)
+    expression = operation(reader, _COMPARISON)
+    return nodes.Holds(None, expression, expression.span)
+
+
+def _is_other_in(reader: Reader) -> bool:
+    """Whether the `in` behind a name begins `in 95% of 200 seeds`, or `in order X, Y`."""
+    behind = _ahead(reader, 2)
+    return _ahead(reader) == "in" and (
+        behind[:1].isdigit() or (behind == "order" and _ahead(reader, 4) in (",", "@"))
+    )
+
+
+def _grouped(reader: Reader) -> nodes.Condition:
+    """What stands in parentheses: conditions, or the beginning of an expression as `(a + b) < 3`."""
+    begin, opener = reader.index, reader.take()
+    try:
+        inner = _condition(reader)
+        _close(reader, ")", opener)
+        if BINDING.get(reader.next, 0) < _COMPARISON:
+            return inner
+        farthest, problem = begin, None
+    except Malformed as raised:
+        farthest, problem = reader.index, raised
+    reader.index = begin
+    try:
+        expression = operation(reader, _COMPARISON)
+    except Malformed:
+        if problem is None or reader.index > farthest:
+            raise
+        reader.index = farthest
+        raise problem from None
+    return nodes.Holds(None, expression, expression.span)
+
+
+def _of_agent(reader: Reader) -> nodes.Condition:
+    agent = _agent(reader)
+    if _need(reader, "in", "has") == "in":
+        places = _places(reader)
+        return nodes.InState(agent, places, agent.span.to(places[-1].span))
+    opener = _need(reader, "[")
+    inner = operation(reader)
+    reader.need("]", opener)
+    return nodes.Holds(agent, inner, reader.since(agent.span.start))
+
+
+def _heard(reader: Reader) -> nodes.Heard:
+    verb = _name(reader, Wanted.MESSAGE)
+    performative = None
+    text = reader.source.text
+    following = reader.tokens[reader.index + 1] if reader.index + 1 < len(reader.tokens) else None
+    if "." not in reader.next and following is not None and is_word(following) and "." not in following:
+        # A type of message begins with a capital letter by custom, a performative never does.
+        between = text[reader.tokens[reader.index].end : following.start]
+        if reader.next[0].islower() and following[0].isupper() and "\n" not in between:
+            performative = _name(reader, Wanted.PERFORMATIVE)
+    what = _path(reader, Wanted.MESSAGE)
+    called = None
+    if is_word(reader.next) and _ahead(reader) == "[":
+        called = _name(reader, Wanted.MESSAGE_NAME)
+    agent = None
+    if reader.next == "by" and is_word(_ahead(reader)):
+        reader.take()
+        agent = _agent(reader)
+    condition = None
+    if reader.next == "[":
+        opener = reader.take()
+        condition = operation(reader)
+        reader.need("]", opener)
+    return nodes.Heard(verb, performative, what, called, agent, condition, reader.since(verb.span.start))
+
+
+# ---- statements -------------------------------------------------------------------------------------
+
+
+def _statement(reader: Reader, in_property: bool) -> nodes.Statement:
+    first = reader.tokens[reader.index]
+    following = _ahead(reader)
+    if first in _RULES and following not in (":", "in", "has", "@"):
+        return _RULES[first](reader)
+    if first == "in" or (first == "at" and following == "most"):
+        return _order(reader) if first == "in" else _at_most(reader)
+    if first in _SCENARIO and following not in (":", "has", "@"):
+        if in_property:
+            raise Malformed(Diagnostic(problems.OnlyInScenario(str(first)), reader.span(first)))
+        return _SCENARIO[first](reader)
+    if is_word(first) and "." not in first and following in (":", ",", "["):
+        return _takes_part(reader)
+    if is_word(first) and following == "fails":
+        agent = _name(reader, Wanted.AGENT_NAME)
+        reader.take()
+        _need(reader, "by")
+        return nodes.Fails(agent, _duration(reader), reader.since(first.start))
+    if is_word(first) and following in ("receives", "raises", "loses"):
+        raise Malformed(Diagnostic(problems.WithoutMoment(following), reader.span(first)))
+    if not is_word(first) and first not in ("(", "[", "!"):
+        raise _wrong(reader, Wanted.STATEMENT)
+    return _between(reader)
+
+
+def _between(reader: Reader) -> nodes.Rule:
+    """`X before Y`, `X until Y`."""
+    begin = reader.tokens[reader.index]
+    near = closest(begin, [*_RULES, *_SCENARIO]) if is_word(begin) else None
+    start = reader.index
+    first = _condition(reader)
+    if reader.next not in ("before", "until"):
+        if near is not None or (isinstance(first, nodes.InState) and first.agent is None):
+            reader.index = start
+            problem = problems.NoStatement(str(begin), near)
+            raise Malformed(Diagnostic(problem, reader.span(begin), fix=near))
+        if isinstance(first, nodes.InState | nodes.Holds):
+            raise Malformed(Diagnostic(problems.WithoutMoment(""), first.span))
+        raise _wrong(reader, "before", "until")
+    word = reader.take()
+    second = _condition(reader)
+    share = _share(reader)
+    return nodes.Rule(str(word), (first, second), None, share, reader.since(begin.start))
+
+
+def _takes_part(reader: Reader) -> nodes.TakesPart:
+    begin = reader.tokens[reader.index].start
+    agents = _several(reader, _new_agent)
+    _need(reader, ":")
+    return nodes.TakesPart(agents, _name(reader, Wanted.ROLE), reader.since(begin))
+
+
+def _new_agent(reader: Reader) -> tuple[tree.Name, tuple[int, int] | None]:
+    name = _name(reader, Wanted.AGENT_NAME)
+    if reader.next != "[":
+        return name, None
+    opener = reader.take()
+    least = _count(reader)
+    _need(reader, "..")
+    most = _count(reader)
+    _close(reader, "]", opener)
+    if most < least or most - least >= 10_000:
+        raise reader.error(problems.UnsuitableRange(str(least), str(most)), opener)
+    return name, (least, most)
+
+
+def _simulated(reader: Reader) -> nodes.Simulated:
+    begin = reader.take().start
+    activity = _name(reader, Wanted.ACTIVITY)
+    ends: tuple[tree.Name, ...] = ()
+    writes: list[nodes.Filled] = []
+    sends: list[nodes.Filled] = []
+    sets: list[tuple[tree.Name, tree.Expression]] = []
+    times: list[tuple[tree.Duration, tree.Duration]] = []
+    words = ("real", "takes", "ends", "fails", "writes", "sends", "sets")
+    word = str(_need(reader, *words))
+    while True:
+        match word:
+            case "takes":
+                times.append(_times(reader))
+            case "ends":
+                ends += _several(reader, lambda inner: _name(inner, Wanted.OUTCOME))
+            case "fails":
+                _need(reader, "at")
+                times.append((moment := _duration(reader), moment))
+            case "writes":
+                writes.append(_message(reader))
+                if reader.next == "every":
+                    reader.take()
+                    times.append(_times(reader))
+            case "sends":
+                sends.append(_message(reader))
+            case "sets":
+                name = _name(reader, Wanted.NAME)
+                _need(reader, "=")
+                sets.append((name, operation(reader)))
+        if reader.next not in words:
+            break
+        word = str(reader.take())
+    return nodes.Simulated(
+        activity, ends, tuple(writes), tuple(sends), tuple(sets), tuple(times), reader.since(begin)
+    )
+
+
+def _input(reader: Reader) -> nodes.Input:
+    begin = reader.take().start
+    path = _path(reader, Wanted.NAME)
+    _need(reader, "in")
+    least = operation(reader, _COMPARISON + 1)
+    _need(reader, "..")
+    most = operation(reader, _COMPARISON + 1)
+    return nodes.Input(tree.Name(path.text, path.span), least, most, reader.since(begin))
+
+
+def _table(reader: Reader) -> nodes.Table:
+    begin = reader.take().start
+    opener = _need(reader, "(")
+    columns = _several(reader, lambda inner: _name(inner, Wanted.NAME))
+    _close(reader, ")", opener)
+    brace = _need(reader, "{")
+    rows = []
+    while reader.next not in ("}", ""):
+        opener = _need(reader, "(")
+        cells = _several(reader, operation)
+        reader.need(")", opener)
+        rows.append((cells, reader.since(opener.start)))
+        if reader.next in (",", ";"):
+            reader.take()
+    _close(reader, "}", brace)
+    return nodes.Table(columns, tuple(rows), reader.since(begin))
+
+
+def _network(reader: Reader) -> None:
+    """`delay 0..300ms loss 20% reorder`"""
+    first = reader.tokens[min(reader.index, len(reader.tokens) - 1)]
+    _need(reader, *_NETWORK)
+    reader.index -= 1
+    while reader.next in _NETWORK:
+        word = reader.take()
+        if word == "reorder":
+            continue
+        while reader.next[:1].isdigit() or reader.next in ("..", "%"):
+            reader.take()
+    span = reader.since(first.start)
+    try:
+        read_network(span.text)
+    except NetworkWordsError as wrong:
+        place = Span(reader.source, span.start + wrong.start, span.start + wrong.end)
+        raise Malformed(Diagnostic(wrong.problem, place)) from None
+
+
+def _setup(reader: Reader) -> nodes.Setup:
+    word = reader.take()
+    match word:
+        case "network":
+            _network(reader)
+        case "for":
+            _duration(reader)
+        case "points":
+            _count(reader)
+        case _:  # world, with or without the function that makes it
+            if is_word(reader.next) and _ahead(reader) == ":" and is_word(_ahead(reader, 2)):
+                colon = reader.tokens[reader.index + 1]
+                if "\n" not in reader.source.text[word.end : colon.start]:
+                    reader.index += 3
+    return nodes.Setup(str(word), reader.since(word.start))
+
+
+def _crash(reader: Reader) -> nodes.Timed:
+    word = reader.take()
+    agent = _agent(reader)
+    _need(reader, "at")
+    moment = _duration(reader)
+    span = reader.since(word.start)
+    return nodes.Timed("at", (moment,), None, nodes.Hit(str(word), (agent,), span), None, span)
+
+
+def _at(reader: Reader) -> nodes.Timed:
+    """`at T …`, `by T …`"""
+    word = reader.take()
+    moment = _duration(reader)
+    if word == "by":
+        begin = reader.index
+        condition = _condition(reader)
+        event: nodes.Event = nodes.Reached(condition, _from(reader, begin))
+    else:
+        event = _event(reader)
+    share = _share(reader)
+    return nodes.Timed(str(word), (moment,), None, event, share, reader.since(word.start))
+
+
+def _from(reader: Reader, index: int) -> Span:
+    return reader.since(reader.tokens[index].start)
+
+
+def _after(reader: Reader) -> nodes.Timed:
+    """`after D in S : …`, `after D X : …`"""
+    word = reader.take()
+    amount = _duration(reader)
+    condition: nodes.Condition
+    if reader.next == "in":
+        reader.take()
+        places = _places(reader)
+        condition = nodes.InState(None, places, places[0].span.to(places[-1].span))
+    else:
+        condition = _condition(reader)
+    if reader.next == ":":
+        reader.take()
+    event = _event(reader)
+    share = _share(reader)
+    return nodes.Timed("after", (amount,), condition, event, share, reader.since(word.start))
+
+
+def _within(reader: Reader) -> nodes.Timed:
+    """`within D of X E`"""
+    word = reader.take()
+    amount = _duration(reader)
+    _need(reader, "of")
+    first = _condition(reader)
+    if reader.next == ":":
+        reader.take()
+    begin = reader.index
+    event = nodes.Reached(_condition(reader), _from(reader, begin))
+    share = _share(reader)
+    return nodes.Timed("within", (amount,), first, event, share, reader.since(word.start))
+
+
+def _during(reader: Reader) -> nodes.Timed:
+    """`from 3s for 2s robot2 loses radio`, `from 3s to 8s partition { a } | { b }`"""
+    word = reader.take()
+    first = _duration(reader)
+    _need(reader, "for", "to")
+    last = _duration(reader)
+    is_partition = reader.next == "partition"
+    event = _partition(reader) if is_partition else _event(reader)
+    if not isinstance(event, nodes.Hit):
+        wanted = ("partition", "loses")
+        problem = problems.UnexpectedInStatement(wanted, last.span.text, event.span.text.split()[0])
+        raise Malformed(Diagnostic(problem, event.span))
+    return nodes.Timed("from", (first, last), None, event, None, reader.since(word.start))
+
+
+def _partition(reader: Reader) -> nodes.Hit:
+    word = reader.take()
+    agents: list[tree.Name] = []
+    groups = 0
+    while not groups or reader.next == "|":
+        if groups:
+            reader.take()
+        groups += 1
+        opener = _need(reader, "{")
+        while reader.next not in ("}", ""):
+            agents.append(_agent(reader))
+            if reader.next == ",":
+                reader.take()
+        _close(reader, "}", opener)
+    if groups < 2:
+        raise _wrong(reader, "|")
+    return nodes.Hit("partition", tuple(agents), reader.since(word.start))
+
+
+def _event(reader: Reader) -> nodes.Event:
+    """A stimulus, or an expectation."""
+    begin = reader.index
+    is_agent = is_word(reader.next) and "." not in reader.next
+    verb = _ahead(reader, 2 if reader.next in _ANY else 1)
+    if is_agent and verb in ("receives", "raises", "loses"):
+        agent = _agent(reader)
+        reader.take()
+        match verb:
+            case "receives":
+                message = _message(reader)
+                sender = None
+                if reader.next == "from" and is_word(_ahead(reader)):
+                    reader.take()
+                    sender = _agent(reader)
+                return nodes.Receives(agent, message, sender, reader.since(agent.span.start))
+            case "raises":
+                event = _name(reader, Wanted.EVENT)
+                return nodes.Raises(agent, event, reader.since(agent.span.start))
+            case _:
+                _need(reader, "radio")
+                return nodes.Hit("loses", (agent,), reader.since(agent.span.start))
+    if is_agent and is_word(verb) and verb not in ("in", "has"):
+        near = closest(verb, ("receives", "raises", "loses", "in", "has"))
+        if near is not None:
+            reader.index += 1
+            raise _wrong(reader, "receives", "raises", "loses", "in", "has")
+    return nodes.Reached(_condition(reader), _from(reader, begin))
+
+
+def _always(reader: Reader) -> nodes.Statement:
+    """`always C`, `never C`, `never two of player in center`."""
+    word = reader.take()
+    if word == "never" and _ahead(reader) == "of":
+        count = _count(reader)
+        reader.take()
+        role = _name(reader, Wanted.ROLE)
+        _need(reader, "in")
+        places = _places(reader)
+        return nodes.Several(count, role, places, _share(reader), reader.since(word.start))
+    condition = _condition(reader)
+    return nodes.Rule(str(word), (condition,), None, _share(reader), reader.since(word.start))
+
+
+def _no(reader: Reader) -> nodes.Rule:
+    """`no X before T`, `no Y within D after X`."""
+    word = reader.take()
+    first = _condition(reader)
+    if _need(reader, "before", "within") == "before":
+        limit = _duration(reader)
+        return nodes.Rule("no before", (first,), limit, _share(reader), reader.since(word.start))
+    limit = _duration(reader)
+    _need(reader, "after")
+    second = _condition(reader)
+    return nodes.Rule("no within", (first, second), limit, _share(reader), reader.since(word.start))
+
+
+def _order(reader: Reader) -> nodes.Rule:
+    """`in order X, Y`"""
+    word = reader.take()
+    _need(reader, "order")
+    first = _condition(reader)
+    _need(reader, ",")
+    others = _several(reader, _condition)
+    return nodes.Rule("in order", (first, *others), None, _share(reader), reader.since(word.start))
+
+
+def _eventually(reader: Reader) -> nodes.Rule:
+    word = reader.take()
+    condition = _condition(reader)
+    limit = _limit(reader)
+    return nodes.Rule("eventually", (condition,), limit, _share(reader), reader.since(word.start))
+
+
+def _limit(reader: Reader) -> tree.Duration | None:
+    """`within D` behind a rule; with an `of` behind it, the next statement begins here."""
+    if reader.next != "within" or _ahead(reader, 2) == "of":
+        return None
+    reader.take()
+    return _duration(reader)
+
+
+def _leads(reader: Reader) -> nodes.Rule:
+    word = reader.take()
+    first = _condition(reader)
+    _need(reader, "leads")
+    _need(reader, "to")
+    second = _condition(reader)
+    limit = _limit(reader)
+    return nodes.Rule("leads to", (first, second), limit, _share(reader), reader.since(word.start))
+
+
+def _at_most(reader: Reader) -> nodes.Several:
+    """`at most N X`, `at most N of ROLE in X`."""
+    begin = reader.take().start
+    reader.take()
+    count = _count(reader)
+    role = None
+    if reader.next == "of":
+        reader.take()
+        role = _name(reader, Wanted.ROLE)
+        _need(reader, "in")
+    places = _places(reader)
+    return nodes.Several(count, role, places, _share(reader), reader.since(begin))
+
+
+def _assume(reader: Reader) -> nodes.Statement:
+    word = reader.take()
+    if reader.next == "network":
+        reader.take()
+        _network(reader)
+        return nodes.Setup("assume", reader.since(word.start))
+    if reader.next == "fair":
+        reader.take()
+        return nodes.Setup("assume", reader.since(word.start))
+    if reader.next == "at":
+        reader.take()
+        _need(reader, "most")
+        count = _count(reader)
+        _need(reader, "of")
+        role = _name(reader, Wanted.ROLE)
+        _need(reader, "crash")
+        return nodes.Several(count, role, (), None, reader.since(word.start))
+    if not is_word(reader.next) or "." in reader.next:
+        raise _wrong(reader, "network", "fair", "at most", Wanted.ACTIVITY)
+    activity = _name(reader, Wanted.ACTIVITY)
+    writes = None
+    times: tuple[tuple[tree.Duration, tree.Duration], ...] = ()
+    match _need(reader, "writes", "takes", "may"):
+        case "writes":
+            writes = _path(reader, Wanted.MESSAGE)
+            _need(reader, "every")
+            times = (_times(reader),)
+        case "takes":
+            times = (_times(reader),)
+        case _:
+            _need(reader, "fail")
+    return nodes.Assumed(activity, writes, times, reader.since(word.start))
+
+
+_RULES: dict[str, Callable[[Reader], nodes.Statement]] = {
+    "always": _always,
+    "never": _always,
+    "no": _no,
+    "eventually": _eventually,
+    "every": _leads,
+    "assume": _assume,
+}
+"""What scenarios and properties have."""
+
+_SCENARIO: dict[str, Callable[[Reader], nodes.Statement]] = {
+    "network": _setup,
+    "activity": _simulated,
+    "given": _input,
+    "table": _table,
+    "world": _setup,
+    "for": _setup,
+    "points": _setup,
+    "at": _at,
+    "by": _at,
+    "after": _after,
+    "within": _within,
+    "from": _during,
+    "crash": _crash,
+    "restart": _crash,
+}
+"""What scenarios alone have."""
+
+
+__all__ = ["read_statements"]

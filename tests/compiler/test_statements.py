@@ -1,0 +1,210 @@
+"""Scenarios and properties: forms, names and types in their statements."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from aseme_dsl.compiler import analyse
+from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.source import Source
+
+MODEL = """system Pitch
+enum Phase { READY PLAYING FINISHED }
+message Ball { bool visible  double distance  int seen }
+message Game { Phase phase }
+message Pass { int to }
+topic vision { state Ball }
+topic game { state Game }
+topic team { signal Pass }
+aip attack {
+  participant center     { process = Walk . PassBall }
+  participant center_for { process = Run . Kick }
+  outcome "The striker shoots."
+}
+srm player {
+  plays attack.center, attack.center_for as striker
+  var tries : int = 0
+  liveness { player = (decide . (center | striker))~ || See~
+             decide = Look . [Search] }
+  activities {
+    See every 30ms writes vision.state.Ball
+    Look takes 20ms  Search takes 1s ends found, lost writes tries
+    Walk takes 1s  PassBall takes 100ms  Run takes 1s  Kick takes 100ms
+  }
+  control decide {
+    enter Search : Whistle [!vision.state.Ball.visible && tries < 3]
+    skip Search  : else
+  }
+  control player {
+    enter center : [game.state.Game.phase == Phase.PLAYING]
+    enter striker : else
+  }
+}
+srm keeper { liveness { keeper = Guard~ }  activities { Guard takes 100ms } }
+team Pitch { robot1, robot2 : player  post : keeper }
+"""
+
+
+def problems(body: str, block: str = "scenario") -> list[tuple[str, str]]:
+    """The errors in a scenario (or property) with this body, as code and underlined text."""
+    found = analyse(Source("pitch.aseme", f'{MODEL}{block} "s" {{\n{body}\n}}\n')).diagnostics
+    return [(item.code, item.span.text) for item in found if item.code.startswith("E")]
+
+
+WHOLE = """
+  robot1, robot2 : player
+  network delay 0..300ms loss 20% reorder
+  activity See real
+  activity Search ends lost, lost, found
+  activity Search takes 1s..3s sets tries = n + 1
+  activity Walk takes normal(2s, 300ms)
+  activity Kick fails at 4s
+  activity See writes vision.state.Ball { visible = true } every 33ms..50ms
+  given ball.distance in 0..300
+  given n in -1..3
+  table (d, expected) { (50, Kick) (200.5, Walk) }
+  world pitch:make  for 20s  points 3
+  at 2s robot1 receives vision.state.Ball { visible = true  distance = d } from robot2
+  at 2s robot1 receives vision.state.Ball { distance = ball.distance + n, visible = n > 2 }
+  at 3s robot1 raises Whistle
+  after 500ms in decide robot1 receives vision.state.Ball { visible = false }
+  after 500ms sent team.signal.Pass : robot1 in Search
+  from 3s for 2s robot2 loses radio  from 3s to 8s partition { robot1 } | { robot2 }
+  crash robot1 at 6s   restart robot1 at 9s
+  by 3s robot1 in expected
+  at 3s not robot1 in (Walk or Run@striker) and (robot1 in Search or vision.state.Ball.distance + 1 < 2)
+  within 200ms of game.state.Game.phase == Phase.READY  robot2 in Run@center_for
+  never two of player in center
+  in order PassBall@center, Kick@center_for
+  no message team.signal.Pass before 1s
+  no received Pass by robot2 within 3s after sent team.signal.Pass p [p.to == 2]
+  eventually outcome "The striker shoots." within 60s in 95% of 200 seeds
+  always robot1 has [vision.state.Ball.visible && tries < 9]
+  never fault  robot1 fails by 5s
+"""
+
+
+def test_every_form_is_read() -> None:
+    assert problems(WHOLE) == []
+
+
+def test_statements_are_separated_by_their_words() -> None:
+    flat = re.sub(r"\s*\n\s*", " ", WHOLE)
+    assert problems(flat) == []
+
+
+def test_properties() -> None:
+    body = """
+      assume network delay 0..300ms loss 10%
+      assume See writes vision.state.Ball every 33ms..100ms
+      assume fair  assume See may fail  assume Search takes 1s..2s  assume at most 1 of player crash
+      at most one center
+      some player in Search before every player in center
+      robot1 in center until sent Pass
+      every game.state.Game.phase == Phase.FINISHED leads to post in Guard within 1s
+    """
+    assert problems(body, "property") == []
+
+
+@pytest.mark.parametrize(
+    ("line", "code", "place"),
+    [
+        ("robot2 : player  spare : playr", "E229", "playr"),
+        ("robot2 : player  robot1 : keeper", "E230", "keeper"),
+        ("activity Serch takes 1s", "E229", "Serch"),
+        ("activity Search ends losst", "E229", "losst"),
+        ("activity Walk ends lost", "E229", "lost"),
+        ("activity Search sets trys = 3", "E229", "trys"),
+        ("activity Search sets tries = true", "E500", "true"),
+        ("activity Search takes 3s..1s", "E230", "3s..1s"),
+        ("activity Search lasts 3s", "E117", "lasts"),
+        ("network delay 300ms..0ms", "E036", "300ms..0ms"),
+        ("network lag 3", "E117", "lag"),
+        ("given n in 5..2", "E230", "5..2"),
+        ("given n in 5s..2", "E230", "given n in 5s..2"),
+        ("table (d, e) { (1) }", "E230", "(1)"),
+        ("table (e) { (Kik) (Walk) }", "E229", "Kik"),
+        ("at 2s robot1 recieves vision.state.Ball { }", "E117", "recieves"),
+        ("at 2s robot1 receives vision.state.Bal { }", "E502", "Bal"),
+        ("at 2s robot1 receives vision.state.Ball { visble = true }", "E501", "visble"),
+        ("at 2s robot1 receives vision.state.Ball { visible = 3 }", "E500", "3"),
+        ("at 2s robot3 receives vision.state.Ball { }", "E229", "robot3"),
+        ("at 2s robot1 receives vision.state.Ball { } from robt", "E229", "robt"),
+        ("at 2s robot1 raises Whistl", "E229", "Whistl"),
+        ("robot1 raises Whistle", "E117", "robot1"),
+        ("by 2 robot1 in Search", "E117", "2"),
+        ("by 2s robot1 in Guard", "E229", "Guard"),
+        ("by 2s robot1 in PassBall@centre", "E229", "centre"),
+        ("by 2s robot1 in Kick@center", "E229", "Kick"),
+        ("by 2s robot1 has [vision.state.Ball.seen]", "E500", "vision.state.Ball.seen"),
+        ("robot1 in Search", "E117", "robot1 in Search"),
+        ("by 3s robot1 Search", "E117", "robot1"),
+        ("by 3s robot1 robot1 in Search", "E117", "robot1"),
+        ("at 3s 3s robot1 raises Whistle", "E500", "3s"),
+        ("allways robot1 in Search", "E117", "allways"),
+        ("every Search leads Kick", "E117", "Kick"),
+        ("never two of playr in center", "E229", "playr"),
+        ('eventually outcome "The striker shots."', "E229", 'outcome "The striker shots."'[8:]),
+        ("eventually robot1 in Kick in 195% of 2 seeds", "E230", "in 195% of 2 seeds"),
+        ("no sent team.signal.Pass p [p.too == 1] before 1s", "E501", "too"),
+        ("no sent Pas before 1s", "E229", "Pas"),
+        ("from 8s to 3s robot1 loses radio", "E230", "8s to 3s"),
+        ("from 8s to 9s robot1 in Search", "E117", "robot1 in Search"),
+        ("crash robot9 at 3s", "E229", "robot9"),
+        ("always fault", "E230", "fault"),
+        ("always robot1 in Search &&", "E117", "never"),
+        ("always (robot1 in Search", "E117", "never"),
+    ],
+)
+def test_one_mistake_is_one_message(line: str, code: str, place: str) -> None:
+    """Also with sound statements around it; and the next mistake is still seen."""
+    assert problems(f"by 1s robot2 in Run\n{line}\nnever robot2 in Run") == [(code, place)]
+    assert (code, place) in problems(f"{line}\nnever robot2 in Rum")
+    assert ("E229", "Rum") in problems(f"{line}\nnever robot2 in Rum")
+
+
+def test_what_could_not_be_read_is_not_missing() -> None:
+    """A formula that cannot be read has no states; that is no reason to report a scenario."""
+    text = MODEL.replace("(decide . (center | striker))~", "(decide . . (center | striker))~")
+    found = analyse(Source("pitch.aseme", text + 'scenario "s" { by 2s robot1 in Search }')).diagnostics
+    assert [item.code for item in found if item.code[0] == "E"] == ["E101"]
+
+
+def test_a_property_has_no_moments() -> None:
+    assert problems("at 2s robot1 in Search", "property") == [("E117", "at")]
+    assert problems("always robot3 in Search", "property") == [("E229", "robot3")]
+
+
+def test_agents_of_a_scenario_are_those_that_it_lists() -> None:
+    assert problems("robot1 : player\nby 1s robot2 in Run") == [("E229", "robot2")]
+    assert problems("spare[1..3] : player\nby 1s spare3 in Run") == []
+
+
+def test_a_missing_brace_is_one_message() -> None:
+    assert [code for code, _ in problems("at 2s robot1 receives vision.state.Ball { visible = true")] == [
+        "E111"
+    ]
+
+
+def test_names_behind_an_alias() -> None:
+    away = """system Away
+    message Whistle { int number }
+    topic judge { signal Whistle }
+    srm thief { liveness { thief = Steal~ }  activities { Steal takes 1s } }
+    """
+    home = """system Home
+    import "away.aseme" as away
+    srm guard { liveness { guard = Wait~ }  activities { Wait takes 1s } }
+    team Home { one : guard  two : away.thief }
+    scenario "s" {
+      one : guard  two : away.thief
+      at 1s two receives away.judge.signal.Whistle { number = 1 }
+      by 2s two in Steal
+      by 2s two in Steel
+    }
+    """
+    found = analyse(Source("home.aseme", home), sources={"away.aseme": away}).diagnostics
+    assert [(item.code, item.span.text) for item in found if item.code[0] == "E"] == [("E229", "Steel")]
+    assert has_errors(found)
