@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 from typing import assert_never
@@ -73,7 +73,7 @@ def drawings(system: System, options: Options = DEFAULT) -> list[Drawing]:
         charts = [chart for chart in system.statecharts if options.at in chart.by_label]
         if not charts:
             raise NoSuchState(f"no statechart of {system.name} has a state {options.at}")
-        return [drawing for chart in charts for drawing in draw_statechart(chart, options)]
+        return [drawing for chart in charts for drawing in draw_statechart(chart, options, system.activities)]
     return [drawing for make, inputs in makers(system, options) for drawing in make(*inputs)]
 
 
@@ -101,7 +101,8 @@ Maker = tuple[Callable[..., list[Drawing]], tuple[object, ...]]
 
 def makers(system: System, options: Options = DEFAULT) -> list[Maker]:
     """What makes the drawings of a system, in their order; `options.at` is nothing that they care for."""
-    charts = [(draw_statechart, (chart, options)) for chart in system.statecharts]
+    known = system.activities if options.layout is Layout.COMPACT else ()
+    charts = [(draw_statechart, (chart, options, known)) for chart in system.statecharts]
     return [*_sheets(system).values(), *charts]
 
 
@@ -113,7 +114,7 @@ def draw_one(system: System, name: str, options: Options = DEFAULT) -> Drawing |
     """
     chart = system.chart(name)
     if chart is not None:
-        return draw_statechart(chart, options)[0]
+        return draw_statechart(chart, options, system.activities)[0]
     maker = _sheets(system).get(name)
     return maker[0](*maker[1])[0] if maker is not None else None
 
@@ -155,24 +156,27 @@ def _role(role: Srm, activities: tuple[Activity | None, ...]) -> list[Drawing]:
     return [of_sheet(srm.sheet(role, activities, f"srm.{role.name}"))]
 
 
-def _compact(chart: Statechart, options: Options) -> Drawing:
+def _compact(chart: Statechart, options: Options, activities: Iterable[Activity]) -> Drawing:
     """The compact drawing; the nested one with a note where there is no right compact one."""
-    found = compact.drawing(chart)
+    found = compact.drawing(chart, activities)
     if isinstance(found, Drawing):
         return found
     (nested,) = draw_statechart(chart, replace(options, layout=Layout.NESTED))
     return replace(nested, note=f"{nested.name} is drawn nested: {found}")
 
 
-def draw_statechart(chart: Statechart, options: Options = DEFAULT) -> list[Drawing]:
+def draw_statechart(
+    chart: Statechart, options: Options = DEFAULT, activities: tuple[Activity, ...] = ()
+) -> list[Drawing]:
     """The nested drawing and the tree of a statechart, or the one that `options.layout` asks for.
 
+    A compact drawing says what is known of the `activities`.
     Raises NoSuchState if the chart has no state `options.at`.
     """
     shown = view(chart, at=options.at, depth=options.depth)
     made = []
     if options.layout is Layout.COMPACT:
-        return [_compact(chart, options)]
+        return [_compact(chart, options, activities)]
     for layout in (Layout.NESTED, Layout.TREE) if options.layout is None else (options.layout,):
         name = f"{chart.kind.lower()}.{chart.name}{'.tree' if layout is Layout.TREE else ''}"
         name = division.piece_name(name, options.at) if options.at is not None else name

@@ -15,7 +15,7 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.diagrams import Layout, Options, draw_statechart, render
 from aseme_dsl.diagrams.compact.blocks import NotCompact
 from aseme_dsl.diagrams.compact.check import faults
-from aseme_dsl.diagrams.compact.elements import Line, Picture, Text
+from aseme_dsl.diagrams.compact.elements import Form, Line, Picture, Shape, Text
 from aseme_dsl.diagrams.compact.layout import layout
 from aseme_dsl.diagrams.look.labels import text_width
 from tests.diagrams.texts import TEAM, compiled
@@ -45,7 +45,9 @@ def chart_of(text: str) -> Statechart:
 
 @cache
 def example(name: str) -> tuple[Statechart, ...]:
-    return aseme_dsl.compile(next((EXAMPLES / name).glob("*.aseme"))).statecharts
+    files = (EXAMPLES / name).glob("*.aseme")
+    (main,) = (item for item in files if "\nsystem " in item.read_text(encoding="utf-8"))
+    return aseme_dsl.compile(main).statecharts
 
 
 @pytest.mark.parametrize("formula", FORMULAS)
@@ -54,10 +56,12 @@ def test_every_operator_is_drawn_rightly(formula: str) -> None:
     assert faults(chart, layout(chart)) == []
 
 
-@pytest.mark.parametrize("name", ["cell", "goalie", "robocup"])
+@pytest.mark.parametrize("name", sorted(folder.name for folder in EXAMPLES.iterdir()))
 def test_the_charts_of_examples_are_drawn_rightly(name: str) -> None:
     for chart in example(name):
-        assert faults(chart, layout(chart)) == [], chart.name
+        picture = layout(chart)
+        assert faults(chart, picture) == [], chart.name
+        assert not any(isinstance(item, Shape) and item.form is Form.CLOSED for item in picture.elements)
 
 
 def test_the_branches_of_an_interrupt_with_triggers_of_their_own_leave_side_by_side() -> None:

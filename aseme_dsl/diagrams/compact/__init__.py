@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.diagrams.compact.blocks import NotCompact
 from aseme_dsl.diagrams.compact.check import faults
@@ -14,13 +17,14 @@ from aseme_dsl.diagrams.look.drawing import Drawing
 __all__ = ["drawing"]
 
 
-def drawing(chart: Statechart) -> Drawing | str:
+def drawing(chart: Statechart, activities: Iterable[Activity] = ()) -> Drawing | str:
     """The compact drawing of a chart, or why there is none that is right."""
+    known = tuple(activities)
     try:
-        picture = layout(chart)
+        picture = layout(chart, known)
     except NotCompact as reason:
         return str(reason)
-    if found := faults(chart, picture):
+    if found := faults(chart, picture, known):
         return f"the compact drawing is not right: {found[0]}"
     name = f"{chart.kind.lower()}.{chart.name}"
     return Drawing(name, "", _shown(picture), picture=svg(chart, picture))

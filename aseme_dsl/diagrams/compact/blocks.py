@@ -30,7 +30,7 @@ class Parallel:
     """An AND with its regions in document order."""
 
     label: str
-    regions: tuple[Group, ...]
+    regions: tuple[Group | Closed, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,21 +72,33 @@ class Group:
     reactive: Link = ()
 
 
-Block = Activity | Parallel | Group
+@dataclass(frozen=True, slots=True)
+class Closed:
+    """A composite that is drawn without what is inside, and why if that has no compact drawing."""
+
+    label: str
+    reason: str = ""
 
 
-def blocks(chart: Statechart) -> Group:
-    """The chart as blocks. Raises NotCompact."""
+Block = Activity | Parallel | Group | Closed
+
+
+def blocks(chart: Statechart, top: str, closed: frozenset[str] = frozenset()) -> Group:
+    """The OR `top` of a chart as blocks, with the composites `closed` closed, and those that are no formula.
+
+    Raises NotCompact if the outermost one is none.
+    """
     if chart.levels > DEEPEST:
         raise NotCompact(f"it has {chart.levels} levels, more than {DEEPEST}")
-    return _Reader(chart).group(chart.root)
+    return _Reader(chart, closed - {top}).group(chart.node(top))
 
 
 class _Reader:
     """Reads one chart: the links between its states are taken away as they are used."""
 
-    def __init__(self, chart: Statechart) -> None:
+    def __init__(self, chart: Statechart, closed: frozenset[str]) -> None:
         self._chart = chart
+        self._closed = closed
         places = {id(item): place for place, item in enumerate(chart.transitions)}
         self._links: dict[str, dict[tuple[str, bool, bool], list[int]]] = {}
         for state in chart.states:
@@ -192,13 +204,49 @@ class _Reader:
         match state.type:
             case StateType.BASIC:
                 return Activity(label)
+            case StateType.AND | StateType.OR if label in self._closed:
+                return Closed(label)
             case StateType.AND:
                 regions = self._chart.children(label)
-                return Parallel(label, tuple(self.group(item) for item in regions))
+                if left := next((item.label for item in regions if item.label in self._links), None):
+                    raise NotCompact(f"an arrow leads from the region {left}")
+                return Parallel(label, tuple(self._whole(item) for item in regions))
             case StateType.OR:
-                return self.group(state)
+                return self._whole(state)
             case _:
                 raise NotCompact(f"state {label} is a {state.type.value} where a formula has none")
 
+    def _whole(self, state: State) -> Group | Closed:
+        """An OR, closed if it is no formula."""
+        if state.label in self._closed:
+            return Closed(state.label)
+        try:
+            return self.group(state)
+        except NotCompact as reason:
+            states = set(inside(self._chart, state.label)) - {state.label}
+            if any((item.source in states) != (item.target in states) for item in self._chart.transitions):
+                raise
+            return Closed(state.label, str(reason))
 
-__all__ = ["Activity", "Block", "Branch", "Cut", "Group", "Link", "NotCompact", "Parallel", "Part", "blocks"]
+
+def inside(chart: Statechart, label: str) -> tuple[str, ...]:
+    """The states in a state, itself first, in document order."""
+    found = [label]
+    for item in chart.children(label):
+        found += inside(chart, item.label)
+    return tuple(found)
+
+
+__all__ = [
+    "Activity",
+    "Block",
+    "Branch",
+    "Closed",
+    "Cut",
+    "Group",
+    "Link",
+    "NotCompact",
+    "Parallel",
+    "Part",
+    "blocks",
+]

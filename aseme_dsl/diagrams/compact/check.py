@@ -6,12 +6,15 @@ It knows nothing of the layout: it reads the elements, and the chart.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
+from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, StateType
-from aseme_dsl.diagrams.compact import texts
-from aseme_dsl.diagrams.compact.elements import SIZES, Form, Line, Picture, Point, Shape, Stroke, Text
+from aseme_dsl.diagrams.compact.blocks import inside
+from aseme_dsl.diagrams.compact.elements import SIZES, Form, Line, Look, Picture, Point, Shape, Stroke, Text
 from aseme_dsl.diagrams.compact.follows import Follows
+from aseme_dsl.diagrams.compact.plan import equal, transitions_in
+from aseme_dsl.diagrams.compact.words import Words
 
 _NEAR = 3.0
 """Two points that are so near are one on paper, in px."""
@@ -20,39 +23,100 @@ _PITCH = 14.5
 """From one line of text to the next, in px."""
 
 _DRAWN = (StateType.BASIC, StateType.AND, StateType.CONDITION)
-_BOXES = (Form.ACTIVITY, Form.PARALLEL, Form.CHOICE, Form.INITIAL, Form.FINAL, Form.FRAME)
+_SOLID = (Form.ACTIVITY, Form.PARALLEL, Form.CLOSED)
+_FULL = (Form.ACTIVITY, Form.CLOSED, Form.PILL, Form.INITIAL, Form.FINAL, Form.ENDLESS)
+"""What no line may cross, and no text that is not its own."""
 
 Box = tuple[float, float, float, float]
 
 
-def faults(chart: Statechart, picture: Picture) -> list[str]:
+def faults(chart: Statechart, picture: Picture, activities: Iterable[Activity] = ()) -> list[str]:
     """What a compact drawing shows wrongly; empty if it is right."""
     lines = [item for item in picture.elements if isinstance(item, Line)]
     shapes = [item for item in picture.elements if isinstance(item, Shape)]
     written = [item for item in picture.elements if isinstance(item, Text)]
     follows = Follows(chart)
+    words = Words(chart, activities, picture.notes)
+    hidden = frozenset(place for shape in shapes if shape.form is Form.CLOSED for place in shape.marks)
     return [
-        *_counted(chart, lines, shapes),
+        *_counted(chart, picture, lines, shapes),
+        *_marks(chart, picture, follows, words, shapes),
         *_chains(follows, lines),
         *_ends(chart, follows, lines, shapes),
-        *_joints(follows, lines, shapes, chart),
-        *_labels(chart, lines, written),
+        *_joints(follows, lines, shapes, chart, hidden),
+        *_labels(chart, words, lines, shapes, written),
+        *_names(chart, words, shapes, written),
         *_overlaps(picture, lines, shapes, written),
+        *_crossings(lines, shapes),
     ]
 
 
-def _counted(chart: Statechart, lines: Sequence[Line], shapes: Sequence[Shape]) -> Iterator[str]:
+def _counted(
+    chart: Statechart, picture: Picture, lines: Sequence[Line], shapes: Sequence[Shape]
+) -> Iterator[str]:
     """Each transition has one home, and each state that has a shape has one."""
     seen = Counter(place for line in lines for link in line.chain for place in link)
     seen.update(place for shape in shapes for place in shape.marks)
+    drawn = Counter(shape.state for shape in shapes if shape.form not in (Form.FIELD, Form.ENDLESS))
+    for shape in shapes:
+        if shape.form is Form.CLOSED:
+            drawn.update(inside(chart, shape.state)[1:])
+    for one, *others in reversed(picture.copies):  # inner ones come after those around them
+        for other in others:
+            if chart.node(one).parent != chart.node(other).parent or not equal(chart, one, other):
+                yield f"region {other} does not equal {one}"
+                continue
+            mine, its = transitions_in(chart, one), transitions_in(chart, other)
+            seen.update({there: seen[here] for here, there in zip(mine, its, strict=True)})
+            pairs = zip(inside(chart, one), inside(chart, other), strict=True)
+            drawn.update({there: drawn[here] for here, there in pairs})
+    shown = set(transitions_in(chart, picture.top)) if picture.top else set(range(len(chart.transitions)))
     for place in range(len(chart.transitions)):
-        if seen[place] != 1:
+        if seen[place] != (place in shown):
             yield f"transition {place} is drawn {seen[place]} times"
     yield from (f"transition {place} is invented" for place in seen if place >= len(chart.transitions))
-    drawn = Counter(shape.state for shape in shapes)
-    for state in chart.states:
-        if state.type in _DRAWN and drawn[state.label] != 1:
-            yield f"state {state.label} is drawn {drawn[state.label]} times"
+    for label in inside(chart, picture.top or chart.root.label):
+        if chart.node(label).type in _DRAWN and drawn[label] != 1:
+            yield f"state {label} is drawn {drawn[label]} times"
+
+
+def _marks(
+    chart: Statechart, picture: Picture, follows: Follows, words: Words, shapes: Sequence[Shape]
+) -> Iterator[str]:
+    """What a shape stands for itself belongs to it."""
+    items = chart.transitions
+    for shape in shapes:
+        states = {shape.state, *shape.also}
+        around = {item.label for item in chart.ancestors(shape.state)}
+        hidden: frozenset[int] = frozenset()
+        if shape.form is Form.CLOSED:
+            hidden = frozenset(transitions_in(chart, shape.state))
+        elif shape.form is Form.PILL:
+            region = next(
+                (item for item in chart.ancestors(shape.state) if chart.is_region(item.label)), None
+            )
+            hidden = frozenset(transitions_in(chart, region.label)) if region is not None else hidden
+            if any(map(words.has_text, hidden)) or set(shape.marks) != hidden:
+                yield f"the region of {shape.state} is more than a repetition"
+        for place in shape.marks:
+            item = items[place]
+            belongs = (
+                place in hidden
+                or (not item.changes_state and item.source in states)
+                or (place in follows.never and item.source in states | around)
+                or (item.reactive and item.target == shape.state)
+                or (
+                    shape.form is Form.PARALLEL
+                    and chart.node(item.source).type is StateType.START
+                    and chart.node(item.source).parent in around
+                    and item.target in states | around
+                    and not words.has_text(place)
+                )
+            )
+            if not belongs:
+                yield f"state {shape.state} stands for transition {place}, which is another's"
+            if shape.form is Form.ENDLESS and place not in follows.never:
+                yield f"transition {place} can be taken"
 
 
 def _chains(follows: Follows, lines: Sequence[Line]) -> Iterator[str]:
@@ -67,22 +131,30 @@ def _ends(
     chart: Statechart, follows: Follows, lines: Sequence[Line], shapes: Sequence[Shape]
 ) -> Iterator[str]:
     """A line from or to a state with a shape begins or ends at its border."""
-    boxes = {shape.state: _box(shape) for shape in shapes if shape.form is not Form.FIELD}
+    unlike = (Form.FIELD, Form.ENDLESS, Form.PILL)
+    bordered = [shape for shape in shapes if shape.form not in unlike]
+    boxes = {label: _box(shape) for shape in bordered for label in (shape.state, *shape.also)}
+    closed = {shape.state for shape in shapes if shape.form is Form.CLOSED}
     going_on = {_rounded(line.points[0]): line.points[-1] for line in lines if not line.chain}
     for line in lines:
         if not line.chain:
             continue
         first, last = chart.transitions[line.chain[0][0]], chart.transitions[line.chain[-1][0]]
         source, target = chart.node(first.source), chart.node(last.target)
-        group = source.type is StateType.OR and follows.is_event(line.chain[0][0])
-        if (source.type in _DRAWN or group) and not _on(line.points[0], boxes.get(source.label)):
+        composite = source.type in (StateType.OR, StateType.AND)
+        group = composite and follows.is_event(line.chain[0][0])
+        if (source.type in _DRAWN or group or source.label in closed) and not _on(
+            line.points[0], boxes.get(source.label)
+        ):
             yield f"transition {line.chain[0]} does not begin at state {source.label}"
         dot = boxes.get(source.label) if source.type is StateType.START else None
         if dot is not None and not _on(line.points[0], dot):
             yield f"transition {line.chain[0]} does not begin at state {source.label}"
-        if (target.type in _DRAWN or target.label in boxes) and target.type is not StateType.OR:
+        solid = target.type in _DRAWN or (target.label in boxes and target.type is not StateType.OR)
+        if solid or target.label in closed:
             last_point = line.points[-1]
-            last_point = going_on.get(_rounded(last_point), last_point)
+            for _ in range(len(going_on)):
+                last_point = going_on.get(_rounded(last_point), last_point)
             if not _on(last_point, boxes.get(target.label)):
                 yield f"transition {line.chain[-1]} does not end at state {target.label}"
         wanted = any(follows.is_event(place) for place in line.chain[0]) and group
@@ -94,7 +166,11 @@ def _ends(
 
 
 def _joints(
-    follows: Follows, lines: Sequence[Line], shapes: Sequence[Shape], chart: Statechart
+    follows: Follows,
+    lines: Sequence[Line],
+    shapes: Sequence[Shape],
+    chart: Statechart,
+    hidden: frozenset[int],
 ) -> Iterator[str]:
     """Lines meet where transitions follow, and nowhere else."""
     choices = [(_box(shape), shape.state) for shape in shapes if shape.form is Form.CHOICE]
@@ -107,13 +183,13 @@ def _joints(
             StateType.CONDITION
         ):
             at_choice.setdefault(source, []).append(number)
-    solid = [_box(shape) for shape in shapes if shape.form in (Form.ACTIVITY, Form.PARALLEL)]
+    solid = [_box(shape) for shape in shapes if shape.form in _SOLID]
     solid_ends = _touching([line.points[-1] for line in lines], solid)
     by_box = {state: box for box, state in choices}
     for number, line in enumerate(lines):
         if not line.chain:
             continue
-        wanted = frozenset[int]().union(*(follows.after[place] for place in line.chain[-1]))
+        wanted = frozenset[int]().union(*(follows.after[place] for place in line.chain[-1])) - hidden
         target = chart.transitions[line.chain[-1][0]].target
         reached: set[int] = set()
         if target in by_box:
@@ -168,35 +244,101 @@ def _beginning(point: Point, lines: Sequence[Line], grid: dict[tuple[int, int], 
     ]
 
 
-def _labels(chart: Statechart, lines: Sequence[Line], written: Sequence[Text]) -> Iterator[str]:
-    """Every line of text that a transition has stands at its line, and no other there."""
+def _labels(
+    chart: Statechart, words: Words, lines: Sequence[Line], shapes: Sequence[Shape], written: Sequence[Text]
+) -> Iterator[str]:
+    """Every text that a transition has stands at its line or in its state, and no other there."""
     found: dict[int, list[Text]] = {}
     for item in written:
         if item.of is not None:
             found.setdefault(item.of, []).append(item)
+    boxes: dict[str, list[Box]] = {}
+    for shape in shapes:
+        for label in (shape.state, *shape.also):
+            boxes.setdefault(label, []).append(_room(shape))
     for line in lines:
         cut = line.stroke in (Stroke.CUT, Stroke.ERROR)
         for number, link in enumerate(line.chain):
+            reach = 20 + _PITCH * sum(len(found.get(place, ())) for place in link)
             for place in link:
-                upper, lower = texts.rows(chart.transitions[place], cut and number == 0)
-                expected = [text for text, _ in (*upper, *lower)]
-                if len(link) > 1 and not upper:
-                    expected = ["done", *expected]
                 here = found.pop(place, [])
-                if [item.text for item in here] != expected:
+                told = _plain(item.text for item in here)
+                own = boxes.get(chart.transitions[place].source, ())
+                if any(_within(item, box) for box in own for item in here[:1]) and told.startswith("→"):
+                    if told != _plain(text for text, _ in words.exit(place, _ENDLESS, cut and number == 0)):
+                        yield f"transition {place} has not its own text"
+                    yield from (
+                        f"the text {item.text!r} is not in its state"
+                        for item in here
+                        if not any(_within(item, box) for box in own)
+                    )
+                    continue
+                upper, lower = words.rows(place, _ENDLESS, cut and number == 0)
+                expected = [text for text, _ in (*upper, *lower)]
+                if len(link) > 1:
+                    rows = words.one_of_many(place, _ENDLESS, cut and number == 0)
+                    expected = [text for text, _ in rows]
+                if told != _plain(expected):
                     yield f"transition {place} has not its own text"
-                reach = 20 + _PITCH * sum(map(_rows_of(chart, cut), link))
                 yield from (
                     f"the text {item.text!r} is not at its line"
                     for item in here
                     if not _beside(item, line, reach)
                 )
+    for shape in shapes:
+        if shape.form in (Form.CLOSED, Form.PILL, Form.ENDLESS):
+            continue
+        for place in shape.marks:
+            here = found.pop(place, [])
+            staying = not chart.transitions[place].changes_state
+            expected = [text for text, _ in words.inside(place, _ENDLESS)] if staying else []
+            if _plain(item.text for item in here) != _plain(expected):
+                yield f"transition {place} has not its own text"
+            box = _room(shape)
+            yield from (
+                f"the text {item.text!r} is not in its state" for item in here if not _within(item, box)
+            )
     yield from (f"transition {place} has a text without a line" for place in found)
 
 
-def _rows_of(chart: Statechart, cut: bool) -> Callable[[int], int]:
-    """How many lines of text a transition has at most."""
-    return lambda place: 1 + sum(map(len, texts.rows(chart.transitions[place], cut)))
+_ENDLESS = 100_000.0
+"""So wide that no text is broken."""
+
+
+def _plain(rows: Iterable[str]) -> str:
+    """The text of rows, however they are broken."""
+    return "".join("".join(rows).split())
+
+
+def _room(shape: Shape) -> Box:
+    """Where the texts of a shape may stand; a field has only its upper border."""
+    a, b, c, d = _box(shape)
+    return (a, b, c, d + 4000) if shape.form is Form.FIELD else (a, b, c, d)
+
+
+def _within(item: Text, box: Box) -> bool:
+    a, b, c, d = _text_box(item)
+    return box[0] <= a and box[1] <= b and c <= box[2] and d <= box[3]
+
+
+def _names(
+    chart: Statechart, words: Words, shapes: Sequence[Shape], written: Sequence[Text]
+) -> Iterator[str]:
+    """Each activity has its name in its node, and only that."""
+    named: dict[tuple[int, int], list[Text]] = {}
+    for item in written:
+        if item.look in (Look.NAME, Look.FIELD):
+            for cell in _cells(_text_box(item)):
+                named.setdefault(cell, []).append(item)
+    for shape in shapes:
+        if shape.form not in (Form.ACTIVITY, Form.PILL):
+            continue
+        box = _box(shape)
+        near = {item for cell in _cells(box) for item in named.get(cell, ())}
+        names = [item.text for item in near if _within(item, box)]
+        name = chart.node(shape.state).name
+        if names != [words.short(name)] and names != [name]:
+            yield f"state {shape.state} is not called {name}"
 
 
 def _beside(item: Text, line: Line, reach: float) -> bool:
@@ -218,9 +360,12 @@ def _overlaps(
         for (a, b), (c, d) in zip(line.points, line.points[1:], strict=False):
             things.append(("a line", (min(a, c), min(b, d), max(a, c), max(b, d))))
     for shape in shapes:
-        if shape.form in _BOXES and shape.form is not Form.CHOICE:
-            a, b, c, d = _box(shape)
-            things += [("a border", box) for box in ((a, b, c, b), (a, d, c, d), (a, b, a, d), (c, b, c, d))]
+        a, b, c, d = _box(shape)
+        if shape.form is Form.CHOICE:
+            e = (c - a) / 4
+            things.append(("a choice", (a + e, b + e, c - e, d - e)))
+            continue
+        things += [("a border", box) for box in ((a, b, c, b), (a, d, c, d), (a, b, a, d), (c, b, c, d))]
     things += [(repr(item.text), _text_box(item)) for item in written]
     for thing in things:
         for cell in _cells(thing[1]):
@@ -231,11 +376,34 @@ def _overlaps(
             yield f"the text {item.text!r} is outside"
         own = (repr(item.text), box)
         met = {thing for cell in _cells(box) for thing in cells.get(cell, ()) if thing != own}
+        if item.text == "↻":
+            continue
         yield from (
             f"the text {item.text!r} is on {name}" for name, other in sorted(met) if _meet(box, other)
         )
     again = Counter(_text_box(item) for item in written)
     yield from ("two texts are in one place" for count in again.values() if count > 1)
+
+
+def _crossings(lines: Sequence[Line], shapes: Sequence[Shape]) -> Iterator[str]:
+    """No line runs through a node."""
+    cells: dict[tuple[int, int], list[Shape]] = {}
+    for shape in shapes:
+        if shape.form in _FULL:
+            for cell in _cells(_box(shape)):
+                cells.setdefault(cell, []).append(shape)
+    for line in lines:
+        for (a, b), (c, d) in zip(line.points, line.points[1:], strict=False):
+            box = (min(a, c), min(b, d), max(a, c), max(b, d))
+            near = {shape for cell in _cells(box) for shape in cells.get(cell, ())}
+            yield from (
+                f"a line runs through state {shape.state}" for shape in near if _meet(box, _inner(shape))
+            )
+
+
+def _inner(shape: Shape) -> Box:
+    a, b, c, d = _box(shape)
+    return (a + 1, b + 1, c - 1, d - 1)
 
 
 def _cells(box: Box) -> Iterator[tuple[int, int]]:

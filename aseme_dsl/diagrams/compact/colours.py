@@ -15,6 +15,16 @@ LIGHT = {
     "choice-border": "#8a6d00",
     "frame": "#f6f7f9",
     "frame-border": "#7d8792",
+    "pill": "#eef1f5",
+    "message": "#0b5cad",
+    "p0": "#0057a8",
+    "q0": "#eef5fc",
+    "p1": "#7a1fa2",
+    "q1": "#f7effb",
+    "p2": "#00695c",
+    "q2": "#eaf6f4",
+    "p3": "#9f1853",
+    "q3": "#fbeef4",
 }
 
 DARK = {
@@ -30,21 +40,40 @@ DARK = {
     "choice-border": "#d9b84a",
     "frame": "#181d24",
     "frame-border": "#6b7683",
+    "pill": "#1f262e",
+    "message": "#79b8ff",
+    "p0": "#6cb6ff",
+    "q0": "#122033",
+    "p1": "#d49bf0",
+    "q1": "#251a2c",
+    "p2": "#58c9b9",
+    "q2": "#102623",
+    "p3": "#f28ab8",
+    "q3": "#2b1822",
 }
 
 _RULES = """\
 text{font-family:Arial,"Liberation Sans",Helvetica,sans-serif;font-size:12px;fill:{ink}}
 .name{font-size:13px;font-weight:bold}.title{font-size:16px;font-weight:bold}.small{font-size:11px;fill:{soft}}
+.field{font-weight:bold}
 .action{font-style:italic;fill:{soft}}text.cut{fill:{cut}}text.error{fill:{error}}
 .paper{fill:{paper}}path{fill:none;stroke:{line};stroke-width:1.3}
 path.cut{stroke:{cut}}path.error{stroke:{error};stroke-dasharray:5 3}
 path.never{stroke:{soft};stroke-dasharray:2 3}
 .head{fill:{line};stroke:none}.head.cut{fill:{cut}}.head.error{fill:{error}}.head.never{fill:{soft}}
-path.icon{stroke-width:1.4;stroke:{ink}}path.icon.cut{fill:{cut};stroke:none}
-path.icon.error{stroke:{error};stroke-dasharray:none}
-.activity{fill:{node};stroke:{node-border};stroke-width:1.3}
+path.icon{stroke-width:1.3;stroke:{soft}}path.icon.cut{stroke:{cut}}path.icon.whole{fill:{cut}}
+path.icon.failed{stroke:{error};stroke-width:1.8}path.icon.message{stroke:{message}}
+path.icon.sent{fill:{message};stroke:{message}}path.flap{stroke:{paper}}
+.activity{fill:{node};stroke:{node-border};stroke-width:1.3}.pill{fill:{pill};stroke:{frame-border}}
 path.choice{fill:{choice};stroke:{choice-border}}
-.frame,.parallel{fill:{frame};stroke:{frame-border}}path.field{stroke:{frame-border};stroke-dasharray:6 4}
+.closed{fill:{frame};stroke:{ink};stroke-width:1.3;stroke-dasharray:2 2}
+path.endless{stroke:{soft};stroke-width:1.5}
+.frame{fill:{frame};stroke:{frame-border}}.parallel{fill:{paper};stroke:{frame-border}}
+path.field{stroke:{frame-border};stroke-dasharray:6 4}
+.p0{fill:{q0};stroke:{p0};stroke-width:1.3}.p1{fill:{q1};stroke:{p1};stroke-width:1.3}
+.p2{fill:{q2};stroke:{p2};stroke-width:1.3}.p3{fill:{q3};stroke:{p3};stroke-width:1.3}
+path.p0{stroke:{p0};stroke-width:4}path.p1{stroke:{p1};stroke-width:4}
+path.p2{stroke:{p2};stroke-width:4}path.p3{stroke:{p3};stroke-width:4}
 .initial{fill:{ink}}.final{fill:{paper};stroke:{ink}}.dot{fill:{ink}}"""
 
 

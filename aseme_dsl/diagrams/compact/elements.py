@@ -22,6 +22,7 @@ class Look(StrEnum):
     ERROR = "error"
     SMALL = "small"
     TITLE = "title"
+    FIELD = "field"
 
 
 SIZES = {
@@ -32,6 +33,7 @@ SIZES = {
     Look.ERROR: 12,
     Look.SMALL: 11,
     Look.TITLE: 16,
+    Look.FIELD: 12,
 }
 
 
@@ -50,6 +52,10 @@ class Form(StrEnum):
     ACTIVITY = "activity"
     PARALLEL = "parallel"
     FRAME = "frame"
+    PROTOCOL = "protocol"
+    PILL = "pill"
+    CLOSED = "closed"
+    ENDLESS = "endless"
     CHOICE = "choice"
     INITIAL = "initial"
     FINAL = "final"
@@ -71,7 +77,11 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """A state, or the border of a field (a dashed line above a region)."""
+    """A state, or the border of a field (a dashed line above a region).
+
+    A PILL is a region that repeats one activity, ENDLESS a state that is never complete, CLOSED a state that
+    is drawn without what is inside.
+    """
 
     form: Form
     x: float
@@ -80,7 +90,10 @@ class Shape:
     height: float
     state: str
     marks: Link = ()
-    """The transitions that it stands for itself: those that stay in the state, and reactive ones."""
+    """The transitions that it stands for itself: those that stay in the state, reactive ones, those of a pill
+    or a closed state, and of an endless state those that are never taken."""
+    also: tuple[str, ...] = ()
+    """Other states that have the same border: the formula that is nothing but this frame."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,11 +113,18 @@ Element = Line | Shape | Text
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A compact drawing of the size `width` × `height`."""
+    """A compact drawing of the size `width` × `height`.
+
+    It shows the state `top`. `copies` are regions that are drawn once: the drawn one, and the others that
+    equal it. `notes` are the transitions whose text stands in full below, in the order of their numbers.
+    """
 
     width: float
     height: float
     elements: tuple[Element, ...]
+    top: str = ""
+    copies: tuple[tuple[str, ...], ...] = ()
+    notes: Link = ()
 
 
 def moved(element: Element, dx: float, dy: float) -> Element:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from aseme_dsl.amola.statechart import Statechart, StateType
+from aseme_dsl.diagrams.compact.lives import Lives
 
 
 class Follows:
@@ -17,7 +18,9 @@ class Follows:
             )
             for state in chart.states
         }
-        self.after = tuple(frozenset(self._of(place)) for place in range(len(chart.transitions)))
+        never = Lives(chart).never
+        self.after = tuple(frozenset(self._of(place)) - never for place in range(len(chart.transitions)))
+        self.never = never
 
     def _of(self, place: int) -> tuple[int, ...]:
         chart = self._chart

@@ -6,20 +6,29 @@ from collections.abc import Iterator
 from typing import assert_never
 from xml.sax.saxutils import escape
 
-from aseme_dsl.amola.statechart import Statechart, StateType, transition_text
+from aseme_dsl.amola.statechart import OriginKind, Statechart, StateType, transition_text
 from aseme_dsl.diagrams.compact.colours import style
 from aseme_dsl.diagrams.compact.elements import Form, Line, Picture, Point, Shape, Text
+from aseme_dsl.diagrams.compact.words import ICON
 from aseme_dsl.diagrams.look.labels import printable
 
 _RADIUS = 6.0
 _HEAD = 7.0
 
 _ICONS = {
-    "⚡": "M5 -10L1 -4H4L2 1L8 -6H5L7 -10Z",
-    "✕": "M1 -8L8 -1M8 -8L1 -1",
-    "↻": "M8 -4A3.5 3.5 0 1 1 5 -8M5 -10.5V-5.5L8 -8Z",
+    "⚡": ("cut whole", "M7 -11L0.5 -4H4L2 1L9.5 -6H6Z"),
+    "↯": ("cut", "M7 -11L0.5 -4H4L2 1L9.5 -6H6Z"),
+    "✕": ("failed", "M1.5 -8.5L8.5 -1.5M8.5 -8.5L1.5 -1.5"),
+    "↻": ("", "M9 -4A4 4 0 1 1 5 -8M5 -10.5V-5.5L8 -8Z"),
+    "◷": ("", "M11 -4.2A5.2 5.2 0 1 0 0.6 -4.2A5.2 5.2 0 1 0 11 -4.2M5.8 -7.4V-4.2L8.4 -2.6"),
+    "✉": ("message", "M0.5 -8.5H12V-0.5H0.5ZL6.2 -4L12 -8.5"),
+    "➤": ("sent", "M0.5 -8.5H12V-0.5H0.5Z"),
+    "Ⓗ": (
+        "",
+        "M12 -4.2A5.7 5.7 0 1 0 0.6 -4.2A5.7 5.7 0 1 0 12 -4.2M4.2 -7.2V-1.2M8.4 -7.2V-1.2M4.2 -4.2H8.4",
+    ),
 }
-"""Signs that not every font has, drawn from the left end of the base line."""
+"""Signs that not every font has, drawn from the left end of the base line, with what they are."""
 
 
 def svg(chart: Statechart, picture: Picture, theme: str | None = None) -> str:
@@ -43,7 +52,7 @@ def _layer(item: Line | Shape | Text) -> int:
     """Frames are at the back, outer ones first, as they are wider; texts in front."""
     match item:
         case Shape():
-            return -round(item.width) if item.form in (Form.FRAME, Form.PARALLEL) else 2
+            return -round(item.width) if item.form in (Form.FRAME, Form.PARALLEL, Form.PROTOCOL) else 2
         case Line():
             return 1
         case Text():
@@ -57,10 +66,13 @@ def _element(chart: Statechart, item: Line | Shape | Text) -> Iterator[str]:
         case Text():
             of = "" if item.of is None else f' data-of="{item.of}"'
             text, x = item.text, item.x
-            if text[:1] in _ICONS:
+            if text[:1] in _ICONS and text:
                 place = f"translate({x:.1f} {item.y:.1f})"
-                yield f'<path class="icon {item.look}" d="{_ICONS[text[0]]}" transform="{place}"/>'
-                text, x = text[1:].lstrip(), x + 12
+                kind, path = _ICONS[text[0]]
+                yield f'<path class="icon {kind}" d="{path}" transform="{place}"/>'
+                if kind == "sent":
+                    yield f'<path class="flap" d="M0.5 -8.5L6.2 -4L12 -8.5" transform="{place}"/>'
+                text, x = text[1:].lstrip(), x + ICON
             yield f'<text class="{item.look}" x="{x:.1f}" y="{item.y:.1f}"{of}>{_text(text)}</text>'
         case Line():
             yield from _line(chart, item)
@@ -106,7 +118,7 @@ def _shape(chart: Statechart, item: Shape) -> Iterator[str]:
     middle, centre = x + width / 2, y + height / 2
     box = f'x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}"'
     match item.form:
-        case Form.ACTIVITY | Form.FRAME | Form.PARALLEL:
+        case Form.ACTIVITY | Form.FRAME | Form.PARALLEL | Form.CLOSED:
             yield f'<rect class="{item.form}" {box} rx="8"/>'
         case Form.CHOICE:
             corners = f"M{middle:.1f} {y:.1f}L{x + width:.1f} {centre:.1f}L{middle:.1f} {y + height:.1f}"
@@ -116,11 +128,27 @@ def _shape(chart: Statechart, item: Shape) -> Iterator[str]:
         case Form.FINAL:
             yield f'<circle class="final" cx="{middle:.1f}" cy="{centre:.1f}" r="{width / 2:.1f}"/>'
             yield f'<circle class="dot" cx="{middle:.1f}" cy="{centre:.1f}" r="3"/>'
+        case Form.PROTOCOL:
+            number = _protocol(chart, item.state)
+            yield f'<rect class="p{number}" {box} rx="4"/>'
+            yield f'<path class="p{number}" d="M{x + 2:.1f} {y:.1f}V{y + height:.1f}"/>'
+        case Form.PILL:
+            yield f'<rect class="pill" {box} rx="10"/>'
+        case Form.ENDLESS:
+            curve = "M8 0C5.5 -3.5 1 -3.5 1 0S5.5 3.5 8 0S15 -3.5 15 0S10.5 3.5 8 0Z"
+            yield f'<path class="endless" d="{curve}" transform="translate({x:.1f} {centre:.1f})"/>'
         case Form.FIELD:
             yield f'<path class="field" d="M{x:.1f} {y:.1f}H{x + width:.1f}"/>'
         case _:
             assert_never(item.form)
     yield "</g>"
+
+
+def _protocol(chart: Statechart, label: str) -> int:
+    """The number of the colour of a branch: each protocol has one."""
+    kind = OriginKind.PROTOCOL
+    owners = dict.fromkeys(item.origin.owner for item in chart.states if item.origin.kind is kind)
+    return list(owners).index(chart.node(label).origin.owner) % 4
 
 
 def _path(points: tuple[Point, ...]) -> str:

@@ -1,0 +1,540 @@
+"""Parts: places the blocks of a statechart like a railroad diagram.
+
+Each block has an axis, on which it is entered at the left and left at the right. The first branch is on the
+axis, the others below; loops go back above, interrupts leave below, regions stand one below the other. The
+time is linear in the states of each level.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import assert_never
+
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.diagrams.compact.blocks import Activity, Block, Branch, Closed, Cut, Group, Parallel, Part
+from aseme_dsl.diagrams.compact.elements import Element, Form, Line, Link, Look, Point, Shape, Stroke, Text
+from aseme_dsl.diagrams.compact.nodes import PAD, Nodes, ended, endless
+from aseme_dsl.diagrams.compact.pen import (
+    GAP,
+    PITCH,
+    Pen,
+    Placed,
+    Room,
+    down,
+    line_to,
+    over,
+    pen,
+    right_by,
+    room_of,
+    text,
+)
+from aseme_dsl.diagrams.compact.plan import Links, Plan
+from aseme_dsl.diagrams.compact.words import Words, link_rows, width
+
+_ROW = 9
+"""Between two rows."""
+
+_CHOICE = 10
+"""Half a diamond."""
+
+_WIDE = 900
+"""A sequence is broken before regions at its end that are wider."""
+
+
+@dataclass(frozen=True, slots=True)
+class Exit:
+    """A line behind a part, and how far what is before it reaches."""
+
+    line: Pen
+    right: float
+
+
+@dataclass(frozen=True, slots=True)
+class Rim:
+    """What the border of a block has to carry.
+
+    - `labels`: the formulas that are nothing but this block.
+    - `signs`: the transitions never taken, as the block is never complete.
+    - `exits`: those whose texts stand as a table in it.
+    - `least`: how wide it is at least.
+    - `leaves`: whether lines leave from its border. `stops`: it is complete, and nothing follows.
+    """
+
+    labels: tuple[str, ...] = ()
+    signs: Link = ()
+    exits: Link = ()
+    least: float = 0.0
+    leaves: bool = False
+    stops: bool = False
+
+
+class Placer:
+    """Places the blocks of one chart; labels are about `wide` px wide.
+
+    `copies` collects the regions that are drawn once for several.
+    """
+
+    def __init__(self, chart: Statechart, words: Words, plan: Plan, wide: float) -> None:
+        self._chart = chart
+        self._words = words
+        self._plan = plan
+        self._wide = wide
+        self._nodes = Nodes(chart, words, plan)
+        self._bare: set[str] = set()
+        self.copies: list[tuple[str, ...]] = []
+
+    # ---- regions -----------------------------------------------------------------------------------
+
+    def field(self, region: Group | Closed, x: float) -> Placed:
+        """A region: its initial dot, what is inside, and the ring if it ends."""
+        if isinstance(region, Closed):
+            return self._nodes.closed(region, None, x)
+        title = self._plan.title(region)
+        if title is not None:
+            self._bare.add(title)
+        room = Room()
+        room.add(Shape(Form.INITIAL, x, -4, 8, 8, region.start))
+        inside = self.group(region, pen(x + 8), ())
+        room.put(replace(inside, pen=None))
+        if inside.pen is not None:
+            end = max(inside.pen.at, inside.right if inside.pen.axis else 0) + GAP
+            axis = inside.pen.axis
+            room.add(line_to(inside.pen, (end, axis)))
+            room.add(Shape(Form.FINAL, end, axis - 6, 12, 12, region.end or region.label))
+        return room.placed(None)
+
+    def whole(self, region: Group) -> Placed:
+        """The outermost region, with what stays in it."""
+        placed = self.field(region, 0.0)
+        room = Room()
+        if self._plan.staying(region.label):
+            placed = self._titled(placed, (region,), -PAD)
+            marks = self._plan.staying(region.label)
+            room.add(Shape(Form.FIELD, 0, -placed.up - 4, max(placed.right, 40), 0, region.label, marks))
+        room.put(placed)
+        return room.placed(None)
+
+    def regions(self, block: Parallel, x: float, rim: Rim) -> Placed:
+        """The frame of an AND with its left border at x, without the line to it."""
+        strips: list[tuple[Placed, tuple[Group | Closed, ...]]] = []
+        middle = 0
+        for run in self._plan.runs(block):
+            if self._plan.pill(run[0]) is not None:
+                strips.append(
+                    (self._nodes.pills([item for item in run if isinstance(item, Group)], x + PAD), run)
+                )
+                continue
+            if len(run) > 1:
+                self.copies.append(tuple(item.label for item in run))
+            if all(self._plan.pill(other[0]) is not None for _, other in strips):
+                middle = len(strips)
+            strips.append((self._titled(self.field(run[0], x + PAD), run, x), run))
+        room = Room()
+        tops: list[tuple[float, tuple[Group | Closed, ...]]] = []
+        first = -sum(item.down + item.up + 12 for item, _ in strips[:middle]) if middle else 0.0
+        axis = first + (strips[0][0].up - strips[middle][0].up if middle else 0.0)
+        for number, (placed, run) in enumerate(strips):
+            if number:
+                axis += strips[number - 1][0].down + 12 + placed.up
+            tops.append((axis - placed.up - 6, run))
+            room.put(placed, axis)
+        endless_ = self._plan.is_endless(block.label)
+        if endless_:
+            room.reach(x + strips[0][0].right - x + 34 if len(strips[0][0].elements) else 0)
+        form = Form.PARALLEL
+        shape, written = self._nodes.border(form, (*rim.labels, block.label), room, x, rim.exits, rim.least)
+        if endless_:  # the sign stands beside the title
+            needed = max((item.x + item.width for item in written), default=x) + 34 - shape.x
+            shape = replace(shape, width=max(shape.width, needed))
+        if not written:  # no title: the first dashed line is the border
+            shape = replace(shape, y=shape.y + 3, height=shape.height - 3)
+        made = Room()
+        made.add(shape, *written)
+        if endless_:
+            made.add(endless(shape.x + shape.width - 26, shape.y + 12, block.label, rim.signs))
+        for number, (top, run) in enumerate(tops):
+            marks = () if isinstance(run[0], Closed) else self._plan.staying(run[0].label)
+            if marks or (number and self._plan.pill(run[0]) is None):
+                made.add(
+                    Shape(Form.FIELD, x, top if number else shape.y, shape.width, 0, run[0].label, marks)
+                )
+            elif number:
+                made.add(Shape(Form.FIELD, x, top, shape.width, 0, run[0].label))
+        made.put(room.placed(None))
+        return made.placed(None if endless_ else pen(shape.x + shape.width))
+
+    def _titled(self, placed: Placed, run: tuple[Group | Closed, ...], x: float) -> Placed:
+        """A field with its name and what stays in it, above what is inside."""
+        label = run[0].label
+        title = self._plan.title(run[0])
+        names = self._plan.heading(title)[0] if title is not None else ""
+        if len(run) > 1:
+            names = f"{names} × {len(run)}".strip()
+        rows = [] if isinstance(run[0], Closed) else self._nodes.rows(label)
+        if not names and not rows:
+            return placed
+        room = Room()
+        room.put(placed)
+        top = -placed.up - (len(rows) + bool(names)) * PITCH
+        if names:
+            room.add(text(x + PAD, top + 11, names, Look.FIELD))
+        room.add(
+            *(
+                text(x + PAD, top + 11 + (n + bool(names)) * PITCH, *row, of)
+                for n, (row, of) in enumerate(rows)
+            )
+        )
+        return room.placed(placed.pen)
+
+    # ---- groups ------------------------------------------------------------------------------------
+
+    def group(self, group: Group, line: Pen, signs: Link) -> Placed:
+        """An OR without a border of its own, entered by the pen, which has the link to it."""
+        if group.choice is None:
+            (branch,) = group.branches
+            return self.branch(branch, line, signs)
+        room = Room()
+        line, written = over(replace(line, row=None), group.enter, self._words, self._wide)
+        x = line.at + GAP
+        middle = x + _CHOICE
+        room.add(*written, line_to(line, (x, 0)))
+        room.add(Shape(Form.CHOICE, x, -_CHOICE, 2 * _CHOICE, 2 * _CHOICE, group.choice, group.reactive))
+        if group.reactive:
+            room.add(text(middle - 5, 4, "↻", Look.SMALL))
+        with_parts = [branch for branch in group.branches if branch.parts]
+        column = max((room_of(item.enter, self._words, self._wide) for item in with_parts), default=0)
+        ends: list[Exit] = []
+        low = 0.0
+        for number, branch in enumerate(group.branches):
+            first = number == 0
+            start = pen(x + 2 * _CHOICE) if first else Pen(((middle, 0.0), (middle, 0.0)), x + 2 * _CHOICE)
+            mine = () if not signs or self._ends(branch) else signs
+            signs = () if mine else signs
+            placed = self.branch(branch, start, mine, column if branch.parts else 0)
+            dy = 0.0 if first else low + _ROW + placed.up
+            under = (middle, 0.0), (middle, float(_CHOICE))
+            room.put(placed if first else _from_below(placed, *under, dy), dy)
+            low = max(low, dy + max(placed.down, _CHOICE + 2 if first else 6))
+            if placed.pen is not None:
+                behind = placed.pen if first else _pen_from_below(placed.pen, *under, dy)
+                ends.append(Exit(down(behind, -dy), placed.right))
+        room.reach(0, 0, low)
+        if signs:
+            room.add(endless(room.right + 6, -8, group.label, signs))
+        return self._join(room, ends)
+
+    def _ends(self, branch: Branch) -> bool:
+        """Whether something follows a branch."""
+        return not branch.parts or self._plan.goes_on(branch.parts[-1])
+
+    def _join(self, room: Room, ends: Sequence[Exit]) -> Placed:
+        """Lines that meet at a joint on the axis, behind everything."""
+        if not ends:
+            return room.placed(None)
+        if len(ends) == 1 and ends[0].line.axis == 0:
+            return room.placed(ends[0].line)
+        x = max(room.right, *(end.line.at for end in ends)) + 8
+        for end in ends:
+            line = end.line
+            corner: tuple[Point, ...] = ((x, line.axis), (x, 0.0)) if line.axis != 0 else ((x, 0.0),)
+            room.add(line_to(line, *corner, arrow=False))
+        return room.placed(pen(x))
+
+    def branch(self, branch: Branch, line: Pen, signs: Link, least: float = 0.0) -> Placed:
+        """The parts of a line one after the other, from the link that leads to the first."""
+        room = Room()
+        x = line.at - 8 if line.is_joint else line.at + 12
+        behind: Pen | None
+        behind, written = over(line, branch.enter, self._words, self._wide, least)
+        room.add(*written)
+        for number, part in enumerate(branch.parts):
+            assert behind is not None
+            last = number == len(branch.parts) - 1
+            if number > 0:
+                row = (x, room.down) if last and not self._plan.goes_on(part) else None
+                behind = replace(behind, row=row)
+            ends_here = not last and not self._plan.goes_on(part)
+            placed = self.part(part, behind, signs if last else (), dotted=ends_here)
+            room.put(replace(placed, pen=None))
+            behind = placed.pen
+        return room.placed(behind)
+
+    # ---- parts -------------------------------------------------------------------------------------
+
+    def part(
+        self, part: Part, line: Pen, signs: Link, labels: tuple[str, ...] = (), dotted: bool = False
+    ) -> Placed:
+        """A block with the links back to it, onward and of what interrupts it.
+
+        The formulas `labels` are nothing but this part, and have its frame. If something stands behind it
+        that is never reached, it is `dotted` to there.
+        """
+        plan, block, links = self._plan, part.block, self._plan.links(part, dotted)
+        signs = (*signs, *links.never)
+        loops = isinstance(block, Group) and bool(links.again or links.back)
+        room = Room()
+        if part.cuts or links.again or links.back or links.events:
+            line = replace(line, row=None)
+        joint = line.at + 12
+        if loops:
+            room.add(line_to(line, (joint, 0), arrow=False))
+            line = replace(pen(joint), at=joint + 4)
+        silent = links.onward if plan.tabled(links.onward) and not loops else ()
+        silent += links.events if plan.tabled(links.events) else ()
+        inside = plan.is_endless(block.label) and not (loops and links.again)
+        rim = Rim(
+            labels,
+            signs if inside else (),
+            silent,
+            self._back_width(links.back if loops else links.again) + 16 * bool(links.back),
+            bool(links.events or links.back or part.cuts or labels),
+            not links.onward and not links.again,
+        )
+        body = self._body(block, line, rim)
+        shape = _border_of(body, block.label) if rim.leaves or not isinstance(block, Group) else None
+        if links.events and shape is not None:
+            rows = self._rows(links.events, silent, True)[0] + self._rows(links.onward, silent, False)[1]
+            body, shape = _taller(body, shape, rows * PITCH + 14)
+        room.put(replace(body, pen=None))
+        behind = body.pen
+        if loops:
+            behind = self._loop(room, body, joint, links, signs, block.label)
+            if links.back and shape is not None:
+                start = replace(pen(shape.x + shape.width - 12, shape.y), stroke=Stroke.CUT)
+                room.add(*self._back(links.back, start, joint, room.up if links.again else body.up))
+        elif links.again and shape is not None:
+            start = pen(shape.x + shape.width - 8, shape.y)
+            room.add(*self._back(links.again, start, shape.x + 8, body.up))
+        if signs and not inside and not (loops and links.again):
+            room.add(endless(room.right + 6, -8, block.label, signs))
+        ends = self._onward(room, behind, shape, links, silent, isinstance(block, Activity) and not signs)
+        for number, cut in enumerate(part.cuts):
+            assert shape is not None
+            # A lower one passes left of the texts above.
+            x = shape.x + 12 + 9 * (len(part.cuts) - 1 - number)
+            ends += self._cut(room, cut, (x, shape.y + shape.height))
+        return self._join(room, ends)
+
+    def _onward(
+        self, room: Room, behind: Pen | None, shape: Shape | None, links: Links, silent: Link, near: bool
+    ) -> list[Exit]:
+        """The lines to what follows a part; the texts of one that is `near` may stand over what is low."""
+        ends: list[Exit] = []
+        if links.lost:
+            x = shape.x + shape.width if shape is not None else room.right + 10
+            never = replace(pen(x), stroke=Stroke.NEVER, at=max(x, room.right))
+            never, written = self._over(never, links.lost, ())
+            room.add(*written)
+            ends.append(Exit(never, room.right))
+        if links.onward and behind is not None:
+            at = behind.at if near and not links.again else max(behind.at, room.right)
+            behind, written = self._over(replace(behind, at=at), links.onward, silent)
+            room.add(*written)
+            ends.append(Exit(behind, room.right))
+        if links.events and shape is not None:
+            y = shape.y + shape.height - 10
+            start = replace(pen(shape.x + shape.width, y), stroke=Stroke.CUT)
+            start, written = self._over(start, links.events, silent)
+            start = replace(start, at=start.at + (0 if written else 12))
+            room.add(*written)
+            room.reach(start.at, 0, y + 4)
+            ends.append(Exit(start, start.at))
+        return ends
+
+    def _body(self, block: Block, line: Pen, rim: Rim) -> Placed:
+        match block:
+            case Activity():
+                return self._nodes.activity(block, line, "", rim.least, rim.exits, rim.signs)
+            case Closed():
+                placed = self._nodes.closed(block, line, line.at + GAP, rim.signs)
+                return replace(placed, pen=None) if rim.stops else placed
+            case Parallel():
+                return self._parallel(block, line, rim)
+            case Group():
+                alone = self._plan.alone(block)
+                framed = self._plan.is_framed(block.label) and block.label not in self._bare
+                if alone is not None and framed and not rim.leaves:
+                    return self._named(block, alone, line, rim.signs)
+                if not rim.leaves and not framed:
+                    placed = self.group(block, line, rim.signs)
+                    return ended(placed, block.end or block.label) if rim.stops else placed
+                return self._framed(block, line, rim)
+            case _:
+                assert_never(block)
+
+    def _named(self, group: Group, part: Part, line: Pen, signs: Link) -> Placed:
+        """A formula that is one activity: a node with both names."""
+        activity = part.block
+        assert isinstance(activity, Activity)
+        line, _ = over(line, group.branches[0].enter, self._words, self._wide)
+        name = self._plan.heading(group.label)[0]
+        never = self._plan.never(part.onward)
+        placed = self._nodes.activity(activity, line, name, 0, (), (*signs, *never))
+        onward = self._plan.live(part.onward)
+        if not onward or placed.pen is None:
+            return replace(placed, pen=None)
+        behind, _ = over(placed.pen, onward, self._words, self._wide)
+        return replace(placed, pen=behind)
+
+    def _framed(self, group: Group, line: Pen, rim: Rim) -> Placed:
+        """An OR with a border; one that is nothing but another frame has that frame."""
+        part = self._plan.merges(group, rim.leaves)
+        if (
+            part is not None
+            and not rim.exits
+            and not rim.least
+            and (not rim.stops or self._plan.is_endless(group.label))
+        ):
+            line, _ = over(line, group.branches[0].enter, self._words, self._wide)
+            return self.part(part, line, rim.signs, (*rim.labels, group.label))
+        left = line.at + GAP - 4
+        inside = self.group(group, replace(line, at=left - 2, row=None), rim.signs)
+        if rim.stops:
+            inside = ended(inside, group.end or group.label)
+        room = Room()
+        room.put(inside)
+        branch = any(self._chart.is_branch(self._chart.node(label)) for label in (*rim.labels, group.label))
+        form = Form.PROTOCOL if branch else Form.FRAME
+        shape, written = self._nodes.border(
+            form, (*rim.labels, group.label), room, left, rim.exits, rim.least
+        )
+        made = Room()
+        made.add(shape, *written)
+        made.put(inside)
+        behind = inside.pen
+        if behind is not None:
+            behind = replace(behind, at=max(behind.at, shape.x + shape.width + 2))
+        return made.placed(behind)
+
+    def _parallel(self, block: Parallel, line: Pen, rim: Rim) -> Placed:
+        """An AND with the line to it; below a long line if it is wide itself and nothing follows."""
+        x = line.at + GAP
+        start = x if line.row is None else line.row[0]
+        frame = self.regions(block, start, rim)
+        room = Room()
+        if line.row is not None and frame.right - start > _WIDE and x > start + 60:
+            dy = line.row[1] + 24 + frame.up
+            room.put(frame, dy)
+            at, top = line.at + 16, dy - frame.up
+            corners: tuple[Point, ...] = ((at, 0.0),)
+            if at > frame.right - 20:
+                corners = ((at, 0.0), (at, top - 14), (frame.right - 20, top - 14))
+            room.add(line_to(line, *corners, (corners[-1][0], top)))
+            return room.placed(None)
+        room.put(frame, 0, x - start)
+        room.add(line_to(line, (x, 0)))
+        return room.placed(None if frame.pen is None else right_by(frame.pen, x - start))
+
+    # ---- lines -------------------------------------------------------------------------------------
+
+    def _over(self, line: Pen, link: Link, silent: Link) -> tuple[Pen, tuple[Text, ...]]:
+        """The pen after a link; the texts of `silent` ones stand in the state."""
+        if link and link[0] in silent:
+            return replace(line, chain=(*line.chain, link)), ()
+        return over(line, link, self._words, self._wide)
+
+    def _loop(
+        self, room: Room, body: Placed, joint: float, links: Links, signs: Link, label: str
+    ) -> Pen | None:
+        """The line back above a group; the pen behind it if something follows."""
+        if not links.again:
+            return body.pen
+        assert body.pen is not None
+        behind, least = body.pen, joint + self._back_width(links.again)
+        axis = behind.axis
+        reached = behind.is_joint and behind.at >= max(body.right, least)
+        x = behind.at if reached else max(max(behind.at, body.right) + 10, least)
+        if links.onward and not reached:
+            room.add(line_to(behind, (x, axis), arrow=False))
+            behind = pen(x, axis)
+        elif not reached:
+            behind = replace(behind, points=(*behind.points, (x, axis)), at=x)
+        texts = self._back(links.again, behind, joint, body.up)
+        room.add(*texts)
+        if signs or not links.onward:
+            written = [item.x + item.width for item in texts if isinstance(item, Text)]
+            line = next(item for item in texts if isinstance(item, Line))
+            room.add(endless(max(written, default=joint + 4) + 6, line.points[-2][1] - 7, label, signs))
+        return replace(behind, at=behind.at + 8) if links.onward else None
+
+    def _back(self, link: Link, start: Pen, joint: float, top: float) -> list[Element]:
+        """A line from a pen up, back, and down to a joint, with its texts above.
+
+        A plain line from the border above only goes back to the node that it leaves.
+        """
+        _, below = link_rows(self._words, link, self._wide, start.stroke is Stroke.CUT)
+        axis = -top - 8 - len(below) * PITCH
+        after, written = over(
+            Pen(((joint, axis),), joint + 2, (), start.stroke), link, self._words, self._wide
+        )
+        arc = start.stroke is Stroke.PLAIN and start.axis < 0 and not start.chain
+        points = (
+            *start.points,
+            (start.points[-1][0], axis),
+            (joint, axis),
+            (joint, start.axis if arc else 0.0),
+        )
+        return [*written, Line(points, (*start.chain, *after.chain), after.stroke)]
+
+    def _back_width(self, link: Link) -> float:
+        """How long a line back must be for its texts."""
+        above, below = link_rows(self._words, link, self._wide, True)
+        return max((width(*row) + 36 for row, _ in (*above, *below)), default=0.0)
+
+    def _rows(self, link: Link, silent: Link, cuts: bool) -> tuple[int, int]:
+        """How many rows stand above and below the line of a link."""
+        if link and link[0] in silent:
+            return 0, 0
+        above, below = link_rows(self._words, link, self._wide, cuts)
+        return len(above), len(below)
+
+    def _cut(self, room: Room, cut: Cut, start: Point) -> list[Exit]:
+        """What interrupts a block: its line leaves the border below."""
+        x, bottom = start
+        line = replace(Pen(((x, 0.0), (x, 0.0)), x), stroke=Stroke.CUT)
+        line, written = over(line, cut.enter, self._words, self._wide)
+        placed = self.part(cut.part, line, ())
+        made = Room()
+        made.add(*written)
+        made.put(placed)
+        moved = made.placed(placed.pen)
+        dy = max(room.down, bottom) + _ROW + moved.up
+        room.put(_from_below(moved, (x, 0.0), (x, bottom), dy), dy)
+        if moved.pen is None:
+            return []
+        return [Exit(down(_pen_from_below(moved.pen, (x, 0.0), (x, bottom), dy), -dy), moved.right)]
+
+
+def _from_below(placed: Placed, mark: Point, start: Point, dy: float) -> Placed:
+    """What was placed from a mark on its own axis; its first line begins elsewhere when it is `dy` lower."""
+
+    def moved(item: Element) -> Element:
+        if isinstance(item, Line) and item.points[:2] == (mark, mark):
+            return replace(item, points=((start[0], start[1] - dy), *item.points[1:]))
+        return item
+
+    return replace(placed, elements=tuple(map(moved, placed.elements)))
+
+
+def _pen_from_below(line: Pen, mark: Point, start: Point, dy: float) -> Pen:
+    if line.points[:2] != (mark, mark):
+        return line
+    return replace(line, points=((start[0], start[1] - dy), *line.points[1:]))
+
+
+def _border_of(placed: Placed, label: str) -> Shape | None:
+    """The border of a state among what has been placed."""
+    forms = (Form.FIELD, Form.ENDLESS, Form.PILL)
+    shapes = (item for item in placed.elements if isinstance(item, Shape) and item.form not in forms)
+    return next((item for item in shapes if item.state == label or label in item.also), None)
+
+
+def _taller(placed: Placed, shape: Shape, below: float) -> tuple[Placed, Shape]:
+    """The border so high that it reaches so far below the axis."""
+    missing = below - (shape.y + shape.height)
+    if missing <= 0:
+        return placed, shape
+    made = replace(shape, height=shape.height + missing)
+    elements = tuple(made if item is shape else item for item in placed.elements)
+    return replace(placed, elements=elements, down=max(placed.down, below)), made
