@@ -84,9 +84,9 @@ Block = Activity | Parallel | Group | Closed
 
 
 def blocks(chart: Statechart, top: str, closed: frozenset[str] = frozenset()) -> Group:
-    """The OR `top` of a chart as blocks, with the composites `closed` closed, and those that are no formula.
+    """The OR `top` of a chart as blocks, with the composites `closed` closed, and those without a formula.
 
-    Raises NotCompact if the outermost one is none.
+    Raises NotCompact if the outermost one has none.
     """
     if chart.levels > DEEPEST:
         raise NotCompact(f"it has {chart.levels} levels, more than {DEEPEST}")
@@ -117,7 +117,7 @@ class _Reader:
         branches = []
         ways = [(first, enter)] if choice is None else self._ways(choice)
         for target, link in ways:
-            parts, back = self._line(target, end, choice, left)
+            parts, back = self._line(target, end, left)
             reactive += back
             branches.append(Branch(link, parts))
         if left:
@@ -125,7 +125,7 @@ class _Reader:
         for item in inside:
             if rest := self._links.get(item.label):
                 (target, _, _) = next(iter(rest))
-                raise NotCompact(f"the arrow from state {item.label} to {target} is none of a formula")
+                raise NotCompact(f"the arrow from state {item.label} to {target} belongs to no formula")
         entered = () if choice is None else enter
         return Group(state.label, start, end, choice, entered, tuple(branches), tuple(reactive))
 
@@ -148,21 +148,17 @@ class _Reader:
             raise NotCompact(f"state {label} has {len(ways)} ways onward")
         return ways[0]
 
-    def _line(
-        self, label: str | None, end: str | None, choice: str | None, left: set[str]
-    ) -> tuple[tuple[Part, ...], list[int]]:
-        """The parts from a state to the END, and the reactive transitions from them to the choice."""
+    def _line(self, label: str | None, end: str | None, left: set[str]) -> tuple[tuple[Part, ...], list[int]]:
+        """The parts from a state to the END, and the reactive transitions from them."""
         parts: list[Part] = []
         back: list[int] = []
         while label is not None and label != end:
-            part, label, reactive = self._part(label, end, choice, left)
+            part, label, reactive = self._part(label, end, left)
             parts.append(part)
             back += reactive
         return tuple(parts), back
 
-    def _part(
-        self, label: str, end: str | None, choice: str | None, left: set[str]
-    ) -> tuple[Part, str | None, list[int]]:
+    def _part(self, label: str, end: str | None, left: set[str]) -> tuple[Part, str | None, list[int]]:
         if label not in left:
             raise NotCompact(f"lines lead to state {label} in several ways")
         left.remove(label)
@@ -172,7 +168,7 @@ class _Reader:
         onward: list[tuple[str, Link]] = []
         cuts: list[tuple[str, Link]] = []
         for (to, first, reactive), places in links.items():
-            if reactive and to == choice:
+            if reactive:
                 back += places
             elif first:
                 cuts.append((to, tuple(places)))
@@ -192,7 +188,7 @@ class _Reader:
         way = onward[0][1] if onward else ()
         interrupts = []
         for other, entered in cuts:
-            part, after, reactive_too = self._part(other, end, choice, left)
+            part, after, reactive_too = self._part(other, end, left)
             back += reactive_too
             if after not in (None, end) or target not in (None, end):
                 raise NotCompact(f"what interrupts state {label} does not lead where it leads")
@@ -217,7 +213,7 @@ class _Reader:
                 raise NotCompact(f"state {label} is a {state.type.value} where a formula has none")
 
     def _whole(self, state: State) -> Group | Closed:
-        """An OR, closed if it is no formula."""
+        """An OR, closed if it has no formula."""
         if state.label in self._closed:
             return Closed(state.label)
         try:

@@ -104,7 +104,7 @@ def _marks(
                 place in hidden
                 or (not item.changes_state and item.source in states)
                 or (place in follows.never and item.source in states | around)
-                or (item.reactive and item.target == shape.state)
+                or (item.reactive and chart.node(item.target).parent == chart.node(shape.state).parent)
                 or (
                     shape.form is Form.PARALLEL
                     and chart.node(item.source).type is StateType.START

@@ -303,9 +303,10 @@ class Placer:
             if links.back and shape is not None:
                 start = replace(pen(shape.x + shape.width - 12, shape.y), stroke=Stroke.CUT)
                 room.add(*self._back(links.back, start, joint, room.up if links.again else body.up))
-        elif links.again and shape is not None:
-            start = pen(shape.x + shape.width - 8, shape.y)
-            room.add(*self._back(links.again, start, shape.x + 8, body.up))
+        elif shape is not None:
+            for link, stroke in ((links.again, Stroke.PLAIN), (links.back, Stroke.CUT)):
+                start = replace(pen(shape.x + shape.width - 8, shape.y), stroke=stroke)
+                room.add(*(self._back(link, start, shape.x + 8, room.up, arc=True) if link else ()))
         if signs and not inside and not (loops and links.again):
             room.add(endless(room.right + 6, -8, block.label, signs))
         ends = self._onward(room, behind, shape, links, silent, isinstance(block, Activity) and not signs)
@@ -458,23 +459,17 @@ class Placer:
             room.add(endless(max(written, default=joint + 4) + 6, line.points[-2][1] - 7, label, signs))
         return replace(behind, at=behind.at + 8) if links.onward else None
 
-    def _back(self, link: Link, start: Pen, joint: float, top: float) -> list[Element]:
+    def _back(self, link: Link, start: Pen, joint: float, top: float, *, arc: bool = False) -> list[Element]:
         """A line from a pen up, back, and down to a joint, with its texts above.
 
-        A plain line from the border above only goes back to the node that it leaves.
+        An arc goes back to the border that it leaves.
         """
         _, below = link_rows(self._words, link, self._wide, start.stroke is Stroke.CUT)
         axis = -top - 8 - len(below) * PITCH
-        after, written = over(
-            Pen(((joint, axis),), joint + 2, (), start.stroke), link, self._words, self._wide
-        )
-        arc = start.stroke is Stroke.PLAIN and start.axis < 0 and not start.chain
-        points = (
-            *start.points,
-            (start.points[-1][0], axis),
-            (joint, axis),
-            (joint, start.axis if arc else 0.0),
-        )
+        at = Pen(((joint, axis),), joint + 2, (), start.stroke)
+        after, written = over(at, link, self._words, self._wide)
+        end = (joint, start.axis if arc else 0.0)
+        points = (*start.points, (start.points[-1][0], axis), (joint, axis), end)
         return [*written, Line(points, (*start.chain, *after.chain), after.stroke)]
 
     def _back_width(self, link: Link) -> float:
