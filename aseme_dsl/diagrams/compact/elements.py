@@ -90,8 +90,10 @@ class Shape:
     height: float
     state: str
     marks: Link = ()
-    """The transitions that it stands for itself: those that stay in the state, reactive ones, those of a pill
-    or a closed state, and of an endless state those that are never taken."""
+    """The transitions that it stands for itself: those that stay in the state, and the reactive ones of a choice.
+
+    A pill and a closed state stand for all inside, an endless state for those that are never taken.
+    """
     also: tuple[str, ...] = ()
     """Other states that have the same border: the formula that is nothing but this frame."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from aseme_dsl.amola.statechart import Statechart, StateType
-from aseme_dsl.diagrams.compact.lives import Lives
+from aseme_dsl.diagrams.compact.endings import Endings
 
 
 class Follows:
@@ -18,7 +18,7 @@ class Follows:
             )
             for state in chart.states
         }
-        never = Lives(chart).never
+        never = Endings(chart).never
         self.after = tuple(frozenset(self._of(place)) - never for place in range(len(chart.transitions)))
         self.never = never
 

@@ -10,7 +10,7 @@ from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.diagrams.compact.blocks import Group, Parallel, blocks
 from aseme_dsl.diagrams.compact.elements import Look, Picture, Shape, Text
-from aseme_dsl.diagrams.compact.lives import Lives
+from aseme_dsl.diagrams.compact.endings import Endings
 from aseme_dsl.diagrams.compact.parts import Placer, Rim
 from aseme_dsl.diagrams.compact.pen import PITCH, Placed, Room, text
 from aseme_dsl.diagrams.compact.plan import Plan
@@ -41,11 +41,11 @@ def layout(chart: Statechart, activities: Iterable[Activity] = (), wanted: Wante
     wanted = wanted or Wanted(chart.root.label)
     known = tuple(activities)
     root = blocks(chart, wanted.top, wanted.closed)
-    lives, first = Lives(chart), Words(chart, known)
+    endings, first = Endings(chart), Words(chart, known)
     best: Picture | None = None
     for wide in _WIDTHS:
         words = first.anew()
-        picture = _page(chart, root, words, Plan(chart, words, lives), wide, wanted)
+        picture = _page(chart, root, words, Plan(chart, words, endings), wide, wanted)
         if best is None or _scale(picture) > _scale(best):
             best = picture
         if _scale(best) >= 1:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from aseme_dsl.amola.statechart import OriginKind, State, Statechart, transition_text
 from aseme_dsl.diagrams.compact.blocks import Activity, Block, Closed, Group, Parallel, Part, inside
 from aseme_dsl.diagrams.compact.elements import Link
-from aseme_dsl.diagrams.compact.lives import Lives
+from aseme_dsl.diagrams.compact.endings import Endings
 from aseme_dsl.diagrams.compact.words import Words
 
 _TABLE = 3
@@ -19,7 +19,7 @@ _TABLE = 3
 class Links:
     """The links of a part by how they are drawn.
 
-    `again` and `onward` wait until the part is complete; `back` and `events` cut it short. `lost` lead to
+    `again` and `onward` wait until the part is complete; `back` and `events` interrupt it. `lost` lead to
     what is never reached, and are drawn all the same; `never` are not drawn as lines.
     """
 
@@ -34,10 +34,10 @@ class Links:
 class Plan:
     """Answers questions about the blocks of one chart."""
 
-    def __init__(self, chart: Statechart, words: Words, lives: Lives) -> None:
+    def __init__(self, chart: Statechart, words: Words, endings: Endings) -> None:
         self._chart = chart
         self._words = words
-        self._lives = lives
+        self._endings = endings
         staying: dict[str, list[int]] = {}
         for place, item in enumerate(chart.transitions):
             if not item.changes_state:
@@ -49,13 +49,13 @@ class Plan:
         return self._staying.get(label, ())
 
     def live(self, link: Link) -> Link:
-        return tuple(place for place in link if place not in self._lives.never)
+        return tuple(place for place in link if place not in self._endings.never)
 
     def never(self, link: Link) -> Link:
-        return tuple(place for place in link if place in self._lives.never)
+        return tuple(place for place in link if place in self._endings.never)
 
     def events(self, block: Block, link: Link) -> Link:
-        """Those that cut short what is inside a composite."""
+        """Those that interrupt what is inside a composite."""
         if isinstance(block, Activity):
             return ()
         items = self._chart.transitions
@@ -78,7 +78,7 @@ class Plan:
         )
 
     def is_endless(self, label: str) -> bool:
-        return not self._lives.completes(label)
+        return not self._endings.completes(label)
 
     def goes_on(self, part: Part) -> bool:
         """Whether something follows a part."""

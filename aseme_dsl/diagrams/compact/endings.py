@@ -1,4 +1,4 @@
-"""Lives: which states can be complete, and which transitions can therefore never be taken."""
+"""Endings: which states can be complete, and which transitions can therefore never be taken."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from aseme_dsl.amola.statechart import Statechart, StateType
 
 
-class Lives:
-    """What the transitions of a chart allow, whatever the conditions say."""
+class Endings:
+    """What the transitions of a chart allow if any condition may hold."""
 
     def __init__(self, chart: Statechart) -> None:
         self._chart = chart
