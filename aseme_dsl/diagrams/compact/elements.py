@@ -90,7 +90,7 @@ class Shape:
     height: float
     state: str
     marks: Link = ()
-    """The transitions that it stands for itself: those that stay in the state, and the reactive ones of a choice.
+    """The transitions that it stands for itself: those that stay in it, and the reactive ones of a choice.
 
     A pill and a closed state stand for all inside, an endless state for those that are never taken.
     """

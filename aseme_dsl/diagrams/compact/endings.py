@@ -58,4 +58,4 @@ class Endings:
         return bool(item.expression.events) or item.expression.when or self._complete[item.source]
 
 
-__all__ = ["Lives"]
+__all__ = ["Endings"]
