@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Fill, Literal, Value, value_text
@@ -169,3 +169,13 @@ def plays_inside(plays: Iterable[Plays], aips: Iterable[Aip]) -> Iterator[Plays]
         yield item
         parts = by_name[item.protocol].participants if item.protocol in by_name else ()
         waiting += [other for part in parts if part.name == item.participant for other in part.plays[::-1]]
+
+
+def answers_when_busy(plays: Iterable[Plays]) -> Mapping[tuple[str, str], frozenset[tuple[str, str]]]:
+    """Of each participant, as (protocol, participant): the messages that its players answer while busy."""
+    found: dict[tuple[str, str], frozenset[tuple[str, str]]] = {}
+    for item in plays:
+        if item.busy is not None:
+            whole = (item.protocol, item.participant)
+            found[whole] = found.get(whole, frozenset()) | {(item.busy.performative, item.busy.message)}
+    return found

@@ -6,7 +6,9 @@ import pytest
 
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics.pages import page
+from aseme_dsl.project.code.activity_code import check_silence
 from aseme_dsl.source import Source
+from tests.support.compiling import system
 
 PLAYS = 'plays work.worker when busy refuse Sorry { text = "later" }'
 
@@ -71,3 +73,76 @@ def test_two_answers_of_one_participant() -> None:
 def test_nothing_behind_busy() -> None:
     assert [item[0] for item in found("plays work.worker when busy")] == ["E100"]
     assert [item[0] for item in found("plays work.worker when busy refuse Sorry { .. } now")] == ["E102"]
+
+
+TAXI = """system Taxis
+message Call { int floor }
+aip rides {
+  participant caller {
+    sends    request Call
+    receives inform Call, refuse Call
+    process  = Ask [> Ride
+  }
+  participant taxi {
+    sends    inform Call, refuse Call
+    receives request Call
+    process  = Stand [> Drive
+  }
+  control caller {
+    enter Ask  : / send request Call { floor = 1 } to taxi
+    enter Ride : refuse Call from taxi
+    leave Ride : after(1s)
+  }
+  control taxi {
+    enter Stand : request Call from caller
+    enter Drive : after(1s)
+    leave Drive : / send inform Call { .. } to caller
+  }
+}
+srm person { plays rides.caller  liveness { person = caller }  activities { Ask waits  Ride waits } }
+srm car {
+  plays rides.taxi when busy refuse Call
+  liveness { car = taxi~ }
+  activities { Stand waits  Drive takes 1s }
+}
+team Town { ann : person  t : car }
+"""
+
+
+def about_refuse(text: str) -> list[tuple[str, str, str | None]]:
+    """What is said of who sends the refusal."""
+    problems = analyse(Source("/nowhere/taxis.aseme", text)).diagnostics
+    return [
+        (item.code, item.message, item.hint)
+        for item in problems
+        if item.code in ("N755", "W553", "W556", "W524")
+    ]
+
+
+def test_a_busy_answer_is_a_message_that_is_sent() -> None:
+    assert about_refuse(TAXI) == []
+    assert about_refuse(TAXI.replace("busy refuse Call", "busy refuse")) == []
+    without = TAXI.replace(" when busy refuse Call", "")
+    assert [item[0] for item in about_refuse(without)] == ["N755"]
+    assert [item[0] for item in about_refuse(TAXI.replace("busy refuse Call", "busy queue"))] == ["N755"]
+
+
+def test_the_hint_names_an_activity_that_can_send() -> None:
+    without = TAXI.replace(" when busy refuse Call", "")
+    assert about_refuse(without)[0][2] == "write `sends refuse Call by Drive`"
+    silent = without.replace("Drive takes 1s }", "Drive takes 1s simulated }")
+    assert "N755" not in [item[0] for item in about_refuse(silent)], "nothing may send it, not anything"
+    bound = silent.replace("plays rides.taxi", "plays rides.taxi with Drive = Fly").replace(
+        "Drive takes", "Fly takes"
+    )
+    assert "N755" not in [item[0] for item in about_refuse(bound)]
+    coded = bound.replace("1s simulated }\n}\nteam", "1s }\n}\nteam")
+    assert about_refuse(coded)[0][2] == "write `sends refuse Call by Drive`"
+
+
+def test_a_simulated_part_refuses_while_it_is_busy() -> None:
+    simulated = TAXI.replace("Drive takes 1s }", "Drive takes 1s simulated }")
+    assert about_refuse(simulated) == []
+    assert [item.code for item in check_silence(system(simulated))[0]] == ["W556"], (
+        "`inform Call` is not taken"
+    )

@@ -63,7 +63,7 @@ def check_whole(
         found.add((yield from waits))
         races = check_races(processes.aips, charts.eacs, fulfilment.srms, memory)
         found.add((yield from races))
-        found.add(check_moves(processes.aips, charts.eacs))
+        found.add(check_moves(processes.aips, charts.eacs, fulfilment.srms, activities))
         found.add(check_prepared(processes.aips, charts.eacs))
         found.add(check_busy(processes.aips, charts.eacs, fulfilment.srms))
         found.add(too_few)

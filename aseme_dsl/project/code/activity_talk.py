@@ -10,7 +10,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from aseme_dsl.amola.aip import AgentMessage, Participant
+from aseme_dsl.amola.aip import AgentMessage, Participant, answers_when_busy, plays_inside
 from aseme_dsl.amola.expression import Received, Send
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.amola.system import System
@@ -179,14 +179,16 @@ def unsaid(
 ) -> Iterator[Diagnostic]:
     """W556 for what a participant lists and neither a line of it nor one of its activities sends or takes.
 
-    Only where there is code of all activities of the participant, or they are simulated, and so say nothing:
-    else it may still be written. What a wrong call (W555) may have been meant for is not told.
+    What a role answers while it is busy is sent. Only where there is code of all activities of the
+    participant, or they are simulated, and so say nothing: else it may still be written. What a wrong call
+    (W555) may have been meant for is not told.
     """
     activities: dict[int, list[str]] = {}
     for name, mine in parts.items():
         for part in mine:
             activities.setdefault(id(part), []).append(name)
     shared = tuple(helpers)
+    busy = answers_when_busy(item for srm in system.srms for item in plays_inside(srm.plays, system.aips))
     for aip in system.aips:
         chart = system.eac(aip.name)
         if chart is None or is_of_library(aip.span.source):
@@ -199,11 +201,19 @@ def unsaid(
             wrong = [
                 talk for name in names for talk in talks[name] if not _fits(talk, _listed(talk, parts[name]))
             ]
-            yield from _never(part, chart, said, wrong)
+            answers = busy.get((aip.name, part.name), frozenset())
+            yield from _never(part, chart, said, wrong, answers)
 
 
-def _never(part: Participant, chart: Statechart, said: list[Talk], wrong: list[Talk]) -> Iterator[Diagnostic]:
+def _never(
+    part: Participant,
+    chart: Statechart,
+    said: list[Talk],
+    wrong: list[Talk],
+    busy: Collection[tuple[str, str]],
+) -> Iterator[Diagnostic]:
     sent, taken = _by_lines(chart, part)
+    sent.update(busy)
     verbs: tuple[Literal["sends", "takes"], ...] = ("sends", "takes")
     for verb in verbs:
         items, lines = (part.sends, sent) if verb == "sends" else (part.receives, taken)

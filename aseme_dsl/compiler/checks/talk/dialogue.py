@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 
-from aseme_dsl.amola.aip import Aip, Participant, Plays, plays_inside
+from aseme_dsl.amola.aip import Aip, Participant, Plays, answers_when_busy, plays_inside
 from aseme_dsl.amola.expression import Event, Received, Send
 from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition
@@ -53,14 +53,21 @@ def check_waits(
     """W553 for a state that waits only for messages that no other participant can have sent by then.
 
     The check treats all else as possible: conditions hold, deadlines pass, and agents are lost. An activity
-    that is not simulated may send each message that its participant lists and no transition sends. So each
-    reported state is a certain deadlock. Protocols of the standard library are checked if a role plays them.
+    that is not simulated may send each message that its participant lists and no transition sends, and a
+    participant what its role answers while it is busy. So each reported state is a certain deadlock.
+    Protocols of the standard library are checked if a role plays them.
     """
     aips = list(aips)
     plays = [item for srm in srms for item in plays_inside(srm.plays, aips)]
     played = {item.protocol for item in plays}
+    busy = answers_when_busy(plays)
     looked_at = [
-        (aip, chart, memory.same((aip.name, "silent"), _silent(aip, chart, plays, activities)))
+        (
+            aip,
+            chart,
+            memory.same((aip.name, "silent"), silent_activities(chart, plays, activities)),
+            memory.same((aip.name, "busy"), _answers(aip, busy)),
+        )
         for aip in aips
         if (chart := eacs.get(aip.name)) is not None
         and (aip.name in played or not is_of_library(aip.span.source))
@@ -68,27 +75,46 @@ def check_waits(
     return list(chain.from_iterable((yield from memory.each_in_pieces(_waits, looked_at))))
 
 
-def _silent(
-    aip: Aip, chart: Statechart, plays: Iterable[Plays], activities: Mapping[str, Activity]
+def silent_activities(
+    chart: Statechart, plays: Iterable[Plays], activities: Mapping[str, Activity]
 ) -> frozenset[str]:
     """The activities of a protocol that are simulated in each role that plays it: they send nothing."""
-    bindings = [dict(item.bindings) for item in plays if item.protocol == aip.name] or [{}]
-    names = {node.activity for node in chart.states if node.activity is not None}
+    bindings: dict[tuple[str, str], list[dict[str, str]]] = {}
+    for item in plays:
+        bindings.setdefault((item.protocol, item.participant), []).append(dict(item.bindings))
+    performed: dict[str, set[str]] = {}
+    for node in chart.states:
+        if node.activity is not None:
+            branch = chart.branch_of(node.label)
+            origin = chart.node(branch or chart.root.label).origin
+            bound = bindings.get((origin.owner, origin.name), [{}])
+            own = {names.get(node.activity, node.activity) for names in bound}
+            performed.setdefault(node.activity, set()).update(own)
     return frozenset(
         name
-        for name in names
-        if all(
-            (said := activities.get(bound.get(name, name))) is not None and not said.has_code
-            for bound in bindings
-        )
+        for name, own in performed.items()
+        if all((said := activities.get(item)) is not None and not said.has_code for item in own)
     )
 
 
-def _waits(aip: Aip, chart: Statechart, silent: frozenset[str]) -> tuple[Diagnostic, ...]:
+def _answers(
+    aip: Aip, busy: Mapping[tuple[str, str], Iterable[tuple[str, str]]]
+) -> tuple[tuple[str, str, str], ...]:
+    """What participants answer while they are busy: participant, performative and message."""
+    return tuple(
+        (part.name, *said)
+        for part in aip.participants
+        for said in sorted(busy.get((aip.name, part.name), ()))
+    )
+
+
+def _waits(
+    aip: Aip, chart: Statechart, silent: frozenset[str], busy: tuple[tuple[str, str, str], ...]
+) -> tuple[Diagnostic, ...]:
     regions = _regions(chart, aip)
     if len(aip.participants) < 2 or len(regions) < len(aip.participants):
         return ()
-    stuck = list(_stuck(chart, regions, _possible(chart, regions, aip, silent)))
+    stuck = list(_stuck(chart, regions, _possible(chart, regions, aip, silent, busy)))
     return (_told(stuck),) if stuck else ()
 
 
@@ -100,9 +126,15 @@ def _regions(chart: Statechart, aip: Aip) -> dict[str, str]:
     return {node.name: node.label for node in children if node.name in names}
 
 
-def _possible(chart: Statechart, regions: Mapping[str, str], aip: Aip, silent: frozenset[str]) -> _Known:
+def _possible(
+    chart: Statechart,
+    regions: Mapping[str, str],
+    aip: Aip,
+    silent: frozenset[str],
+    busy: Iterable[tuple[str, str, str]],
+) -> _Known:
     """What can be reached and said, from the begin of all participants on."""
-    known = _Known()
+    known = _Known(said={_Said(performative, message, name, None) for name, performative, message in busy})
     parts = {item.name: item for item in aip.participants}
     for label in regions.values():
         _enter(chart, label, known)
@@ -291,4 +323,4 @@ def _too_few(team: Team, aip: Aip, part: Participant, most: int, idle: Sequence[
     return Diagnostic(problem, part.span, tuple(related))
 
 
-__all__ = ["check_multiplicity", "check_waits"]
+__all__ = ["check_multiplicity", "check_waits", "silent_activities"]
