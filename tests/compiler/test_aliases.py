@@ -240,3 +240,26 @@ team T { a : asker  d : desk }
         "talk_desk~",
         "talk_desk",
     ]
+
+
+def test_a_role_that_calls_its_participant_as_charts_do_is_told_what_to_write() -> None:
+    text = """\
+system P
+message Want { int n }
+aip talk {
+  participant asker { sends request Want  process = Ask }
+  participant desk { receives request Want  process = Serve }
+  control asker { enter Ask : / send request Want { n = 1 } to desk }
+  control desk { enter Serve : request Want from asker }
+}
+srm asker { plays talk.asker  liveness { asker = asker }  activities { Ask takes 1s } }
+srm desk { plays talk.desk  liveness { desk = talk_desk~ }  activities { Serve takes 1s } }
+team T { a : asker  d : desk }
+"""
+    [item] = [item for item in analysed(text).diagnostics if item.code.startswith("E")]
+    assert (item.code, item.span.text) == ("E306", "desk")
+    assert "`desk = desk`" in (item.hint or "")
+    assert [(edit.span.text, edit.text) for edit in item.edits] == [("talk_desk", "desk")]
+    assert analysed(text.replace("talk_desk", "desk")).diagnostics == ()
+    without = analysed(text.replace("desk = talk_desk~", "desk = Serve~")).diagnostics
+    assert [item.edits for item in without if item.code == "E306"] == [()]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.expression import (
@@ -28,6 +28,7 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.messages import ChannelKind
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import OriginKind, State, Statechart, StateType, Transition, TransitionKind
+from aseme_dsl.compiler.chart.asking import NOTHING_ASKED, Asked, asked_in, waits_for
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
 from aseme_dsl.diagnostics.problems.control import (
@@ -67,7 +68,7 @@ def check_flow(chart: Statechart, contradict: Contradict = lambda _, __: False) 
     """
     edges = _edges(chart)
     found = list(_endless_waits(chart, edges))
-    for circle, at_once in _cycles(chart, edges, contradict, {}):
+    for circle, at_once in _cycles(_Search(chart, edges, contradict)):
         found.append(_restless(chart, circle, at_once))
     return tuple(found)
 
@@ -88,7 +89,7 @@ def check_pace(chart: Statechart, quick: Mapping[str, Activity]) -> Iterator[Dia
         for scope, found in _edges(chart).items()
     }
     told: set[Span] = set()
-    for circle, _ in _cycles(chart, edges, _plainly, {label: () for label in labels}):
+    for circle, _ in _cycles(_Search(chart, edges, _plainly, labels)):
         sources = [edge.source for edge in circle]
         inside = [
             node
@@ -353,55 +354,109 @@ def _endless_wait(chart: Statechart, transition: Transition, target: State) -> D
 # ---- cycles --------------------------------------------------------------------------------------
 
 
-def _cycles(
-    chart: Statechart,
-    edges: Mapping[str, list[_Edge]],
-    contradict: Contradict,
-    quick_states: Mapping[str, tuple[Transition, ...]],
-) -> Iterator[tuple[list[_Edge], AtOnce]]:
-    """The cycles that repeat without a wait, each with the transitions inside states that complete at once.
+@dataclass(frozen=True, slots=True)
+class _Through:
+    """The transitions by which a state completes without an activity, an event or time.
 
-    `quick_states` complete at once as well.
+    `certain` are those of its only way; with several ways there are none. `example` are those of one way.
     """
-    at_once: AtOnce = dict(quick_states)
+
+    certain: tuple[Transition, ...] = ()
+    example: tuple[Transition, ...] = ()
+
+
+AtOnce = dict[str, _Through]
+"""The states that complete without an activity, an event or time."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Search:
+    """What a search for cycles knows: `quick_states` complete at once, and nobody has answered `asked`."""
+
+    chart: Statechart
+    edges: Mapping[str, list[_Edge]]
+    contradict: Contradict
+    quick_states: Collection[str] = ()
+    asked: Asked = NOTHING_ASKED
+
+
+def _cycles(search: _Search) -> Iterator[tuple[list[_Edge], AtOnce]]:
+    """The cycles that repeat without a wait, each with the states that complete at once.
+
+    A cycle that sends or starts a timer, and then needs the answer or the end of the timer, waits for it.
+    """
+    chart, at_once = search.chart, _at_once(search)
     for node in reversed(chart.states):
-        if node.type is StateType.AND:
-            inside = [at_once.get(child.label) for child in chart.children(node.label)]
-            if None not in inside:
-                at_once[node.label] = tuple(item for way in inside if way is not None for item in way)
         if node.type is not StateType.OR:
             continue
-        quick: dict[str, list[_Edge]] = {}
-        for edge in edges.get(node.label, ()):
-            if _is_quick(chart, edge, at_once):
-                quick.setdefault(edge.source, []).append(edge)
+        for circle in _circles(_quick(search, node, at_once)):
+            asked = asked_in(chart, [edge.transition for edge in circle], [edge.source for edge in circle])
+            if not asked:
+                restless = _restless_walk(search, node, circle, at_once)
+                if restless is not None:
+                    yield restless, at_once
+                continue
+            waiting = replace(search, asked=asked)
+            sources = {edge.source for edge in circle}
+            still = _at_once(waiting)
+            for other in _circles(_quick(waiting, node, still)):
+                if sources & {edge.source for edge in other}:
+                    restless = _restless_walk(waiting, node, other, still)
+                    if restless is not None:
+                        yield restless, still
+                        break
+
+
+def _restless_walk(search: _Search, node: State, circle: list[_Edge], at_once: AtOnce) -> list[_Edge] | None:
+    """A circle, or another walk round its states, whose conditions do not contradict each other."""
+    if _is_bare(search.chart, circle) or not _comes_to_rest(search, _all_of(circle, at_once)):
+        return circle
+    quick = _quick(search, node, at_once)
+    others = (_walks(search, quick, edge.source, edge.source, at_once) for edge in circle)
+    other = next((walks[0] for walks in others if walks), None)
+    return None if other is None else other or circle
+
+
+def _at_once(search: _Search) -> AtOnce:
+    """The OR and AND states that complete at once, inner ones first."""
+    chart = search.chart
+    found: AtOnce = {label: _Through() for label in search.quick_states}
+    for node in reversed(chart.states):
+        if node.type is StateType.AND:
+            inside = [found.get(child.label) for child in chart.children(node.label)]
+            if None not in inside:
+                certain = tuple(item for way in inside if way is not None for item in way.certain)
+                example = tuple(item for way in inside if way is not None for item in way.example)
+                found[node.label] = _Through(certain, example)
+        if node.type is not StateType.OR:
+            continue
         start, end = chart.start_of(node.label), chart.end_of(node.label)
         if start is not None and end is not None:
-            ways = _walks(chart, quick, start.label, end.label, at_once, contradict)
+            ways = _walks(search, _quick(search, node, found), start.label, end.label, found)
             if ways:
-                at_once[node.label] = _all_of(ways[0], at_once) if len(ways) == 1 else ()
-        for circle in _circles(quick):
-            if _is_bare(chart, circle) or not _comes_to_rest(chart, _all_of(circle, at_once), contradict):
-                yield circle, at_once
-                continue
-            others = (_walks(chart, quick, edge.source, edge.source, at_once, contradict) for edge in circle)
-            other = next((walks[0] for walks in others if walks), None)
-            if other is not None:
-                yield other or circle, at_once
+                example = _all_of(ways[0], found, certain=False)
+                found[node.label] = _Through(_all_of(ways[0], found) if len(ways) == 1 else (), example)
+    return found
 
 
-AtOnce = dict[str, tuple[Transition, ...]]
-"""The OR and AND states that complete without an activity, an event or time, with the transitions by which
-they do: none where there are several ways."""
+def _quick(search: _Search, node: State, at_once: AtOnce) -> dict[str, list[_Edge]]:
+    """Of each child of an OR state: the transitions that may be taken without a wait."""
+    found: dict[str, list[_Edge]] = {}
+    for edge in search.edges.get(node.label, ()):
+        if _is_quick(search, edge, at_once):
+            found.setdefault(edge.source, []).append(edge)
+    return found
 
 
-def _is_quick(chart: Statechart, edge: _Edge, at_once: AtOnce) -> bool:
+def _is_quick(search: _Search, edge: _Edge, at_once: AtOnce) -> bool:
     """Whether a transition may be taken again and again while nothing arrives and no time passes."""
     expression = edge.transition.expression
     never = expression is NEVER or edge.transition.reactive
     if expression.events or expression.every or never or _rests(expression):
         return False
-    source = chart.by_label[edge.transition.source]
+    if waits_for(search.chart, edge.transition, search.asked):
+        return False
+    source = search.chart.by_label[edge.transition.source]
     return expression.when or source.type in _POINTS or source.label in at_once
 
 
@@ -462,12 +517,7 @@ _MOST_WALKS = 1000
 
 
 def _walks(
-    chart: Statechart,
-    following: dict[str, list[_Edge]],
-    start: str,
-    end: str,
-    at_once: AtOnce,
-    contradict: Contradict,
+    search: _Search, following: dict[str, list[_Edge]], start: str, end: str, at_once: AtOnce
 ) -> list[list[_Edge]]:
     """Ways from one state to another (round, to itself) whose conditions may hold together: at most two.
 
@@ -490,25 +540,29 @@ def _walks(
         path = stack.pop()
         target = path[-1].target
         if target == end:
-            if not _comes_to_rest(chart, _all_of(path, at_once), contradict):
+            if not _comes_to_rest(search, _all_of(path, at_once)):
                 found.append(path)
         elif target not in [edge.source for edge in path]:
             stack += [[*path, edge] for edge in reversed(following.get(target, []))]
     return found or [[]]
 
 
-def _all_of(walk_of: Sequence[_Edge], at_once: AtOnce) -> tuple[Transition, ...]:
-    """The transitions of a walk, with those inside the states that complete on the way."""
+def _all_of(walk_of: Sequence[_Edge], at_once: AtOnce, *, certain: bool = True) -> tuple[Transition, ...]:
+    """The transitions of a walk, with those inside the states that complete on the way.
+
+    With `certain`, only those that it surely takes.
+    """
     found: list[Transition] = []
     for edge in walk_of:
         transition = edge.transition
         if _needs_completion(transition.expression):
-            found += at_once.get(transition.source, ())
+            through = at_once.get(transition.source, _Through())
+            found += through.certain if certain else through.example
         found.append(transition)
     return tuple(found)
 
 
-def _comes_to_rest(chart: Statechart, transitions: Sequence[Transition], contradict: Contradict) -> bool:
+def _comes_to_rest(search: _Search, transitions: Sequence[Transition]) -> bool:
     """Whether the conditions contradict each other, and none of the actions changes what they read."""
     changed: set[object] = set()
     read: set[object] = set()
@@ -527,7 +581,7 @@ def _comes_to_rest(chart: Statechart, transitions: Sequence[Transition], contrad
                 case ReadMessages():
                     return False
         holding += [expression.condition] if expression.condition is not None else []
-        failing += _before_else(chart, transition)
+        failing += _before_else(search.chart, transition)
     for condition in (*holding, *failing):
         for value in walk(condition):
             match value:
@@ -537,7 +591,7 @@ def _comes_to_rest(chart: Statechart, transitions: Sequence[Transition], contrad
                     read.add(name)
                 case Expired(timer=timer):
                     read.add((timer,))
-    return not changed & read and contradict(holding, failing)
+    return not changed & read and search.contradict(holding, failing)
 
 
 def _before_else(chart: Statechart, transition: Transition) -> Iterator[Value]:
@@ -568,7 +622,8 @@ def _restless(chart: Statechart, circle: Sequence[_Edge], at_once: AtOnce) -> Di
         labels = (*(node.label for node in nodes), nodes[0].label)
         return Diagnostic(ChoicesInCircle(labels), last.span, related)
     round_trip = {edge.transition for edge in circle}
-    inside = [item for item in _all_of(circle, at_once) if item not in round_trip and item.expression.when]
+    passed = _all_of(circle, at_once, certain=False)
+    inside = [item for item in passed if item not in round_trip and item.expression.when]
     related += tuple(Related(item.span, "this `when` does not wait for completion") for item in inside)
     names = tuple(cut(name) for name in _names([*nodes, nodes[0]]))
     return Diagnostic(CycleNeverRests(names), last.span, related)

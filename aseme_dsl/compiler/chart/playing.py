@@ -23,7 +23,7 @@ from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.missing import Missing
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.compiler.types.given import Supplied, give, supplied_names, supply
-from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.diagnostics.problems.absences import NoActivityToBind, NoParticipant, NoProtocol
 from aseme_dsl.diagnostics.problems.activities import BoundToOtherParameters
 from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, ProcessRestated
@@ -255,7 +255,7 @@ def read_plays(
         )
         restated = formulas.named.get(name.text) if formulas is not None else None
         if restated is not None:
-            found.append(_restated(restated, item, participants[item.participant.text]))
+            found.append(_restated(restated, written, item, participants[item.participant.text]))
     return tuple(plays.values()), with_inside(parts), tuple(found)
 
 
@@ -264,13 +264,23 @@ def _same_name(name: tree.Name, earlier: Plays) -> Diagnostic:
     return Diagnostic(problem, name.span, (Related(earlier.span, "here"),))
 
 
-def _restated(formula: tree.NamedFormula, plays: tree.Plays, participant: tree.Participant) -> Diagnostic:
+def _restated(
+    formula: tree.NamedFormula, player: Player, plays: tree.Plays, participant: tree.Participant
+) -> Diagnostic:
+    """E306, with the fix where a role calls its participant as charts do (`talk_desk`), not by its name."""
     related = [Related(plays.span, "the role plays it here")]
     related += [
         Related(item.span, "its process") for item in participant.formulas if item.name.text == "process"
     ]
-    problem = ProcessRestated(formula.name.text, plays.protocol.text, plays.participant.text)
-    return Diagnostic(problem, formula.name.span, tuple(related))
+    name, protocol = formula.name.text, plays.protocol.text
+    is_role = isinstance(player, tree.Srm) and formula is player.formulas[0] and plays.alias is None
+    problem = ProcessRestated(name, protocol, plays.participant.text, is_role)
+    meant = [
+        Edit(node.span, name)
+        for node in names(formula.formula)
+        if is_role and node.name == f"{protocol}_{name}"
+    ]
+    return Diagnostic(problem, formula.name.span, tuple(related), edits=tuple(meant))
 
 
 def _bindings(

@@ -142,12 +142,16 @@ class ParticipantWithoutProcess(Problem):
 
 
 class ProcessRestated(Problem):
-    """A formula `name` of a role, or a participant, that plays the participant under this name."""
+    """A formula `name` of a role, or a participant, that plays the participant under this name.
+
+    `is_role`: it is the formula of the role as a whole, which is called as its participant.
+    """
 
     code = "E306"
     name: str
     protocol: str
     participant: str
+    is_role: bool
 
     @property
     def message(self) -> str:
@@ -155,6 +159,8 @@ class ProcessRestated(Problem):
 
     @property
     def hint(self) -> str:
+        if self.is_role:
+            return f"write `{self.name} = {self.name}`, where the second `{self.name}` is the participant"
         other = f"{self.protocol}_{self.participant}"
         return (
             "remove this formula, or give the participant another name here: "
