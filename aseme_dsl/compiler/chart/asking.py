@@ -1,6 +1,6 @@
 """Asking: what a cycle asks of others and starts for itself, and the conditions that wait for it.
 
-After a `send`, nobody has answered; a timer that is started has not expired. So a condition that is false
+After a `send` no agent has answered yet; a timer that is started has not expired. So a condition that is false
 then waits until an answer comes, or time passes, each time the cycle comes by.
 """
 
@@ -66,7 +66,7 @@ def asked_in(chart: Statechart, own: Collection[Transition], states: Iterable[st
 
 
 def waits_for(chart: Statechart, transition: Transition, asked: Asked) -> bool:
-    """Whether the condition of a transition is false while nobody has answered and no time has passed."""
+    """Whether the condition of a transition is false while no agent has answered and no time has passed."""
     condition = transition.expression.condition
     if condition is None or not asked:
         return False

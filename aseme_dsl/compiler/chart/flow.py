@@ -371,7 +371,7 @@ AtOnce = dict[str, _Through]
 
 @dataclass(frozen=True, slots=True)
 class _Search:
-    """What a search for cycles knows: `quick_states` complete at once, and nobody has answered `asked`."""
+    """What a search for cycles knows: `quick_states` complete at once, and `asked` has no answer yet."""
 
     chart: Statechart
     edges: Mapping[str, list[_Edge]]

@@ -39,8 +39,8 @@ def _messages(
 ) -> Iterator[Diagnostic]:
     """N755 for a message that any activity may send; E566 for one that a transition sends as well.
 
-    No N755 for a message that no participant receives (W524 reports it), that a role answers while it is
-    busy, or that no activity can send, since all of them are `silent` (W556).
+    No N755 for a message that no participant receives (W524 reports it) or that a role answers while it is
+    busy. If all activities are `silent`, none can send it (W556).
     """
     subchart = subchart_of(chart, part.name)
     if subchart is None:
