@@ -1,7 +1,6 @@
 """Asking: what a cycle asks of others and starts for itself, and the conditions that wait for it.
 
-After a `send` no agent has answered yet; a timer that is started has not expired. So a condition that is false
-then waits until an answer comes, or time passes, each time the cycle comes by.
+After a `send` no agent has answered yet; a timer that is started has not expired. X
 """
 
 from __future__ import annotations
