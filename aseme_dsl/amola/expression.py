@@ -211,6 +211,39 @@ class Changed:
 
 
 @dataclass(frozen=True, slots=True)
+class Fill:
+    """`f.g = value` in the braces of a message."""
+
+    path: tuple[str, ...]
+    type: Type
+    value: Value
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class NewMessage:
+    """`Order { id = 7, ..now }`: absent where something that it is made of is.
+
+    Members that are not filled have their defaults, which `is_default` says explicitly, or are those of the
+    message `rest` that are `taken`.
+    """
+
+    message: str
+    fills: tuple[Fill, ...]
+    rest: Value | None
+    taken: tuple[str, ...]
+    is_default: bool
+    type: Type
+    span: Span
+
+    @property
+    def given(self) -> tuple[Value, ...]:
+        """What it is made of, from left to right."""
+        rest = () if self.rest is None else (self.rest,)
+        return (*(item.value for item in self.fills), *rest)
+
+
+@dataclass(frozen=True, slots=True)
 class Has:
     """Whether a message or an optional member is there, or an agent in its variable: never absent itself."""
 
@@ -407,6 +440,7 @@ Value = (
     | Size
     | Contains
     | Changed
+    | NewMessage
     | Has
     | Age
     | At
@@ -517,16 +551,6 @@ class StartTimer:
 
 
 @dataclass(frozen=True, slots=True)
-class Fill:
-    """`f.g = value` in the braces of a message."""
-
-    path: tuple[str, ...]
-    type: Type
-    value: Value
-    span: Span
-
-
-@dataclass(frozen=True, slots=True)
 class Send:
     """`send accept_proposal Award { task = job } to best`.
 
@@ -632,6 +656,8 @@ def operands(value: Value) -> tuple[Value, ...]:
             return (whole, wanted)
         case Changed(list=whole):
             return (whole, *value.given)
+        case NewMessage(given=given):
+            return given
         case Not(operand=operand) | Negate(operand=operand) | Holds(operand=operand):
             return (operand,)
         case Logic(operands=parts):
@@ -671,6 +697,13 @@ def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
                 list=parts[0] if isinstance(parts[0], VariableValue) else whole,
                 index=None if value.index is None else next(given),
                 value=None if value.value is None else next(given),
+            )
+        case NewMessage(fills=fills, rest=rest):
+            given = iter(parts)
+            return replace(
+                value,
+                fills=tuple(replace(item, value=next(given)) for item in fills),
+                rest=None if rest is None else next(given),
             )
         case Logic():
             return replace(value, operands=parts)
@@ -900,6 +933,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = f"contains({show(whole)}, {show(wanted)})"
             case Changed(change=change, list=whole):
                 text = _changed_text(change, show(whole), [show(part) for part in item.given])
+            case NewMessage(message=message):
+                text = f"{message}{_content_text(item.fills, item.rest, item.is_default, expand)}"
             case Has(message=message):
                 text = f"has({show(message)})"
             case Age(message=message):
@@ -951,6 +986,16 @@ def _changed_text(change: Change, whole: str, given: Sequence[str]) -> str:
     return f"{change.value}({whole}, {given[0]})"
 
 
+def _content_text(fills: Sequence[Fill], rest: Value | None, is_default: bool, expand: bool) -> str:
+    """` { id = 7, ..now }`"""
+    said = [f"{'.'.join(item.path)} = {value_text(item.value, expand=expand)}" for item in fills]
+    if rest is not None:
+        said.append(f"..{value_text(rest, expand=expand)}")
+    elif is_default:
+        said.append("..")
+    return f" {{ {', '.join(said)} }}" if said else " { }"
+
+
 def _literal_text(constant: bool | int | float | str, kind: Type) -> str:
     if isinstance(constant, bool):
         return "true" if constant else "false"
@@ -996,12 +1041,9 @@ def action_text(action: Action, *, expand: bool = False) -> str:
         case StartTimer(timer=timer, duration=duration):
             return f"start_timer({timer}, {value_text(duration, expand=expand)})"
         case Send(performative=performative, message=message, participant=participant, to=to):
-            fills = [f"{'.'.join(i.path)} = {value_text(i.value, expand=expand)}" for i in action.fills or ()]
-            if action.rest is not None:
-                fills.append(f"..{value_text(action.rest, expand=expand)}")
-            elif action.is_default:
-                fills.append("..")
-            content = "" if action.fills is None else f" {{ {', '.join(fills)} }}" if fills else " { }"
+            content = ""
+            if action.fills is not None:
+                content = _content_text(action.fills, action.rest, action.is_default, expand)
             if action.reply_by is not None:
                 content += f" reply_by {value_text(action.reply_by, expand=expand)}"
             one = "one " if action.one else ""

@@ -69,6 +69,9 @@ def value_term(value: e.Value) -> Term:
             return ("contains", value_term(whole), value_term(wanted))
         case e.Changed(change=change, list=whole, given=given):
             return (change.value, value_term(whole), *map(value_term, given))
+        case e.NewMessage(message=message, fills=fills, rest=rest, taken=taken):
+            filled = tuple((item.path, value_term(item.value)) for item in fills)
+            return ("new", message, filled, None if rest is None else (value_term(rest), taken))
         case e.Has(message=message):
             return ("has", value_term(message))
         case e.Age(message=message):

@@ -281,7 +281,7 @@ class Encoder:
                 return found, self.terms.or_(*(fault for _, fault in parts))
             case e.Size() if (count := written_size(value)) is not None:
                 return self._z3.IntVal(count, self._context), False
-            case e.Size() | e.Contains() | e.Element() | e.ListValue():
+            case e.Size() | e.Contains() | e.Element() | e.ListValue() | e.NewMessage():
                 faults = [self._compute(part)[1] for part in e.operands(value)]
                 return True if _whole(value) else self.symbols[identity(value)], self.terms.or_(*faults)
             case e.Compare(operator=operator):

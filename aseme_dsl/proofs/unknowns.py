@@ -16,7 +16,7 @@ Key = tuple[object, ...]
 HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "expired", "age"
 OUTCOME, STATE, INDEX = "outcome", "state", "index"
 TAKEN, SENDER, REASON = "taken", "sender", "reason"
-LIST, ELEMENT, SIZE, CONTAINS = "list", "element", "size", "contains"
+LIST, ELEMENT, SIZE, CONTAINS, NEW = "list", "element", "size", "contains", "new"
 AT, MEAN, CALL, RAISES, THERE = "at", "mean", "call", "raises", "there"
 PRESENCES = (HAS, SET, THERE)
 
@@ -115,6 +115,9 @@ def identity(value: e.Value) -> Key:
             return (SIZE, identity(whole))
         case e.Contains(list=whole, value=wanted):
             return (CONTAINS, identity(whole), identity(wanted))
+        case e.NewMessage(message=message, fills=fills, rest=rest):
+            filled = tuple((item.path, identity(item.value)) for item in fills)
+            return (NEW, message, filled, None if rest is None else identity(rest))
         case e.Changed():
             raise AssertionError("no condition changes a list")
         case e.Logic(operator=operator, operands=operands):

@@ -36,6 +36,7 @@ from aseme_dsl.amola.expression import (
     Member,
     Named,
     Negate,
+    NewMessage,
     Not,
     Outcome,
     ParameterValue,
@@ -147,6 +148,8 @@ class Names:
     """The code for the moment at which a timer runs out."""
     called: Callable[[Call, Sequence[Expr]], Expr] = _by_key
     """The code that calls a function of the document."""
+    message: Callable[[str], Expr] = Name
+    """The code for the class of a message."""
     prefix: str = ""
     mail: str = ""
     """The local name of the agent message that the transition takes."""
@@ -337,6 +340,8 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return _contains(value, "in", names, known)
         case Changed():
             return _changed(value, names, known)
+        case NewMessage():
+            return _new(value, names, known)
         case Compare(operator=operator, left=left, right=right):
             one, other = _pair(left, right, names, known)
             return Piece(compared(one.code, operator, other.code), one.needs + other.needs, other.known)
@@ -390,7 +395,18 @@ def may_fail(value: Value) -> bool:
             return not function.target.startswith("builtin:")
         case Arithmetic():
             return may_raise(value)
-        case Member() | Element() | Outcome() | Age() | At() | Mean() | Bound() | Sender() | LossReason():
+        case (
+            NewMessage()
+            | Member()
+            | Element()
+            | Outcome()
+            | Age()
+            | At()
+            | Mean()
+            | Bound()
+            | Sender()
+            | LossReason()
+        ):
             return True
         case VariableValue():
             return value.may_be_unset
@@ -480,6 +496,22 @@ def _changed(value: Changed, names: Names, known: Known) -> Piece:
             given.append(converted(piece, item.type, kind))
             needs, known = needs + piece.needs, piece.known
     return Piece(own_call(_CHANGES[value.change], *given), needs, known)
+
+
+def _new(value: NewMessage, names: Names, known: Known) -> Piece:
+    """A message that is made of its members, and of those of another one that are taken."""
+    needs: tuple[Expr, ...] = ()
+    members: list[Expr] = []
+    for item in value.fills:
+        piece = _in_parentheses(evaluate(item.value, names, known), item.value)
+        members.append(Listed((Const(item.path), converted(piece, item.value.type, item.type))))
+        needs, known = needs + piece.needs, piece.known
+    rest: Expr = NONE
+    if value.rest is not None:
+        piece = evaluate(value.rest, names, known)
+        rest, needs, known = piece.code, needs + piece.needs, piece.known
+    made = own_call("made", names.message(value.message), rest, Const(value.taken), *members)
+    return Piece(made, needs, known)
 
 
 _CHANGES = {

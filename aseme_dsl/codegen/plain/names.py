@@ -181,6 +181,7 @@ class PlainNames(Face):
         names.called = self._called
         names.timer = lambda timer: self.timer(region, timer)
         names.last_outcome = self.outcome
+        names.message = self._message
         return names
 
     def _called(self, call: Call, arguments: Sequence[Expr]) -> Expr:
@@ -189,6 +190,13 @@ class PlainNames(Face):
         name = self.function_names.name(key, f"_{call.function.name}")
         self.functions[name] = (call.function.target, key, str(call.type))
         return CallOf(Name(name), tuple(arguments))
+
+    def _message(self, message: str) -> Expr:
+        """The class of a message that is made."""
+        self.messages.add(message)
+        name = self.imported(message)
+        self.used.add(name)
+        return Name(name)
 
     def python(self, kind: Type) -> str:
         name = super().python(kind)

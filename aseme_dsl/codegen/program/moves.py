@@ -12,6 +12,7 @@ from aseme_dsl.amola.expression import (
     Literal,
     Named,
     Negate,
+    NewMessage,
     Random,
     TransitionExpression,
     Value,
@@ -96,9 +97,11 @@ def assigned(expression: TransitionExpression) -> tuple[str, ...]:
 
 
 def raises(value: Value) -> bool:
-    """Whether something in a value may raise: a function of the document, or numbers that have no result."""
+    """Whether something in a value may raise: a function of the document, numbers that have no result, or a
+    new message, whose members may have narrower types."""
     return any(
-        (isinstance(part, Call) and not part.function.target.startswith("builtin:"))
+        isinstance(part, NewMessage)
+        or (isinstance(part, Call) and not part.function.target.startswith("builtin:"))
         or (isinstance(part, Arithmetic) and may_raise(part))
         for part in walk(value)
     )

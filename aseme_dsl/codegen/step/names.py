@@ -120,7 +120,14 @@ class StepNames(Face):
 
     def _names(self, region: int, prefix: str) -> Names:
         variables: dict[str, Expr] = {name: own(self.variable(name, region)) for name in self.variables}
-        return Names(self.seen[region], variables, self.fields, self.constants, self.enums, prefix=prefix)
+        names = Names(self.seen[region], variables, self.fields, self.constants, self.enums, prefix=prefix)
+        names.message = self._message
+        return names
+
+    def _message(self, message: str) -> Expr:
+        """The class of a message that is made."""
+        self.published.add(message)
+        return Name(message)
 
     def time_name(self, label: str) -> str:
         """The attribute with the time at which a state was entered."""

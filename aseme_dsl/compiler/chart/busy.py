@@ -12,8 +12,7 @@ from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD, PERFORMATIVES
 from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.compiler.read.names import unknown_performative
-from aseme_dsl.compiler.types.content import rest_of
-from aseme_dsl.compiler.types.exchange import fill
+from aseme_dsl.compiler.types.content import fill, rest_of
 from aseme_dsl.compiler.types.typecheck import type_value
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.diagnostics.problems.absences import NotListed

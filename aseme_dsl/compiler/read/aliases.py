@@ -355,6 +355,7 @@ _SORTS: Mapping[tuple[type, str], Sort] = {
     (tree.AgentMessage, "message"): Sort.TYPE,
     (tree.Received, "message"): Sort.TYPE,
     (tree.Send, "message"): Sort.TYPE,
+    (tree.NewMessage, "message"): Sort.TYPE,
     (tree.Aip, "name"): Sort.PROTOCOL,
     (tree.Plays, "protocol"): Sort.PROTOCOL,
     (tree.Srm, "name"): Sort.ROLE,

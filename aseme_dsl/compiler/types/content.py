@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 
-from aseme_dsl.amola.expression import Fill, Value
-from aseme_dsl.amola.messages import DURATION, Field, Kind, Message
+from aseme_dsl.amola.expression import Fill, NewMessage, Value
+from aseme_dsl.amola.messages import DURATION, ChannelKind, Field, Kind, Message, Type
 from aseme_dsl.compiler.names.checker import Checker
+from aseme_dsl.compiler.names.paths import member_path, through_optional
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.constants import NotConstant, fold
+from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.compiler.types.calls import assignable
-from aseme_dsl.diagnostics import Diagnostic, Edit
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.diagnostics.problems import talk as problems
+from aseme_dsl.diagnostics.problems.absences import NoMessage
+from aseme_dsl.diagnostics.problems.expressions.paths import (
+    InnerMessageFilled,
+    MemberFilledTwice,
+    NewOnTopic,
+    OptionalAssigned,
+)
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -29,7 +38,9 @@ class Rest:
     taken: tuple[str, ...] = ()
 
 
-def rest_of(checker: Checker, written: tree.Send, fills: Collection[Fill], value: Typed) -> Rest | None:
+def rest_of(
+    checker: Checker, written: tree.Send | tree.NewMessage, fills: Collection[Fill], value: Typed
+) -> Rest | None:
     """What is said of the members that are not filled in; None where it is wrong: E577, E578, N760."""
     message = checker.scope.symbols.message(written.message.text)
     if message is None:
@@ -50,16 +61,62 @@ def rest_of(checker: Checker, written: tree.Send, fills: Collection[Fill], value
         return None
     source = checker.scope.symbols.message(found.type.name) if found.type.kind is Kind.MESSAGE else None
     if source is None:
-        checker.report(problems.RestOfNoMessage(written.rest.message.text), written.rest.message.span)
+        checker.report(problems.RestOfNoMessage(written.rest.message.span.text), written.rest.message.span)
         return None
     heads = {path[0] for path in missing}
     lacking = [item for item in open_fields if item.name in heads and not _fits(source, item)]
     if lacking:
         names = tuple(item.name for item in lacking)
-        problem = problems.RestDoesNotFit(written.rest.message.text, source.name, message.name, names)
+        problem = problems.RestDoesNotFit(written.rest.message.span.text, source.name, message.name, names)
         checker.report(problem, written.rest.span)
         return None
     return Rest(message=found, taken=tuple(item.name for item in open_fields if _fits(source, item)))
+
+
+def fill(checker: Checker, message: str, written: Sequence[tree.Fill], value: Typed) -> list[Fill] | None:
+    """The members of a message that are filled in braces: E225, E501, E507. None where one is wrong."""
+    found: list[Fill] = []
+    first: dict[tuple[str, ...], Span] = {}
+    sound = True
+    for item in written:
+        target = member_path(checker, Type(Kind.MESSAGE, message), (), item.target.segments)
+        given = value(checker, item.value)
+        sound = sound and target is not None and given is not None
+        if target is None or given is None:
+            continue
+        path, kind = target
+        earlier = first.setdefault(path, item.target.span)
+        if earlier is not item.target.span:
+            related = (Related(earlier, "the first time"),)
+            checker.report(MemberFilledTwice(item.target.text), item.target.span, related)
+            sound = False
+        elif kind.kind is Kind.MESSAGE:
+            checker.report(InnerMessageFilled(item.target.text), item.span)
+            sound = False
+        elif (optional := through_optional(checker, message, path)) is not None:
+            checker.report(OptionalAssigned(optional, is_sent=True), item.target.span)
+            sound = False
+        elif not assignable(checker, given, kind):
+            sound = False
+        else:
+            found.append(Fill(path, kind, given, item.span))
+    return found if sound else None
+
+
+def new_message(checker: Checker, written: tree.NewMessage, value: Typed) -> NewMessage | None:
+    """`Order { id = 7, ..now }`: E200, E225, E501, E507, E577, E578, N760."""
+    name, symbols = written.message, checker.scope.symbols
+    if symbols.message(name.text) is None:
+        if not symbols.is_excused(name.text):
+            _no_message(checker, name)
+        return None
+    fills = fill(checker, name.text, written.fills, value)
+    rest = None if fills is None else rest_of(checker, written, fills, value)
+    if fills is None or rest is None:
+        return None
+    kind = Type(Kind.MESSAGE, name.text)
+    made = tuple(fills), rest.message, rest.taken, rest.is_default
+    return NewMessage(name.text, *made, kind, written.span)
 
 
 def deadline(checker: Checker, written: tree.Expression, value: Typed) -> Value | None:
@@ -77,7 +134,21 @@ def deadline(checker: Checker, written: tree.Expression, value: Typed) -> Value 
     return found
 
 
-def _incomplete(written: tree.Send, message: Message, missing: list[tuple[str, ...]]) -> Diagnostic:
+def _no_message(checker: Checker, name: tree.Name) -> None:
+    """What stands before the braces is no message (E502)."""
+    topic, _, last = name.text.rpartition(".")
+    if topic.rpartition(".")[2] in [comm.value for comm in ChannelKind]:
+        checker.report(NewOnTopic(name.text, last), name.span, fix=last)
+        return
+    symbols = checker.scope.symbols
+    pool = [one.name for one in symbols.messages]
+    is_enum = symbols.enum(name.text) is not None
+    checker.diagnostics.append(unknown(NoMessage, name, pool, is_enum=is_enum))
+
+
+def _incomplete(
+    written: tree.Send | tree.NewMessage, message: Message, missing: list[tuple[str, ...]]
+) -> Diagnostic:
     assert written.braces is not None and written.fills is not None
     opener, closer = written.braces
     braces = opener.to(closer)
@@ -117,4 +188,4 @@ def _fits(source: Message, wanted: Field) -> bool:
     return own.label == wanted.label or (wanted.label == "optional" and own.label != "repeated")
 
 
-__all__ = ["Rest", "deadline", "rest_of"]
+__all__ = ["Rest", "deadline", "fill", "new_message", "rest_of"]

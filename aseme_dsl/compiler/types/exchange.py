@@ -2,29 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection
 from dataclasses import replace
 
 from aseme_dsl.amola import expression as amola
-from aseme_dsl.amola.expression import Fill, Value
-from aseme_dsl.amola.messages import AGENT, Kind, Type
+from aseme_dsl.amola.expression import Value
+from aseme_dsl.amola.messages import AGENT
 from aseme_dsl.compiler.names.checker import Checker
-from aseme_dsl.compiler.names.paths import member_path, through_optional
 from aseme_dsl.compiler.names.scope import Party, Taken
 from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD, PERFORMATIVES, reserved
 from aseme_dsl.compiler.read.names import unknown, unknown_performative
-from aseme_dsl.compiler.types.calls import assignable
-from aseme_dsl.compiler.types.content import Rest, deadline, rest_of
+from aseme_dsl.compiler.types.content import Rest, deadline, fill, rest_of
 from aseme_dsl.diagnostics import Related, closest
 from aseme_dsl.diagnostics.problems import talk as problems
 from aseme_dsl.diagnostics.problems.absences import NoPartner, NotListed, Verb
-from aseme_dsl.diagnostics.problems.expressions.paths import (
-    InnerMessageFilled,
-    MemberFilledTwice,
-    OptionalAssigned,
-)
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.source import Span
 
 Typed = Callable[[Checker, tree.Expression], Value | None]
 """How an expression is typed (typecheck.py)."""
@@ -250,36 +242,6 @@ def _agent(checker: Checker, written: tree.Expression, value: Typed) -> Value | 
     return None
 
 
-def fill(checker: Checker, message: str, written: Sequence[tree.Fill], value: Typed) -> list[Fill] | None:
-    """The members of a message that are filled in braces: E225, E501, E507. None where one is wrong."""
-    found: list[Fill] = []
-    first: dict[tuple[str, ...], Span] = {}
-    sound = True
-    for item in written:
-        target = member_path(checker, Type(Kind.MESSAGE, message), (), item.target.segments)
-        given = value(checker, item.value)
-        sound = sound and target is not None and given is not None
-        if target is None or given is None:
-            continue
-        path, kind = target
-        earlier = first.setdefault(path, item.target.span)
-        if earlier is not item.target.span:
-            related = (Related(earlier, "the first time"),)
-            checker.report(MemberFilledTwice(item.target.text), item.target.span, related)
-            sound = False
-        elif kind.kind is Kind.MESSAGE:
-            checker.report(InnerMessageFilled(item.target.text), item.span)
-            sound = False
-        elif (optional := through_optional(checker, message, path)) is not None:
-            checker.report(OptionalAssigned(optional, is_sent=True), item.target.span)
-            sound = False
-        elif not assignable(checker, given, kind):
-            sound = False
-        else:
-            found.append(Fill(path, kind, given, item.span))
-    return found if sound else None
-
-
 # ---- who exchanges what ------------------------------------------------------------------------
 
 
@@ -358,4 +320,4 @@ def _somebody_receives(checker: Checker, performative: tree.Name, message: tree.
     return False
 
 
-__all__ = ["check_use", "fill", "is_answered", "lost", "only_from", "received", "send", "taken_by"]
+__all__ = ["check_use", "is_answered", "lost", "only_from", "received", "send", "taken_by"]

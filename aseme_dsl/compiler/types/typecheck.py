@@ -23,6 +23,7 @@ from aseme_dsl.compiler.types.calls import (
     function_name,
     timer,
 )
+from aseme_dsl.compiler.types.content import fill, new_message
 from aseme_dsl.compiler.types.operators import (
     COMPARISONS,
     arithmetic,
@@ -202,6 +203,9 @@ def paths_in(written: tree.Expression) -> Iterator[tree.Path]:
                 stack.extend(reversed(parts))
             case tree.Element(list=whole, index=index):
                 stack += [index, whole]
+            case tree.NewMessage(fills=fills, rest=rest):
+                stack += [] if rest is None or rest.message is None else [rest.message]
+                stack.extend(item.value for item in reversed(fills))
 
 
 def _whole(checker: Checker, written: tree.Expression) -> Value | None:
@@ -253,6 +257,8 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
             if whole is None or index is None:
                 return None
             return lists.element(checker, written, whole, index)
+        case tree.NewMessage():
+            return new_message(checker, written, lambda inner, part: _value(inner, part, depth + 1))
         case tree.Hole():
             return None  # E109 says so; no chart is made of it
         case tree.Unary():
@@ -412,7 +418,7 @@ def _filled(checker: Checker, written: tree.Publish, fills: tuple[tree.Fill, ...
         if source is not None and assignable(checker, source, whole):
             draft = amola.Member(None, publish.channel, (), whole, written.rest.span)
             yield amola.Assign(draft, source, written.rest.span)
-    for item in exchange.fill(checker, publish.channel.message, fills, _whole) or ():
+    for item in fill(checker, publish.channel.message, fills, _whole) or ():
         target = amola.Member(None, publish.channel, item.path, item.type, item.span)
         yield amola.Assign(target, item.value, item.span)
     yield publish

@@ -368,6 +368,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Raised, "name"): (Use.READ, _event),
     (tree.Send, "performative"): (Use.READ, _is(Kind.PERFORMATIVE)),
     (tree.Send, "message"): (Use.READ, _is(Kind.MESSAGE)),
+    (tree.NewMessage, "message"): (Use.READ, _is(Kind.MESSAGE)),
     (tree.Send, "participant"): (Use.READ, _receiver),
     (tree.Srm, "name"): (Use.DECLARATION, _is(Kind.ROLE)),
     (tree.Srm, "includes"): (Use.READ, _is(Kind.ROLE)),
@@ -739,7 +740,7 @@ def _inside(node: object, around: Around) -> Around:
             named = [item for item in events if isinstance(item, tree.Received) and item.name is not None]
             taken = {str(item.name): item.message.text for item in named}
             return replace(around, values={**around.values, **_taken(events, around)}, taken=taken)
-        case tree.Send(message=message):
+        case tree.Send(message=message) | tree.NewMessage(message=message):
             return replace(around, filled=message.text)
         case tree.Publish(path=path):
             return replace(around, filled=path.segments[-1].text)

@@ -17,6 +17,7 @@ from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.diagnostics.problems.syntax import characters
 from aseme_dsl.diagnostics.problems.syntax import formulas as problems
 from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
+from aseme_dsl.grammar.formulas.filling import in_braces
 from aseme_dsl.grammar.formulas.reader import DEEPEST, Reader, is_word
 from aseme_dsl.grammar.formulas.words import Malformed
 from aseme_dsl.grammar.text import tree
@@ -34,7 +35,6 @@ BINDING = (
     {"||": 1, "&&": 2} | dict.fromkeys(_COMPARISON, 3) | dict.fromkeys(_SUM, 4) | dict.fromkeys(_PRODUCT, 5)
 )
 
-_PATH = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _NUMBER = re.compile(r"([0-9]+)(?:\.([0-9]+))?([a-z]*)")
 _LONGEST_NUMBER = 18
 _HAVE_NO_ELEMENTS = (tree.Number, tree.Duration, tree.Truth, tree.Text)
@@ -111,6 +111,11 @@ def spelled(written: tree.Expression) -> str:
             return f"[{', '.join(map(spelled, elements))}]"
         case tree.Element(list=whole, index=index, members=members):
             return ".".join((f"{spelled(whole)}[{spelled(index)}]", *(name.text for name in members)))
+        case tree.NewMessage(message=message, fills=fills, rest=rest):
+            said = [f"{item.target.text} = {spelled(item.value)}" for item in fills]
+            if rest is not None:
+                said.append(f"..{spelled(rest.message) if rest.message is not None else ''}")
+            return f"{message} {{ {', '.join(said)} }}" if said else f"{message} {{ }}"
         case tree.Hole():
             return HOLE
 
@@ -136,11 +141,7 @@ def read_text(source: Source, text: Token) -> tree.Text:
 
 def read_path(source: Source, text: Token) -> tree.Path:
     """A dotted name that the grammar has recognised."""
-    segments = tuple(
-        tree.Name(found.group(), Span(source, text.start + found.start(), text.start + found.end()))
-        for found in _PATH.finditer(text)
-    )
-    return tree.Path(segments, Span(source, text.start, text.end))
+    return Reader(source, [text]).path(text)
 
 
 def operation(reader: Reader, loosest: int = 1) -> tree.Expression:
@@ -226,7 +227,7 @@ def value(reader: Reader) -> tree.Expression:
             reader.take()
             if not is_word(reader.next):
                 raise reader.unexpected(Wanted.ELEMENT_MEMBER)
-            members = read_path(reader.source, reader.take()).segments
+            members = reader.path(reader.take()).segments
         made = tree.Element(found, index, members, reader.since(found.span.start))
         found = reader.grown(made, found, index)
     return found
@@ -276,11 +277,23 @@ def _whole(reader: Reader) -> tree.Expression:
     reader.index += 1
     if first == "true" or first == "false":
         return tree.Truth(first == "true", reader.span(first))
-    path = read_path(reader.source, first)
+    path = reader.path(first)
+    if reader.next == "{":
+        return _new_message(reader, path)
     if reader.next != "(":
         return path
     arguments = _separated(reader, reader.take(), ")")
     return reader.grown(tree.Call(path, tuple(arguments), reader.since(first.start)), *arguments)
+
+
+def _new_message(reader: Reader, path: tree.Path) -> tree.NewMessage:
+    """`Order { id = 7, ..now }`"""
+    fills, rest, places = in_braces(reader, operation)
+    assert fills is not None and places is not None
+    made = tree.NewMessage(
+        tree.Name(path.text, path.span), fills, rest, places, reader.since(path.span.start)
+    )
+    return reader.grown(made, *(item.value for item in fills))
 
 
 def _number(reader: Reader, text: Token) -> tree.Number | tree.Duration:

@@ -23,6 +23,7 @@ DEEPEST = 100
 _MEANT = {"&": "&&", "|": "||", "=": "==", "and": "&&", "or": "||", "^": None, "?": None}
 """Operators of other languages, with what they mean."""
 
+_SEGMENT = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _DIGITS = re.compile(r"[0-9]+\b")
 
 Made = TypeVar("Made", bound=tree.Expression)
@@ -65,6 +66,14 @@ class Reader:
 
     def span(self, text: Token) -> Span:
         return Span(self.source, text.start, text.end)
+
+    def path(self, text: Token) -> tree.Path:
+        """A dotted name that the grammar has recognised."""
+        segments = tuple(
+            tree.Name(found.group(), Span(self.source, text.start + found.start(), text.start + found.end()))
+            for found in _SEGMENT.finditer(text)
+        )
+        return tree.Path(segments, self.span(text))
 
     def since(self, start: int) -> Span:
         return Span(self.source, start, self.tokens[self.index - 1].end)

@@ -9,7 +9,7 @@ from aseme_dsl.diagnostics import Edit
 from aseme_dsl.diagnostics.problems.syntax import formulas as problems
 from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
 from aseme_dsl.grammar.formulas.expression import BINDING, operation, read_path, value
-from aseme_dsl.grammar.formulas.filling import apart
+from aseme_dsl.grammar.formulas.filling import apart, content, in_braces
 from aseme_dsl.grammar.formulas.reader import Reader, is_word
 from aseme_dsl.grammar.formulas.transition_mistakes import (
     ASSIGNMENTS,
@@ -20,7 +20,7 @@ from aseme_dsl.grammar.formulas.transition_mistakes import (
     no_colon,
     no_from,
 )
-from aseme_dsl.grammar.formulas.words import RESERVED, Malformed
+from aseme_dsl.grammar.formulas.words import RESERVED
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.lexer import HOLE
 from aseme_dsl.grammar.text.token import Token
@@ -55,7 +55,7 @@ def read_busy(source: Source, terminals: Sequence[Token], place: Span) -> tree.B
     answer: tree.Send | None = None
     if reader.next:
         message = reader.need_name(Wanted.MESSAGE)
-        fills, rest, braces = _braces(reader)
+        fills, rest, braces = in_braces(reader, operation)
         span = reader.since(word.span.start)
         answer = tree.Send(word, message, None, span, fills, rest=rest, braces=braces)
         if reader.next:
@@ -241,7 +241,7 @@ def _action(reader: Reader) -> tree.Action:
         if not dot:
             raise reader.error(problems.PublishWithoutChannel(), first)
         topic = tree.Path(path.segments[1:], path.segments[1].span.to(path.span))
-        fills, rest = _content(reader, is_sent=False) if reader.next == "{" else (None, None)
+        fills, rest = content(reader, operation, is_sent=False) if reader.next == "{" else (None, None)
         return tree.Publish(topic, reader.since(first.start), fills, rest)
     expression = operation(reader)
     if reader.next not in ASSIGNMENTS:
@@ -262,7 +262,7 @@ def _send(reader: Reader) -> tree.Send:
     start = reader.take().start
     performative = reader.need_name(Wanted.PERFORMATIVE)
     message = reader.need_name(Wanted.MESSAGE)
-    fills, rest, braces = _braces(reader)
+    fills, rest, braces = in_braces(reader, operation)
     reply_by = None
     if reader.next == "reply_by":
         reader.take()
@@ -298,89 +298,9 @@ def _send(reader: Reader) -> tree.Send:
     )
 
 
-def _braces(
-    reader: Reader,
-) -> tuple[tuple[tree.Fill, ...] | None, tree.Rest | None, tuple[Span, Span] | None]:
-    """The content of a message, if there is one, with the places of its braces."""
-    if reader.next != "{":
-        return None, None, None
-    opener = reader.span(reader.tokens[reader.index])
-    fills, rest = _content(reader)
-    return fills, rest, (opener, reader.span(reader.tokens[reader.index - 1]))
-
-
 def _one(reader: Reader) -> Span | None:
     """`one` before a participant; a variable may be called so."""
     following = reader.tokens[reader.index + 1] if reader.index + 1 < len(reader.tokens) else ""
     if reader.next != "one" or not is_word(following) or following == "except":
         return None
     return reader.span(reader.take())
-
-
-def _is_behind(reader: Reader) -> bool:
-    """Whether a name is behind the next token."""
-    following = reader.tokens[reader.index + 1] if reader.index + 1 < len(reader.tokens) else ""
-    return is_word(following) and following not in RESERVED
-
-
-def _content(reader: Reader, *, is_sent: bool = True) -> tuple[tuple[tree.Fill, ...], tree.Rest | None]:
-    """`{ f = v, g.h = v }`, and the `..` or `..m` at its end.
-
-    Of what is published, not sent, members that are not named keep what they have; so it has no `..` alone.
-    """
-    opener = reader.take()
-    found: list[tree.Fill] = []
-    rest: tree.Rest | None = None
-    while reader.next != "}":
-        if rest is None and reader.next == ".." and (is_sent or _is_behind(reader)):
-            dots = reader.take()
-            message = None
-            if is_word(reader.next) and reader.next not in RESERVED:
-                message = read_path(reader.source, reader.take())
-            rest = tree.Rest(message, reader.since(dots.start))
-            if reader.next == ",":
-                reader.take()
-            continue
-        if rest is not None:
-            raise _behind_rest(reader, rest, opener)
-        if reader.next == ".." and not is_sent:
-            dots = reader.tokens[reader.index]
-            wanted = (Wanted.MEMBER, "}")
-            raise reader.error(problems.RestOfPublished(wanted, reader.tokens[reader.index - 1], dots), dots)
-        if reader.index == len(reader.tokens) or not is_word(reader.next) or reader.next in RESERVED:
-            raise reader.unexpected(Wanted.MEMBER, "}", related=(reader.still_open(opener),))
-        name = reader.take()
-        if reader.next != "=":
-            at = reader.tokens[min(reader.index, len(reader.tokens) - 1)]
-            raise reader.error(problems.MemberWithoutValue(("=",), name, at), at)
-        reader.take()
-        value = operation(reader)
-        found.append(tree.Fill(read_path(reader.source, name), value, reader.since(name.start)))
-        if reader.next in (",", ";"):
-            reader.take()
-        elif reader.next == ".." and (is_sent or _is_behind(reader)):
-            raise _without_comma(reader)
-        elif reader.next != "}":
-            raise reader.unexpected(Wanted.OPERATOR, ",", "}", related=(reader.still_open(opener),))
-    reader.take()
-    return tuple(found), rest
-
-
-def _without_comma(reader: Reader) -> Malformed:
-    """The error of `..` directly behind a value."""
-    before, dots = reader.tokens[reader.index - 1], reader.take()
-    of = reader.next if is_word(reader.next) else ""
-    problem = problems.RestWithoutComma((Wanted.OPERATOR, ",", "}"), before, dots, rest=f"{dots}{of}")
-    place = Span(reader.source, before.end, before.end)
-    return reader.error(problem, dots, edits=(Edit(place, ","),))
-
-
-def _behind_rest(reader: Reader, rest: tree.Rest, opener: Token) -> Malformed:
-    """The error of what stands behind `..`, as far as it is a member."""
-    related = (reader.still_open(opener),)
-    if not is_word(reader.next):
-        return reader.unexpected("}", related=related)
-    found = reader.tokens[reader.index]
-    text = "".join(rest.span.text.split())
-    before = reader.tokens[reader.index - 1]
-    return reader.error(problems.RestNotLast(("}",), before, found, rest=text), found, related=related)

@@ -182,21 +182,30 @@ _COMMON: tuple[tuple[str, Kind], ...] = (
     (r"[0-9]+(?:\.[0-9]+)*[A-Za-z]*\b", Kind.NUMBER),
 )
 
+_BLOCKS = "liveness|activities|modules|sag|suc"
+"""The blocks that have no name: they follow where the brace of a `control` is missing."""
+
 _WITH_CONTENT = tuple(
     Phrase(
         (
-            Piece(((rf"{word}\b(?=(?:{after})\s*\{{)", Kind.CLAUSE),)),
+            Piece(((rf"{word}\b(?=(?:{after})\s*\{{)", kind),)),
             *parts,
             Piece(((r"\{", Kind.PUNCTUATION),)),
         ),
         CONTENT,
     )
-    for word, after, parts in (
-        ("send", rf"\s+{_NAME}\s+{_NAME}", (Piece(((_NAME, Kind.REFERENCE),)),) * 2),
-        ("write_messages", rf"(?:\s*\.\s*{_NAME})+", (Piece(((rf"(?:\.\s*{_NAME}\s*)+", Kind.REFERENCE),)),)),
+    for word, kind, after, parts in (
+        ("send", Kind.CLAUSE, rf"\s+{_NAME}\s+{_NAME}", (Piece(((_NAME, Kind.REFERENCE),)),) * 2),
+        (
+            "write_messages",
+            Kind.CLAUSE,
+            rf"(?:\s*\.\s*{_NAME})+",
+            (Piece(((rf"(?:\.\s*{_NAME}\s*)+", Kind.REFERENCE),)),),
+        ),
+        (rf"(?!(?:{_BLOCKS})\b){_NAME}(?:\s*\.\s*{_NAME})*", Kind.REFERENCE, "", ()),
     )
 )
-"""What brings the content of a message in braces: `send inform Done { by = 1 }`."""
+"""What brings the content of a message in braces: `send inform Done { by = 1 }`, `Order { id = 7 }`."""
 
 _ANSWER = Phrase(
     (

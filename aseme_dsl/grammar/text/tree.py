@@ -147,6 +147,17 @@ class Element:
 
 
 @dataclass(frozen=True, slots=True)
+class NewMessage:
+    """`Order { id = 7, ..now }`; `braces` are the places of both."""
+
+    message: Name
+    fills: tuple[Fill, ...]
+    rest: Rest | None
+    braces: tuple[Span, Span]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Hole:
     """The `?` of `[?]`: a condition that is still to be written. It occurs only there."""
 
@@ -167,6 +178,7 @@ Expression = (
     | Conditional
     | List
     | Element
+    | NewMessage
     | Hole
 )
 
@@ -236,7 +248,7 @@ class Fill:
 class Rest:
     """`..` or `..m` at the end of the braces: the other members have their defaults, or are those of `m`."""
 
-    message: Path | None
+    message: Expression | None
     span: Span
 
 

@@ -311,6 +311,15 @@ class Chart(ChartState):
         return (*items[:place], item, *items[place + 1 :])
 
     @staticmethod
+    def made(
+        kind: Any, rest: object, taken: tuple[str, ...], *members: tuple[tuple[str, ...], object]
+    ) -> Any:
+        """A new message with these members; the others are those of `rest` that are `taken`, or have their
+        defaults."""
+        given = {name: copy(getattr(rest, name)) for name in taken}
+        return built(kind, dict(members), given)
+
+    @staticmethod
     def is_news(mark: Seen | None, seen: Seen) -> bool:
         """Whether there is another message or another value than when an `on` transition was taken last."""
         if mark is None:

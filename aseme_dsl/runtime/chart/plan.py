@@ -10,6 +10,7 @@ Conditions and values are nested tuples whose first item says what they are:
     ("member", sender or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
     ("taken", path)  ("sender",)  ("reason",)       (of the agent message that the transition takes)
     ("call", name, value, …)  ("builtin", name, value, …)  ("has", member or variable)
+    ("new", "Order", ((("id",), value), …), (value of the rest, ("item",)) or None)
     ("list", value, …)  ("element", list, value, ("name",))  ("size", list)  ("contains", list, value)
     ("age", member)  ("at", member, value)  ("mean", member, value)  ("expired", timer)
     ("outcome", activity)  ("index",)  ("random",)  ("in" | "done" | "count", state name)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from random import Random
 from typing import Any, ClassVar
@@ -316,6 +317,16 @@ class Plain:
         self._check_place(name, items, place)
         return (*items[:place], item, *items[place + 1 :])
 
+    def made(
+        self, kind: Any, rest: object, taken: tuple[str, ...], *members: tuple[tuple[str, ...], object]
+    ) -> Any:
+        """A new message with these members; the others are those of `rest` that are `taken`, or have their
+        defaults."""
+        message = kind(**{name: getattr(rest, name) for name in taken})
+        for path, value in members:
+            message = _with(message, path, value)
+        return message
+
     def _check_place(self, name: str, items: Any, place: int) -> None:
         if not 0 <= place < len(items):
             raise OutOfBounds(f"list {name} of {len(items)} elements has no element {place}")
@@ -383,6 +394,13 @@ def _called(leaves: Sequence[str], names: Sequence[str], region: int, number: in
     alone = next(others, None) is None
     name = name.strip("()")  # what has no name is called by its type
     return name if alone else f"{name} {label}"
+
+
+def _with(message: Any, path: tuple[str, ...], value: object) -> Any:
+    """A message with another member."""
+    if len(path) > 1:
+        value = _with(getattr(message, path[0]), path[1:], value)
+    return replace(message, **{path[0]: value})
 
 
 def unknown_event(kind: type, event: str) -> ValueError:

@@ -219,6 +219,22 @@ class MemberPublished(Problem):
         return f"write `write_messages.{self.channel}`; members are assigned before it"
 
 
+class NewOnTopic(Problem):
+    """`desk.signal.Order { id = 7 }`, where a value is wanted."""
+
+    code = "E502"
+    written: str
+    type: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.written}` is what has come on a topic, not the type of a new message"
+
+    @property
+    def hint(self) -> str:
+        return f"write the type alone: `{self.type} {{ … }}`"
+
+
 class ClassMissing(Problem):
     """`channels` are what may be meant."""
 
