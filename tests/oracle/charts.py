@@ -677,10 +677,10 @@ class Words:
                         "remove(line[k])",
                         f"line[size(line) - 1] = {value}",
                         f"kept = {channel}",
-                        "append(notes, kept)",
-                        "kept = notes[0]",
+                        "append(notes, M { x = k, ..kept })",
+                        "kept = M { inner.y = size(line), ..notes[0] }",
                         "remove(notes[0])",
-                        f"notes[0] = {channel}",
+                        f"notes[0] = M {{ inner = kept.inner, many = line, x = {value}, .. }}",
                         f"{channel} = kept",
                         f"write_messages.{channel} {{ x = kept.x, ..kept }}",
                     )

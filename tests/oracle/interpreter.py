@@ -1472,6 +1472,13 @@ class Reference:
                     held, number = [self.compute(item) for item in read]
                     numbered = dict(enumerate(held))
                     found = member(numbered[number], path) if number in numbered else ABSENT
+            case ("new", name, fills, rest):
+                # "A new message is absent where something that it is made of is"
+                made = [(path, self.look_up(value, region)) for path, value in fills]
+                of = None if rest is None else (self.look_up(rest[0], region), rest[1])
+                if any(value is ABSENT for _, value in made) or (of is not None and of[0] is ABSENT):
+                    return ABSENT
+                return ("new", name, tuple(made), of)
             case ("holds", operand):
                 # "`holds(c)` is two-valued"
                 found = self.holds(operand, region)
@@ -1510,6 +1517,14 @@ class Reference:
                 return -self.compute(inner)
             case ("list", *elements):
                 return tuple(self.compute(element) for element in elements)
+            case ("new", name, fills, rest):
+                filled = [(path, self.compute(value)) for path, value in fills]
+                message = self.messages[name]()
+                given = None if rest is None else self.compute(rest[0])
+                taken = () if rest is None else rest[1]
+                for path, value in (*(((own,), getattr(given, own)) for own in taken), *filled):
+                    message = with_member(message, path, value)
+                return message
             case ("append", items, item):
                 return (*self.compute(items), self.compute(item))
             case ("drop", items, index):

@@ -510,8 +510,8 @@ def _new(value: NewMessage, names: Names, known: Known) -> Piece:
     if value.rest is not None:
         piece = evaluate(value.rest, names, known)
         rest, needs, known = piece.code, needs + piece.needs, piece.known
-    made = own_call("made", names.message(value.message), rest, Const(value.taken), *members)
-    return Piece(made, needs, known)
+    given = (Listed(tuple(members)), rest, Const(value.taken))
+    return Piece(own_call("made", names.message(value.message), *given), needs, known)
 
 
 _CHANGES = {

@@ -42,6 +42,8 @@ def function_name(checker: Checker, written: tree.Call) -> str | None:
     elif name.text in SIZES and written.arguments:
         meant = f"size({written.arguments[0].span.text})"
         checker.report(NotAFunction(name.text, meant), name.span, fix="size")
+    elif symbols.message(name.text) is not None:
+        checker.report(NotAFunction(name.text, f"{name.text} {{ member = value, .. }}"), written.span)
     elif not symbols.is_excused(name.text):
         pool = (*symbols.function_names, *FORMS)
         checker.diagnostics.append(

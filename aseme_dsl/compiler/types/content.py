@@ -17,7 +17,6 @@ from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.diagnostics.problems import talk as problems
 from aseme_dsl.diagnostics.problems.absences import NoMessage
 from aseme_dsl.diagnostics.problems.expressions.paths import (
-    InnerMessageFilled,
     MemberFilledTwice,
     NewOnTopic,
     OptionalAssigned,
@@ -85,13 +84,11 @@ def fill(checker: Checker, message: str, written: Sequence[tree.Fill], value: Ty
         if target is None or given is None:
             continue
         path, kind = target
-        earlier = first.setdefault(path, item.target.span)
-        if earlier is not item.target.span:
+        earlier = next((span for other, span in first.items() if other[: len(path)] == path), None)
+        first[path] = item.target.span
+        if earlier is not None:
             related = (Related(earlier, "the first time"),)
             checker.report(MemberFilledTwice(item.target.text), item.target.span, related)
-            sound = False
-        elif kind.kind is Kind.MESSAGE:
-            checker.report(InnerMessageFilled(item.target.text), item.span)
             sound = False
         elif (optional := through_optional(checker, message, path)) is not None:
             checker.report(OptionalAssigned(optional, is_sent=True), item.target.span)

@@ -208,7 +208,7 @@ class RestOfNoMessage(Problem):
     def message(self) -> str:
         return f"`{self.name}` is not a message"
 
-    hint = "name a received message after `..`: `propose Bid b from …` / `{ ..b }`"
+    hint = "name a message after `..`: a variable, or what was received (`propose Bid b from …` / `{ ..b }`)"
 
 
 class RestDoesNotFit(Problem):

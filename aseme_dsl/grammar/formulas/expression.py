@@ -19,6 +19,7 @@ from aseme_dsl.diagnostics.problems.syntax import formulas as problems
 from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
 from aseme_dsl.grammar.formulas.filling import in_braces
 from aseme_dsl.grammar.formulas.reader import DEEPEST, Reader, is_word
+from aseme_dsl.grammar.formulas.transition_mistakes import check_content
 from aseme_dsl.grammar.formulas.words import Malformed
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.lexer import HOLE, UNITS
@@ -257,6 +258,7 @@ def _separated(reader: Reader, opener: Token, closer: str) -> list[tree.Expressi
 def _whole(reader: Reader) -> tree.Expression:
     """A value without what stands in `[ ]` behind it."""
     if reader.index == len(reader.tokens):
+        check_content(reader)
         raise reader.unexpected(Wanted.VALUE)
     first = reader.tokens[reader.index]
     initial = first[0]

@@ -134,6 +134,8 @@ class Reader:
             return problems.ChangeInCondition(wanted, previous, found), None
         if found == "=" and (following in ("<", ">") or previous in ("<", ">", "==", "!=")):
             return problems.ComparisonOfOthers(wanted, previous, found), None
+        if found == "=" and ")" in wanted and self._names_member():
+            return problems.MessageLikeCall(wanted, previous, found), None
         if previous == "after" and found[:1].isdigit():
             return problems.AfterWithoutParentheses(wanted, previous, found), None
         if found == "or" and previous == "]":
@@ -150,6 +152,11 @@ class Reader:
         if found.lower() in _MEANT:
             return problems.OperatorOfOtherLanguages(wanted, previous, found), _MEANT[found.lower()]
         return problems.UnexpectedInExpression(wanted, previous, found), None
+
+    def _names_member(self) -> bool:
+        """Whether `Order(id` is before the next token, of which a message may be meant."""
+        words = self.tokens[max(self.index - 3, 0) : self.index]
+        return len(words) == 3 and words[0][0].isupper() and words[1] == "(" and is_word(words[2])
 
     def still_open(self, opener: Token) -> Related:
         return Related(self.span(opener), f"this '{opener}' is still open")

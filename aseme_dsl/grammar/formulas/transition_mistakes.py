@@ -14,8 +14,8 @@ from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Span
 
 _CONTENT = re.compile(
-    r"\s*(send\s+(?P<kind>[A-Za-z_]\w*)(?:\s+(?P<message>[A-Za-z_]\w*))?|write_messages(?:\s*\.\s*\w+)+)"
-    r"\s*\{",
+    r"\s*(send\s+(?P<kind>[A-Za-z_]\w*)(?:\s+(?P<message>[A-Za-z_]\w*))?"
+    r"|(?P<made>new\s+)?[A-Za-z_]\w*(?:\s*\.\s*\w+)*|(?P<untyped>))\s*\{",
     re.ASCII,
 )
 _COLON = re.compile(
@@ -42,6 +42,11 @@ def check_content(reader: Reader) -> None:
     place = Span(reader.source, reader.tokens[-1].start if is_last else start, found.end())
     if found["kind"] and not found["message"]:
         raise Malformed(Diagnostic(problems.SendWithoutMessage((Wanted.MESSAGE,), found["kind"], "{"), place))
+    if found["made"]:
+        word = Span(reader.source, found.start("made"), found.end("made"))
+        raise Malformed(Diagnostic(problems.NewBeforeMessage(), place, edits=(Edit(word, ""),)))
+    if found["untyped"] is not None:
+        raise Malformed(Diagnostic(problems.ContentWithoutMessage(), place))
     colon = _COLON.match(text, found.end())
     if colon is not None:
         at = Span(reader.source, colon.end() - 1, colon.end())

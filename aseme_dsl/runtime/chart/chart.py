@@ -312,7 +312,7 @@ class Chart(ChartState):
 
     @staticmethod
     def made(
-        kind: Any, rest: object, taken: tuple[str, ...], *members: tuple[tuple[str, ...], object]
+        kind: Any, members: Iterable[tuple[tuple[str, ...], object]], rest: object, taken: tuple[str, ...]
     ) -> Any:
         """A new message with these members; the others are those of `rest` that are `taken`, or have their
         defaults."""

@@ -318,7 +318,11 @@ class Plain:
         return (*items[:place], item, *items[place + 1 :])
 
     def made(
-        self, kind: Any, rest: object, taken: tuple[str, ...], *members: tuple[tuple[str, ...], object]
+        self,
+        kind: Any,
+        members: Iterable[tuple[tuple[str, ...], object]],
+        rest: object,
+        taken: tuple[str, ...],
     ) -> Any:
         """A new message with these members; the others are those of `rest` that are `taken`, or have their
         defaults."""

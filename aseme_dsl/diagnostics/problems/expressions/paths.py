@@ -419,20 +419,7 @@ class MemberOfVariable(Problem):
 
     @property
     def hint(self) -> str:
-        return f"put another {self.type} in its place: `{self.name} = topic.state.{self.type}`"
-
-
-class InnerMessageFilled(Problem):
-    code = "E507"
-    member: str
-
-    @property
-    def message(self) -> str:
-        return f"`{self.member}` is a message inside the message"
-
-    @property
-    def hint(self) -> str:
-        return f"fill its members one by one: `{self.member}.member = …`"
+        return f"put another {self.type} in its place: `{self.name} = {self.type} {{ …, ..{self.name} }}`"
 
 
 class OptionalAssigned(Problem):

@@ -241,6 +241,12 @@ class NumberWithoutNought(UnexpectedInExpression):
         return f"write {self.number}"
 
 
+class MessageLikeCall(UnexpectedInExpression):
+    """`Order(id = 7)`"""
+
+    hint = "a new message has its members in braces: `Order { id = 7, .. }`"
+
+
 class ChangeInCondition(UnexpectedInExpression):
     """`[hp -= 1]`"""
 
@@ -377,6 +383,18 @@ class MemberWithColon(Problem):
     code = "E102"
     message = "a member is filled with '='"
     hint = "write = for :"
+
+
+class NewBeforeMessage(Problem):
+    code = "E102"
+    message = "'new' is not a word of the language"
+    hint = "write the message alone: `Order { id = 7, .. }`"
+
+
+class ContentWithoutMessage(Problem):
+    code = "E102"
+    message = "no message stands before '{'"
+    hint = "write which message it is: `Order { id = 7, .. }`"
 
 
 class ContentNotClosed(Problem):

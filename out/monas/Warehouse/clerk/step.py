@@ -23,27 +23,42 @@ class Board0(Board):
     """What region 0 knows."""
 
     __slots__ = ("desk_signal_Order",)
-    CHANNELS = frozenset(['desk.signal.Order', 'gate.state.Order'])
-    QUEUED = frozenset(['desk.signal.Order'])
-    SLOTS: ClassVar[Mapping[str, tuple[tuple[str, str | None], ...]]] = {'desk.signal.Order': (('desk_signal_Order', None),)}
+    CHANNELS = frozenset(["desk.signal.Order", "gate.state.Order"])
+    QUEUED = frozenset(["desk.signal.Order"])
+    SLOTS: ClassVar[Mapping[str, tuple[tuple[str, str | None], ...]]] = {
+        "desk.signal.Order": (("desk_signal_Order", None),)
+    }
     desk_signal_Order: Order | None
 
 
 class ClerkStep(Chart):
     """Runs the statechart clerk of Warehouse."""
 
-    __slots__ = ("b0", "k0", "r0", "v_mine", "v_now", "v_sent",)
+    __slots__ = (
+        "b0",
+        "k0",
+        "r0",
+        "v_mine",
+        "v_now",
+        "v_sent",
+    )
 
     PLAN = PLAN
-    REGIONS = ('0',)
-    READERS: ClassVar[Mapping[str, tuple[int, ...]]] = {'desk.signal.Order': (0,), 'gate.state.Order': (0,)}
-    RUNNING: ClassVar[Mapping[str, tuple[str, str, int]]] = {'0.2.2': ('r0', 'k0', 2), '0.3': ('r0', 'k0', 5)}
-    VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {'sent': ('v_sent',), 'mine': ('v_mine',), 'now': ('v_now',)}
-    MESSAGES: ClassVar[Mapping[str, Any]] = {'desk.signal.Order': Order}
+    REGIONS = ("0",)
+    READERS: ClassVar[Mapping[str, tuple[int, ...]]] = {"desk.signal.Order": (0,), "gate.state.Order": (0,)}
+    RUNNING: ClassVar[Mapping[str, tuple[str, str, int]]] = {"0.2.2": ("r0", "k0", 2), "0.3": ("r0", "k0", 5)}
+    VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        "sent": ("v_sent",),
+        "mine": ("v_mine",),
+        "now": ("v_now",),
+    }
+    MESSAGES: ClassVar[Mapping[str, Any]] = {"desk.signal.Order": Order}
     TIMES: ClassVar[Mapping[str, str]] = {}
-    MISSED: ClassVar[Mapping[str, tuple[tuple[int, str, tuple[tuple[int, int], ...]], ...]]] = {'desk.signal.Order': ((0, 'r0', ((1, 4),)),)}
+    MISSED: ClassVar[Mapping[str, tuple[tuple[int, str, tuple[tuple[int, int], ...]], ...]]] = {
+        "desk.signal.Order": ((0, "r0", ((1, 4),)),)
+    }
     LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = (
-        ('0.1', '0.2.1', '0.2.2', '0.2.2', '0.2.3', '0.3', '0.3', '0.4'),
+        ("0.1", "0.2.1", "0.2.2", "0.2.2", "0.2.3", "0.3", "0.3", "0.4"),
     )
 
     def __init__(self, agent: str) -> None:
@@ -69,56 +84,75 @@ class ClerkStep(Chart):
                 # 0.2.1 -> 0.2.2 Sell  (a.aseme:14:22)
                 self.taken.append((3,))
                 self.r0 = 2
-                self.k0 = self.begin('0.2.2', 'Sell')
+                self.k0 = self.begin("0.2.2", "Sell")
                 return True
         else:
             if r == 3:  # 0.2.2 Sell is complete
                 # 0.2.2 -> 0.2.2 Sell  [sent < 3] / sent += 1; append(mine, Order { id = sent, item = "box", place.x = 1.5, place.y = 2 }); now = Order { id = now.id + 1, ..mine[0] }  (a.aseme:17:5)
                 if self.v_sent < 3:
                     self.taken.append((4,))
-                    self.v_sent = (self.v_sent + 1)
+                    self.v_sent = self.v_sent + 1
                     try:
-                        self.v_mine = self.short('mine', 4, self.appended(self.v_mine, self.made(Order, None, (), (('id',), self.v_sent), (('item',), 'box'), (('place', 'x'), 1.5), (('place', 'y'), float(2)))))
+                        self.v_mine = self.short(
+                            "mine",
+                            4,
+                            self.appended(
+                                self.v_mine,
+                                self.made(
+                                    Order,
+                                    None,
+                                    (),
+                                    (("id",), self.v_sent),
+                                    (("item",), "box"),
+                                    (("place", "x"), 1.5),
+                                    (("place", "y"), float(2)),
+                                ),
+                            ),
+                        )
                     except Exception as error:
                         self.fault(4, error)
                     try:
                         if (m3_1 := self.v_now) is not None and len(m3_2 := self.v_mine) > (m3_3 := 0) >= 0:
-                            self.v_now = self.made(Order, m3_2[m3_3], ('item', 'place'), (('id',), (m3_1.id + 1)))
+                            self.v_now = self.made(
+                                Order, m3_2[m3_3], ("item", "place"), (("id",), (m3_1.id + 1))
+                            )
                         else:
                             self.fault(4, ABSENT)
                     except Exception as error:
                         self.fault(4, error)
                     self.r0 = 2
-                    self.k0 = self.begin('0.2.2', 'Sell')
+                    self.k0 = self.begin("0.2.2", "Sell")
                     return True
                 # 0.2.2 -> 0.2.3  else / now = Order { item = "last", ..mine[0] }; mine[0] = Order { .. }; desk.signal.Order = now; write_messages.desk.signal.Order  (a.aseme:18:5)
                 self.taken.append((5,))
                 try:
                     if len(m3_4 := self.v_mine) > (m3_5 := 0) >= 0:
-                        self.v_now = self.made(Order, m3_4[m3_5], ('id', 'place'), (('item',), 'last'))
+                        self.v_now = self.made(Order, m3_4[m3_5], ("id", "place"), (("item",), "last"))
                     else:
                         self.fault(5, ABSENT)
                 except Exception as error:
                     self.fault(5, error)
                 try:
-                    self.v_mine = self.short('mine', 4, self.put('mine', self.v_mine, 0, self.made(Order, None, ())))
+                    self.v_mine = self.short(
+                        "mine", 4, self.put("mine", self.v_mine, 0, self.made(Order, None, ()))
+                    )
                 except Exception as error:
                     self.fault(5, error)
                 if (m3_6 := self.v_now) is not None:
-                    b.fill('desk.signal.Order', None, (), m3_6)
+                    b.fill("desk.signal.Order", None, (), m3_6)
                 else:
                     self.fault(5, ABSENT)
-                self.publish(0, b, 'desk.signal.Order')
+                self.publish(0, b, "desk.signal.Order")
                 self.r0 = 4
                 return True
             elif r == 4:  # 0.2.3 END
                 # 0.2 -> 0.3 Call  [has(desk.signal.Order)]  (a.aseme:19:5)
-                b.ask('desk.signal.Order', None)
+                b.ask("desk.signal.Order", None)
                 if b.desk_signal_Order is not None:
                     self.taken.append((1,))
                     self.r0 = 5
-                    self.k0 = self.begin('0.3', 'Call')
-                    b.spend('desk.signal.Order', None)
+                    self.k0 = self.begin("0.3", "Call")
+                    b.spend("desk.signal.Order", None)
                     return True
             elif r == 6:  # 0.3 Call is complete
                 # 0.3 -> 0.4  (a.aseme:14:30)
@@ -169,4 +203,4 @@ class ClerkStep(Chart):
         return tuple(labels[n] for labels, n in zip(self.LEAVES, numbers, strict=True) if n >= 0)
 
 
-_RUNNING_0: dict[int, tuple[str, str]] = {2: ('0.2.2', 'Sell'), 5: ('0.3', 'Call')}
+_RUNNING_0: dict[int, tuple[str, str]] = {2: ("0.2.2", "Sell"), 5: ("0.3", "Call")}

@@ -23,28 +23,32 @@ class Board0(Board):
     """What region 0 knows."""
 
     __slots__ = ("desk_signal_Order",)
-    CHANNELS = frozenset(['desk.signal.Order'])
-    QUEUED = frozenset(['desk.signal.Order'])
-    SLOTS: ClassVar[Mapping[str, tuple[tuple[str, str | None], ...]]] = {'desk.signal.Order': (('desk_signal_Order', None),)}
+    CHANNELS = frozenset(["desk.signal.Order"])
+    QUEUED = frozenset(["desk.signal.Order"])
+    SLOTS: ClassVar[Mapping[str, tuple[tuple[str, str | None], ...]]] = {
+        "desk.signal.Order": (("desk_signal_Order", None),)
+    }
     desk_signal_Order: Order | None
 
 
 class PackerStep(Chart):
     """Runs the statechart packer of Warehouse."""
 
-    __slots__ = ("b0", "k0", "r0",)
+    __slots__ = (
+        "b0",
+        "k0",
+        "r0",
+    )
 
     PLAN = PLAN
-    REGIONS = ('0',)
-    READERS: ClassVar[Mapping[str, tuple[int, ...]]] = {'desk.signal.Order': (0,)}
-    RUNNING: ClassVar[Mapping[str, tuple[str, str, int]]] = {'0.2': ('r0', 'k0', 1)}
+    REGIONS = ("0",)
+    READERS: ClassVar[Mapping[str, tuple[int, ...]]] = {"desk.signal.Order": (0,)}
+    RUNNING: ClassVar[Mapping[str, tuple[str, str, int]]] = {"0.2": ("r0", "k0", 1)}
     VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {}
     MESSAGES: ClassVar[Mapping[str, Any]] = {}
     TIMES: ClassVar[Mapping[str, str]] = {}
-    WAITING: ClassVar[frozenset[str]] = frozenset(['0.2'])
-    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = (
-        ('0.1', '0.2', '0.2', '0.3'),
-    )
+    WAITING: ClassVar[frozenset[str]] = frozenset(["0.2"])
+    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = (("0.1", "0.2", "0.2", "0.3"),)
 
     def __init__(self, agent: str) -> None:
         super().__init__(agent)
@@ -60,24 +64,24 @@ class PackerStep(Chart):
             # 0.1 -> 0.2 Idle  (a.aseme:24:23)
             self.taken.append((0,))
             self.r0 = 1
-            self.k0 = self.begin('0.2', 'Idle')
+            self.k0 = self.begin("0.2", "Idle")
             return True
         elif r == 1:  # 0.2 Idle runs
             # 0.2 -> 0.3  when [desk.signal.Order.item == "last"]  (a.aseme:26:20)
-            b.ask('desk.signal.Order', None)
-            if (m1_1 := b.desk_signal_Order) is not None and m1_1.item == 'last':
+            b.ask("desk.signal.Order", None)
+            if (m1_1 := b.desk_signal_Order) is not None and m1_1.item == "last":
                 self.taken.append((1,))
-                self.cancel('0.2', 'Idle', self.k0)
+                self.cancel("0.2", "Idle", self.k0)
                 self.r0 = 3
-                b.spend('desk.signal.Order', None)
+                b.spend("desk.signal.Order", None)
                 return True
         elif r == 2:  # 0.2 Idle is complete
             # 0.2 -> 0.3  when [desk.signal.Order.item == "last"]  (a.aseme:26:20)
-            b.ask('desk.signal.Order', None)
-            if (m2_1 := b.desk_signal_Order) is not None and m2_1.item == 'last':
+            b.ask("desk.signal.Order", None)
+            if (m2_1 := b.desk_signal_Order) is not None and m2_1.item == "last":
                 self.taken.append((1,))
                 self.r0 = 3
-                b.spend('desk.signal.Order', None)
+                b.spend("desk.signal.Order", None)
                 return True
         return False
 
@@ -123,4 +127,4 @@ class PackerStep(Chart):
         return tuple(labels[n] for labels, n in zip(self.LEAVES, numbers, strict=True) if n >= 0)
 
 
-_RUNNING_0: dict[int, tuple[str, str]] = {1: ('0.2', 'Idle')}
+_RUNNING_0: dict[int, tuple[str, str]] = {1: ("0.2", "Idle")}
