@@ -1511,6 +1511,7 @@ class AsemeLexer(RegexLexer):  # type: ignore[misc]
             ("\\s+", Whitespace),
             ("//[^\\n]*", Comment.Single),
             ("/\\*(?:[^*]|\\*(?!/))*\\*/", Comment.Multiline),
+            ("((?!(?:liveness|activities|modules|sag|suc)\\b)[A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\\b(?=\\s*\\{))(\\s*)(\\{)", bygroups(Name, Whitespace, Punctuation), "content of a message"),
             ("(\"(?:[^\"\\\\\\n]|\\\\.)*\")", bygroups(String)),
             ("([0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b)", bygroups(Number)),
             ("((?:true|false)\\b(?!\\s*\\.))", bygroups(Keyword.Constant)),

@@ -219,7 +219,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     # Content and answers of agent messages (E57x, E58x, W58x, N76x)
     "E575": ("error", "answers counted outside a condition"),
     "E576": ("error", "answers of a participant without messages"),
-    "E577": ("error", "incomplete content of an agent message"),
+    "E577": ("error", "incomplete content of a message"),
     "E578": ("error", "unsuitable message after `..`"),
     "E579": ("error", "deadline of an answer in the past"),
     "N760": ("note", "`..` without effect"),

@@ -89,7 +89,9 @@ def test_another_region_sees_the_list_in_the_next_step(play: Play) -> None:
 def with_messages(play: Play, actions: str, condition: str = "n == 9") -> Run:
     """An agent that has got a message on `t.state.M`, and is in B after these actions."""
     run = play(
-        "srm R { var m : M  var o : M  var q : list[2] of M  var n : int = 7 liveness { R = A . B . C }"
+        "message Inner { int y  optional int z } message Big { int x  Inner inner  repeated int many }"
+        " srm R { var m : M  var o : M  var b : Big  var q : list[2] of M  var n : int = 7"
+        " liveness { R = A . B . C }"
         f" control R {{ enter B : / {actions} enter C : when [{condition}] }} }}"
     ).step()
     return run.step(run.heard("t.state.M", x=3, s="a"), run.done("A"))
@@ -142,3 +144,25 @@ def test_nothing_fills_a_draft_from_a_variable_without_a_message(play: Play) -> 
     run = with_messages(play, "t.data.M = m; write_messages.t.data.M")
     assert "publish t.data.M {}" in run.did
     assert [line for line in run.did if line.startswith("fault")]
+
+
+@pytest.mark.parametrize(
+    ("actions", "condition"),
+    [
+        ('m = M { x = n, s = "b", .. }', 'm.x == 7 && m.s == "b" && !m.on'),
+        ("m = M { x = 1, ..t.state.M }", 'm.x == 1 && m.s == "a" && t.state.M.x == 3'),
+        ("append(q, M { .. }); q[0] = M { x = n > 1 ? 5 : 6, ..t.state.M }", "q[0].x == 5"),
+        ("b = Big { many = [n, 2], .. }; b = Big { x = size(b.many), ..b }", "b.many[0] == 7 && b.x == 2"),
+        ("b = Big { inner.y = 4, .. }; b = Big { inner = b.inner, .. }", "b.inner.y == 4"),
+        ("b = Big { inner = Inner { y = 2 }, inner.z = 3, .. }", "b.inner.y == 2 && b.inner.z == 3"),
+    ],
+)
+def test_a_message_is_made(play: Play, actions: str, condition: str) -> None:
+    run = with_messages(play, actions, condition)
+    assert (run.active, [line for line in run.did if line.startswith("fault")]) == (["C"], [])
+
+
+def test_no_message_is_made_of_what_is_absent(play: Play) -> None:
+    run = with_messages(play, "o = M { x = m.x, .. }; o = M { x = 1, ..m }; n = 1")
+    assert (run.variable("o"), run.variable("n")) == (None, 1)
+    assert len([line for line in run.did if line.startswith("fault")]) == 1

@@ -352,6 +352,28 @@ def test_messages_with_names_and_members() -> None:
     assert then("send propose Bid to manager except ‸") == ["manager", "contractor"]
 
 
+def test_a_message_that_is_made() -> None:
+    text = (
+        "system T\nmessage Place { int y }\nmessage Order { int id  string item  Place place }\n"
+        "topic desk { signal Order from r }\n"
+        "srm r { var now : Order  var n : int = 0  var queue : list of Order\n"
+        "liveness { r = A . B } control r { enter B : [n > 2] / ACTION } }\n"
+    )
+
+    def then(typed: str) -> list[str]:
+        return labels(text.replace("ACTION", typed))
+
+    assert then("now = ‸")[:3] == ["desk.signal.Order", "now", "Order"]
+    assert then("append(queue, ‸")[:3] == ["desk.signal.Order", "now", "Order"]
+    for begun in ("now = Order { ", "append(queue, Order { id = n, ", "write_messages.desk.signal.Order { "):
+        assert then(f"{begun}‸") == ["id", "item", "place"]
+        assert then(f"{begun}‸ }}") == ["id", "item", "place"]
+        assert then(f"{begun}place.‸") == ["y"]
+        assert then(f"{begun}id = queue[0].‸") == ["id", "item", "place"]
+        assert then(f"{begun}id = ‸")[:2] == ["now", "n"]
+    assert then("append(queue, Order { id = n, .. }); ‸")[:3] == ["now", "n", "queue"]
+
+
 def test_the_constants_of_the_enum_that_is_compared() -> None:
     text = instead(SOCCER, "player_state == PlayerState.PLAYING", "player_state == ‸")
     assert labels(text)[:3] == ["PlayerState.INITIAL", "PlayerState.READY", "PlayerState.SET"]

@@ -21,8 +21,10 @@ from aseme_dsl.grammar.text.token import Token, token
 _PIECE = re.compile(r'//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|"(?:[^"\\\n]|\\.)*"?|[{}]')
 _NAME_BEFORE = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z|[0-9]+(?:\.[0-9]*)*\Z")
 _DOTTED = re.compile(r"(?<![\w.])(?:[A-Za-z_][A-Za-z0-9_]*\s*\.\s*)+\Z")
-_FILLED = re.compile(r"\b(?:send|busy)\s+\w+\s+\w+\s*\Z")
-"""A message that is sent, before the braces that fill it."""
+_FILLED = re.compile(
+    r"(?:\b(?:send|busy)\s+\w+\s+\w+|\bwrite_messages(?:\s*\.\s*\w+)+|[=(,?:]\s*\w+(?:\s*\.\s*\w+)*)\s*\Z"
+)
+"""A message that is sent, published or made, before the braces that fill it."""
 _IN_ONE_PIECE = ("ControlToken", "BusyToken")
 _MAY_BE_DOTTED = ("Path", "Reference", "EntryReference", "ProtocolName", "RoleName", "IncludedName")
 _NAME_AFTER = re.compile(r"[A-Za-z0-9_]*")

@@ -7,7 +7,7 @@ expressions say which names that means in this system.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import assert_never
@@ -300,8 +300,11 @@ def _busy(ask: Ask) -> Iterator[Item]:
         yield from _members_to_fill(ask, said[1])
 
 
-def _members_to_fill(ask: Ask, message: str) -> Iterator[Item]:
+def _members_to_fill(ask: Ask, message: str, path: Sequence[str]) -> Iterator[Item]:
     filled = ask.known.symbols.message(message)
+    for name in path:
+        inner = filled.field(name) if filled is not None else None
+        filled = ask.known.symbols.message(inner.type.name) if inner is not None else None
     for field in filled.fields if filled is not None else ():
         said = ask.known.documentation(field.span)
         yield Item(field.name, ItemKind.MEMBER, str(field.type), said, f"{field.name} = ", rank=0)
@@ -335,7 +338,7 @@ def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
                 agents = (name for name, (_, kind) in scope.variables.items() if kind == AGENT)
                 yield from (Item(name, ItemKind.VARIABLE, "agent", rank=3) for name in agents)
         case SlotKind.FILL:
-            yield from _members_to_fill(ask, slot.said[0])
+            yield from _members_to_fill(ask, slot.said[0], slot.path)
         case SlotKind.ACTION:
             yield from actions(scope, ask.known)
             if party is not None:

@@ -68,6 +68,7 @@ class Slot:
 
 OPERATORS = frozenset("&& || and or ! not == != < <= > >= + - * / % ( [ , = when else & | ? :".split())
 _COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
+_OPENERS, _CLOSERS = ("(", "[", "{"), (")", "]", "}")
 _LOGIC = ("&&", "||", "and", "or")
 
 
@@ -121,11 +122,11 @@ def _event_slot(tokens: Sequence[Token]) -> Slot:
 def _action_slot(tokens: Sequence[Token]) -> Slot:
     action = tokens[_behind_last(tokens, (";",)) :]
     said = tuple(map(str, action))
+    opened = _open_brace(action)
+    if opened > 0:
+        return _fill_slot(said[opened - 1].rpartition(".")[2], action[opened + 1 :])
     if said[:1] == ("send",) and "{" in said:
-        opened = said.index("{")
-        if "}" not in said:
-            return _fill_slot(said[opened - 1], action[opened + 1 :])
-        said = said[:opened] + said[said.index("}") + 1 :]
+        said = said[: said.index("{")] + said[_behind_braces(action) :]
     match said:
         case ():
             return Slot(SlotKind.ACTION)
@@ -141,7 +142,7 @@ def _action_slot(tokens: Sequence[Token]) -> Slot:
             return Slot(SlotKind.COMPLETE)
     depth = 0
     for index, item in enumerate(action):
-        depth += (item in ("(", "[")) - (item in (")", "]"))
+        depth += (item in _OPENERS) - (item in _CLOSERS)
         if depth == 0 and item == "=":
             slot = value_slot(action[index + 1 :])
             return Slot(slot.kind, slot.path, slot.left, slot.said, slot.calls, tuple(action[:index]))
@@ -151,12 +152,36 @@ def _action_slot(tokens: Sequence[Token]) -> Slot:
     return slot
 
 
+def _open_brace(tokens: Sequence[Token]) -> int:
+    """Where the innermost brace is that is still open; 0 without one."""
+    opened: list[int] = []
+    for index, item in enumerate(tokens):
+        if item == "{":
+            opened.append(index)
+        elif item == "}" and opened:
+            opened.pop()
+    return opened[-1] if opened else 0
+
+
+def _behind_braces(tokens: Sequence[Token]) -> int:
+    """Where that begins which follows the first content in braces."""
+    depth = 0
+    for index, item in enumerate(tokens):
+        depth += (item == "{") - (item == "}")
+        if item == "}" and depth == 0:
+            return index + 1
+    return len(tokens)
+
+
 def _fill_slot(message: str, tokens: Sequence[Token]) -> Slot:
     """Inside the braces behind a message that is sent: a member, or the value that it gets."""
-    equals = max((index for index, item in enumerate(tokens) if item == "="), default=-1)
-    slot = value_slot(tokens[equals + 1 :])
+    member = tokens[_behind_last(tokens, (",", ";")) :]
+    if member[:1] == [".."]:
+        return value_slot(member[1:])
+    equals = max((index for index, item in enumerate(member) if item == "="), default=-1)
+    slot = value_slot(member[equals + 1 :])
     if equals < 0 or slot.kind is SlotKind.COMPLETE:
-        return Slot(SlotKind.FILL, said=(message,))
+        return Slot(SlotKind.FILL, path_before(member)[0], said=(message,))
     return slot
 
 
@@ -164,10 +189,10 @@ def value_slot(tokens: Sequence[Token]) -> Slot:
     """What may come next in an expression."""
     frames: list[tuple[int, list[int]]] = [(-1, [0])]  # the index of a function's name, where arguments begin
     for index, item in enumerate(tokens):
-        if item in ("(", "["):
+        if item in _OPENERS:
             called = index > 0 and item == "(" and is_name(tokens[index - 1])
             frames.append((index - 1 if called else -1, [index + 1]))
-        elif item in (")", "]"):
+        elif item in _CLOSERS:
             if len(frames) > 1:
                 frames.pop()
         elif item == ",":
@@ -258,7 +283,7 @@ def is_name(text: str) -> bool:
 def _behind_last(tokens: Sequence[Token], signs: tuple[str, ...]) -> int:
     depth, behind = 0, 0
     for index, item in enumerate(tokens):
-        depth += (item in ("(", "[")) - (item in (")", "]"))
+        depth += (item in _OPENERS) - (item in _CLOSERS)
         if depth == 0 and item in signs:
             behind = index + 1
     return behind

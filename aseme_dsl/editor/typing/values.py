@@ -36,6 +36,9 @@ def values(scope: Scope, known: Known, slot: Slot, text: str, wanted: Type | Non
         )
     elif wanted is not None and wanted.kind is Kind.MESSAGE:
         yield from _channels(scope, known, lambda rules: rules.channel.message == wanted.name)
+        if slot.target or (call is not None and call.function == "append"):
+            made = f"{wanted.name} {{ $0 }}"
+            yield Item(wanted.name, ItemKind.MESSAGE, "a new message", "", made, is_snippet=True, rank=1)
     for name, (_, kind) in scope.variables.items():
         yield Item(name, ItemKind.VARIABLE, str(kind), rank=_rank(kind, wanted, 2))
     for name, given in scope.parameters.items():
@@ -186,7 +189,8 @@ def members(scope: Scope, known: Known, path: Sequence[str], comms: Sequence[str
     symbols = scope.symbols
     first, rest = path[0], list(path[1:])
     if first in scope.variables:
-        yield from _fields(scope, known, symbols.message(scope.variables[first][1].name), rest)
+        kind = scope.variables[first][1]
+        yield from _fields(scope, known, symbols.message((kind.element or kind).name), rest)
         return
     if first in known.aliases and first not in scope.lets:
         if not rest:
@@ -266,6 +270,9 @@ def _wanted(scope: Scope, slot: Slot, text: str) -> Type | None:
 
 def _parameter(scope: Scope, call: Call) -> Type | None:
     """The type of an argument, if all functions of that name agree."""
+    if call.function == "append" and call.argument == 1:
+        known = scope.variables.get("".join(call.given[0]))
+        return None if known is None else known[1].element
     kinds = {
         function.parameters[call.argument][1]
         for function in scope.symbols.overloads(call.function)

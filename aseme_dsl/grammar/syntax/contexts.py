@@ -289,7 +289,7 @@ def outline() -> tuple[Context, ...]:
     """The contexts of the language, the file first."""
     found = _Outline()
     found.body(FILE, grammar().items, closed=False)
-    content = Context(CONTENT, (), True, None, (Tokens.EXPRESSION, r"[^\s{}]"))
+    content = Context(CONTENT, _WITH_CONTENT[-1:], True, None, (Tokens.EXPRESSION, r"[^\s{}]"))
     found.contexts[CONTENT] = content
     return tuple(found.contexts.values())
 

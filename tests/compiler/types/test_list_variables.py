@@ -125,6 +125,13 @@ def with_messages(action: str = "m = t.state.Order; append(q, m)", condition: st
         with_messages(
             "write_messages.t.state.Order { ..m }; t.state.Order = q[0]; t.state.Order.id = q[0].id"
         ),
+        with_messages(
+            "m = Order { id = 1, .. }; append(q, Order { id = m.id + 1, ..m }); q[0] = Order { ..q[0] }"
+        ),
+        with_messages(
+            'm = Order { id = 1, place = Place { x = 2 }, names = ["a"], note = "b" };'
+            " o = Order { place = m.place, place.x = 3, .. }; m = Order { id = 1, ..t.state.Order }"
+        ),
         with_messages(condition='has(m) && has(m.note) && m.place.x == 1 && contains(m.names, "a")'),
         with_messages(condition='q[0].names[1] == "a" && size(q[1].names) > 0 && q[0].place.x < m.place.x'),
     ],
@@ -151,6 +158,48 @@ def test_variables_hold_messages(written: str) -> None:
             "m",
             "an Other is wanted here, not an Order",
         ),
+        (
+            with_messages("m = Order { id = 1 }"),
+            "E577",
+            "{ id = 1 }",
+            "the content of `Order` leaves out `place` and `names`",
+        ),
+        (
+            with_messages("m = Other { id = 1 }"),
+            "E500",
+            "Other { id = 1 }",
+            "an Order is wanted here, not an Other",
+        ),
+        (with_messages("m = Ordr { .. }"), "E502", "Ordr", "there is no message `Ordr`"),
+        (with_messages("m = Order { ids = 1, .. }"), "E501", "ids", "`Order` has no member `ids`"),
+        (
+            with_messages("m = Order { place.x = 1, place = m.place, .. }"),
+            "E225",
+            "place",
+            "`place` is filled twice",
+        ),
+        (with_messages("m = Order { ..q }"), "E578", "q", "`q` is not a message"),
+        (
+            with_messages("m = t.state.Order { .. }"),
+            "E502",
+            "t.state.Order",
+            "`t.state.Order` is what has come on a topic, not the type of a new message",
+        ),
+        (with_messages("m = Order(1)"), "E502", "Order(1)", "`Order` is not a function"),
+        (
+            with_messages("m = Order(id = 1)"),
+            "E102",
+            "=",
+            "expected an operator, ',' or ')' after 'id', found '='",
+        ),
+        (
+            with_messages("m = new Order { .. }"),
+            "E102",
+            "= new Order {",
+            "'new' is not a word of the language",
+        ),
+        (with_messages("append(q, { id = 1 })"), "E102", ", {", "no message stands before '{'"),
+        (with_messages("append(q, Order { id: 1 })"), "E102", ", Order {", "a member is filled with '='"),
         (with_messages(condition="m == o"), "E509", "m == o", "two messages (Order) cannot be compared"),
         (with_messages(condition="m.age > 3"), "E501", "age", "`Order` has no member `age`"),
         (with_messages(condition="has(q[0])"), "E504", "q[0]", "`has` wants a message, not an Order"),
