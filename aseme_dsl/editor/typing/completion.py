@@ -300,7 +300,7 @@ def _busy(ask: Ask) -> Iterator[Item]:
         yield from _members_to_fill(ask, said[1])
 
 
-def _members_to_fill(ask: Ask, message: str, path: Sequence[str]) -> Iterator[Item]:
+def _members_to_fill(ask: Ask, message: str, path: Sequence[str] = ()) -> Iterator[Item]:
     filled = ask.known.symbols.message(message)
     for name in path:
         inner = filled.field(name) if filled is not None else None
