@@ -132,7 +132,7 @@ def deadline(checker: Checker, written: tree.Expression, value: Typed) -> Value 
 
 
 def _no_message(checker: Checker, name: tree.Name) -> None:
-    """What stands before the braces is no message (E502)."""
+    """What stands before the braces is not a message (E502)."""
     topic, _, last = name.text.rpartition(".")
     if topic.rpartition(".")[2] in [comm.value for comm in ChannelKind]:
         checker.report(NewOnTopic(name.text, last), name.span, fix=last)
