@@ -21,7 +21,7 @@ from aseme_dsl.compiler.read.builtins import COMM_TYPES, PERFORMATIVES
 from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.names import unknown, unknown_performative
-from aseme_dsl.compiler.types import exchange
+from aseme_dsl.compiler.types.content import fill
 from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.compiler.types.typecheck import type_value
 from aseme_dsl.diagnostics import Diagnostic, Problem
@@ -269,6 +269,8 @@ def _with_paths(written: tree.Expression, change: Callable[[tree.Path], tree.Pat
             return replace(written, elements=tuple(map(part, written.elements)))
         case tree.Element():
             return replace(written, list=part(written.list), index=part(written.index))
+        case tree.NewMessage(fills=fills):
+            return replace(written, fills=tuple(replace(item, value=part(item.value)) for item in fills))
         case tree.Number() | tree.Duration() | tree.Truth() | tree.Text() | tree.Hole():
             return written
         case _:
@@ -634,7 +636,7 @@ class _Check:
             return
         checker = Checker(self._scope(None))
         fills = tuple(replace(one, value=self._own(one.value)) for one in item.fills)
-        exchange.fill(checker, kind, fills, _typed)
+        fill(checker, kind, fills, _typed)
         self.found += checker.diagnostics
 
     def _carried(self, path: tree.Path) -> str | None:
