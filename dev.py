@@ -102,6 +102,11 @@ LONG = [
         ["-m", "pytest", "-n", "auto", "tests/cli/test_mutations.py"],
         {"MUTATIONS": "20000"},
     ),
+    (
+        "compact drawings of random charts",
+        ["-m", "pytest", "-n", "auto", "tests/diagrams/test_compact.py"],
+        {"COMPACT_CHARTS": "2000"},
+    ),
     ("latency", ["benchmarks/latency.py"], {}),
     ("agents", ["benchmarks/agents.py"], {}),
     ("a long match", ["benchmarks/soak.py", "0.5"], {}),

@@ -55,8 +55,17 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
     help="Transition expressions in the diagram.  [default: the project's, else numbered]",
 )
 @click.option("--at", metavar="LABEL", help="Draw only the state with this label and its content.")
-@click.option("--depth", type=click.IntRange(min=1), help="Levels of nested states to draw.")
+@click.option(
+    "--depth",
+    type=click.IntRange(min=1),
+    help="Levels of nested states to draw; in the compact layout, of formulas.",
+)
 @click.option("--layout", type=click.Choice(["nested", "tree", "compact"]), help="Draw only this view.")
+@click.option(
+    "--page",
+    type=click.Choice(["a4", "screen"]),
+    help="With --layout compact: divide each chart into pages of this size.",
+)
 @click.option(
     "--labels",
     type=click.Choice(["plain", "original"]),
@@ -74,22 +83,23 @@ def command(
     at: str | None,
     depth: int | None,
     layout: str | None,
+    page: str | None,
     labels: str | None,
     force: bool,
     as_json: bool,
     colour: str,
 ) -> int:
     """Draw and write; 1 if the file has errors or a drawing cannot be made or written."""
-    from aseme_dsl.diagrams import FORMATS, DrawingFailed, Expressions, Layout, NoSuchState, Options
+    from aseme_dsl.diagrams import FORMATS, DrawingFailed, Expressions, Layout, NoSuchState, Options, PageSize
     from aseme_dsl.project.building.build import with_labels
     from aseme_dsl.project.building.draw import NoSuchDrawing, choose, draw_all, into_folder
     from aseme_dsl.project.files.outputs import marked
     from aseme_dsl.project.files.write import write_file
 
-    if layout == "compact" and (at is not None or depth is not None or expressions is not None):
-        raise click.UsageError(
-            "--layout compact draws the whole chart: leave out --at, --depth and --expressions."
-        )
+    if layout == "compact" and expressions is not None:
+        raise click.UsageError("--layout compact has one way to show expressions: leave out --expressions.")
+    if page is not None and (layout != "compact" or depth is not None):
+        raise click.UsageError("--page is for --layout compact, without --depth.")
     compiled = one_system(target)
     if compiled.system is None:
         if as_json:
@@ -98,7 +108,13 @@ def command(
             print_diagnostics(compiled.diagnostics, colour)
         return 1
     expressions = expressions or compiled.configuration.expressions or "numbered"
-    options = Options(Expressions(expressions), at, depth, Layout(layout) if layout else None)
+    options = Options(
+        Expressions(expressions),
+        at,
+        depth,
+        Layout(layout) if layout else None,
+        PageSize(page) if page else None,
+    )
     suffix = Path(output).suffix[1:]
     format_ = format_ or (suffix if suffix in FORMATS else "svg")
     to_file = output == "-" or suffix == format_

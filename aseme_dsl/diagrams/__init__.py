@@ -24,7 +24,9 @@ from aseme_dsl.diagrams.look.drawing import (
     Layout,
     NoSuchState,
     Options,
+    PageSize,
     of_sheet,
+    piece_name,
 )
 from aseme_dsl.diagrams.look.view import view
 from aseme_dsl.diagrams.models import aip, division, sag, srm, statechart, suc, tree
@@ -49,6 +51,7 @@ __all__ = [
     "Maker",
     "NoSuchState",
     "Options",
+    "PageSize",
     "draw",
     "draw_model",
     "draw_one",
@@ -156,13 +159,13 @@ def _role(role: Srm, activities: tuple[Activity | None, ...]) -> list[Drawing]:
     return [of_sheet(srm.sheet(role, activities, f"srm.{role.name}"))]
 
 
-def _compact(chart: Statechart, options: Options, activities: Iterable[Activity]) -> Drawing:
+def _compact(chart: Statechart, options: Options, activities: Iterable[Activity]) -> list[Drawing]:
     """The compact drawing; the nested one with a note where there is no right compact one."""
-    found = compact.drawing(chart, activities)
-    if isinstance(found, Drawing):
+    found = compact.drawings(chart, options, activities)
+    if isinstance(found, list):
         return found
     (nested,) = draw_statechart(chart, replace(options, layout=Layout.NESTED))
-    return replace(nested, note=f"{nested.name} is drawn nested: {found}")
+    return [replace(nested, note=f"{nested.name} is drawn nested: {found}")]
 
 
 def draw_statechart(
@@ -176,10 +179,10 @@ def draw_statechart(
     shown = view(chart, at=options.at, depth=options.depth)
     made = []
     if options.layout is Layout.COMPACT:
-        return [_compact(chart, options, activities)]
+        return _compact(chart, options, activities)
     for layout in (Layout.NESTED, Layout.TREE) if options.layout is None else (options.layout,):
         name = f"{chart.kind.lower()}.{chart.name}{'.tree' if layout is Layout.TREE else ''}"
-        name = division.piece_name(name, options.at) if options.at is not None else name
+        name = piece_name(name, options.at) if options.at is not None else name
         sheet = tree.sheet if layout is Layout.TREE else statechart.sheet
         drawer = partial(sheet, expressions=options.expressions)
         pieces = partial(division.pieces, shown, name, drawer)

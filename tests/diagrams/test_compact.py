@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
@@ -11,14 +13,18 @@ from xml.etree import ElementTree
 import pytest
 
 import aseme_dsl
-from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagrams import Layout, Options, draw_statechart, render
 from aseme_dsl.diagrams.compact.blocks import NotCompact
 from aseme_dsl.diagrams.compact.check import faults
 from aseme_dsl.diagrams.compact.elements import Form, Line, Picture, Shape, Text
+from aseme_dsl.diagrams.compact.ink.svg import svg
 from aseme_dsl.diagrams.compact.layout import layout
 from aseme_dsl.diagrams.look.labels import text_width
+from tests.diagrams.drawn_svg import elements_of
 from tests.diagrams.texts import TEAM, compiled
+from tests.oracle.charts import text
+from tests.oracle.choices import Choices
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -98,16 +104,33 @@ def planted(picture: Picture) -> Iterator[tuple[str, Picture]]:
             yield "label exchanged", changed(number, replace(label, text=before.text))
 
 
-def test_planted_faults_are_noticed() -> None:
+def reread(chart: Statechart, picture: Picture) -> Picture:
+    """What the finished SVG of a picture shows."""
+    root = ElementTree.fromstring(svg(chart, picture))
+    return replace(picture, elements=tuple(elements_of(root)))
+
+
+def test_planted_faults_are_noticed_in_finished_drawings() -> None:
     missed: list[str] = []
     count = 0
     for chart in (*example("cell"), *example("goalie"), chart_of(TEAM)):
-        for kind, picture in planted(layout(chart)):
+        finished = reread(chart, layout(chart))
+        assert faults(chart, finished) == []
+        for kind, picture in planted(finished):
             count += 1
             if not faults(chart, picture):
                 missed.append(f"{chart.name}: {kind}")
     assert count > 200
     assert len(missed) <= count / 100, missed
+
+
+@pytest.mark.parametrize("seed", range(int(os.environ.get("COMPACT_CHARTS", "12"))))
+def test_random_charts_are_drawn_rightly_or_with_a_reason(seed: int) -> None:
+    system = compiled(text(Choices(seed)))
+    for chart in system.statecharts:
+        with contextlib.suppress(NotCompact):
+            picture = layout(chart, system.activities)
+            assert faults(chart, picture, system.activities) == []
 
 
 def test_the_svg_shows_each_transition_once_and_no_text_on_another() -> None:
@@ -143,3 +166,80 @@ def test_a_chart_that_is_no_formula_is_drawn_nested_with_the_reason() -> None:
     (drawing,) = draw_statechart(other, Options(layout=Layout.COMPACT))
     assert not drawing.picture
     assert "is drawn nested" in drawing.note
+
+
+def shapes(picture: Picture, form: Form) -> list[str]:
+    return [item.state for item in picture.elements if isinstance(item, Shape) and item.form is form]
+
+
+def said(picture: Picture) -> str:
+    return "\n".join(item.text for item in picture.elements if isinstance(item, Text))
+
+
+def test_a_region_that_repeats_one_activity_is_a_pill_in_document_order() -> None:
+    chart = chart_of(SMALL % "A~ || B~ || (C . D) || E~")
+    picture = layout(chart)
+    assert faults(chart, picture) == []
+    assert [chart.node(label).name for label in shapes(picture, Form.PILL)] == ["A", "B", "E"]
+    rows = {item.text: item.y for item in picture.elements if isinstance(item, Text)}
+    assert rows["A"] == rows["B"] < rows["C"] < rows["E"]
+
+
+def test_equal_regions_are_drawn_once() -> None:
+    chart = chart_of(SMALL % "(A . B)[4]")
+    picture = layout(chart)
+    assert faults(chart, picture) == []
+    assert len(shapes(picture, Form.ACTIVITY)) == 2
+    assert "× 4" in said(picture)
+    other = replace(picture, copies=(picture.copies[0][:-1],))
+    assert faults(chart, other) != []
+
+
+def test_a_formula_that_is_one_frame_has_one_border() -> None:
+    text = "system S\nsrm r { liveness { r = A . part . D  part = B || C } }"
+    chart = chart_of(text)
+    picture = layout(chart)
+    assert faults(chart, picture) == []
+    assert len(shapes(picture, Form.PARALLEL)) == 1 and shapes(picture, Form.FRAME) == []
+    assert "part" in said(picture)
+
+
+def test_what_is_never_taken_stands_at_the_sign_of_what_never_ends() -> None:
+    chart = chart_of(SMALL % "A . (B . C)~")
+    (sign,) = (
+        item for item in layout(chart).elements if isinstance(item, Shape) and item.form is Form.ENDLESS
+    )
+    assert [chart.transitions[place].target for place in sign.marks] == [chart.end_of("0").label]  # type: ignore[union-attr]
+
+
+def test_the_rank_is_written_where_a_state_may_be_repeated_or_left() -> None:
+    control = "repeat A : [n > 1]\n leave A : [n > 0]"
+    text = f"system S\nsrm r {{ var n : int = 0  liveness {{ r = A+ . B }} control r {{ {control} }} }}"
+    shown = said(layout(chart_of(text)))
+    assert "1: [n > 1]" in shown and "2: [n > 0]" in shown
+    plain = text.replace("leave A : [n > 0]", "leave A : else")
+    assert "1: " not in said(layout(chart_of(plain)))
+
+
+def test_long_texts_stand_below_in_full() -> None:
+    guard = " && ".join(f"number_{n} > {n}" for n in range(12))
+    variables = " ".join(f"var number_{n} : int = 0" for n in range(12))
+    control = f"enter A : [{guard}]\n skip A : else"
+    text = f"system S\nsrm r {{ {variables} liveness {{ r = [A] }} control r {{ {control} }} }}"
+    chart = chart_of(text)
+    picture = layout(chart)
+    assert faults(chart, picture) == []
+    assert "… (1)" in said(picture) and "(1)\n" in said(picture)
+    assert "number_11 > 11" in said(picture)
+
+
+def test_a_part_that_is_no_formula_is_a_box_that_says_why() -> None:
+    chart = chart_of(SMALL % "A . ((B . C) || D)")
+    odd = next(item for item in chart.transitions if chart.node(item.source).name == "B")
+    extra = replace(odd, target=odd.source.rsplit(".", 1)[0] + ".4", priority=1)
+    other = replace(chart, transitions=(*chart.transitions, extra))
+    picture = layout(other)
+    assert faults(other, picture) == []
+    (box,) = shapes(picture, Form.CLOSED)
+    assert other.node(box).type is StateType.OR
+    assert "2 ways onward" in said(picture)

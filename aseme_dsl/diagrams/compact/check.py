@@ -35,7 +35,7 @@ def faults(chart: Statechart, picture: Picture, activities: Iterable[Activity] =
     lines = [item for item in picture.elements if isinstance(item, Line)]
     shapes = [item for item in picture.elements if isinstance(item, Shape)]
     written = [item for item in picture.elements if isinstance(item, Text)]
-    follows = Follows(chart)
+    follows = Follows(chart, picture.top)
     words = Words(chart, activities, picture.notes)
     hidden = frozenset(place for shape in shapes if shape.form is Form.CLOSED for place in shape.marks)
     return [

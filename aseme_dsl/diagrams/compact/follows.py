@@ -7,10 +7,11 @@ from aseme_dsl.diagrams.compact.endings import Endings
 
 
 class Follows:
-    """What can follow each transition at once; read from the chart, not from a drawing of it."""
+    """What can follow each transition at once inside `top`; read from the chart, not from a drawing of it."""
 
-    def __init__(self, chart: Statechart) -> None:
+    def __init__(self, chart: Statechart, top: str = "") -> None:
         self._chart = chart
+        self._top = top
         places = {id(item): place for place, item in enumerate(chart.transitions)}
         self._out: dict[str, tuple[int, ...]] = {
             state.label: tuple(
@@ -35,7 +36,7 @@ class Follows:
                 return self._out[target.label]
             case StateType.END:
                 parent = target.parent
-                if parent is None or chart.is_region(parent):
+                if parent is None or parent == self._top or chart.is_region(parent):
                     return ()
                 return tuple(item for item in self._out[parent] if not self.is_event(item))
             case StateType.BASIC | StateType.AND:

@@ -19,10 +19,8 @@ from aseme_dsl.diagrams.look.labels import wrapped
 
 _MARGIN = 14
 
-_SCREEN = (1920, 1080)
-
 _WIDTHS = (152, 190, 132, 116, 100)
-"""How wide labels are; the next is tried while the drawing is larger than a screen."""
+"""How wide labels are; the next is tried while the drawing is larger than wanted."""
 
 _LEAST = 560
 """How wide a page is at least, so that the texts below have room."""
@@ -30,10 +28,11 @@ _LEAST = 560
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """What is to be drawn: the OR `top`, with the composites `closed` closed."""
+    """What is to be drawn: the OR `top`, with the composites `closed` closed, if it can be in the `size`."""
 
     top: str
     closed: frozenset[str] = frozenset()
+    size: tuple[float, float] = (1920, 1080)
 
 
 def layout(chart: Statechart, activities: Iterable[Activity] = (), wanted: Wanted | None = None) -> Picture:
@@ -46,17 +45,17 @@ def layout(chart: Statechart, activities: Iterable[Activity] = (), wanted: Wante
     for wide in _WIDTHS:
         words = first.anew()
         picture = _page(chart, root, words, Plan(chart, words, endings), wide, wanted)
-        if best is None or _scale(picture) > _scale(best):
+        if best is None or scale(picture, wanted.size) > scale(best, wanted.size):
             best = picture
-        if _scale(best) >= 1:
+        if scale(best, wanted.size) >= 1:
             break
     assert best is not None
     return best
 
 
-def _scale(picture: Picture) -> float:
-    """How large the drawing is on a screen; 1 if it fits."""
-    return min(1.0, _SCREEN[0] / picture.width, _SCREEN[1] / picture.height)
+def scale(picture: Picture, size: tuple[float, float]) -> float:
+    """How large the drawing is where there is room of a size; 1 if it fits."""
+    return min(1.0, size[0] / picture.width, size[1] / picture.height)
 
 
 def _page(chart: Statechart, root: Group, words: Words, plan: Plan, wide: float, wanted: Wanted) -> Picture:
@@ -67,6 +66,7 @@ def _page(chart: Statechart, root: Group, words: Words, plan: Plan, wide: float,
     title = " · ".join(filter(None, (chart.name, part)))
     states, transitions = len(chart.states), len(chart.transitions)
     about = f"{chart.kind} of {chart.system}: {states} states, {transitions} transitions"
+    about = f"a part of the {about}" if part else about
     room.add(text(_MARGIN, _MARGIN + 14, title, Look.TITLE))
     room.add(text(_MARGIN + width(title, Look.TITLE) + 12, _MARGIN + 14, about, Look.SMALL))
     top = _MARGIN + 28.0
@@ -153,7 +153,7 @@ def _explained(chart: Statechart, words: Words, wide: float, top: float) -> list
         y += len(lines) * PITCH
         used += len(lines)
         lowest = max(lowest, y)
-    short = ", ".join(f"{name} = {full}" for full, name in words.channels.items() if full != name)
+    short = ", ".join(f"{name} = {full}" for name, full in words.short_channels().items())
     said = [f"channels: {short}"] if short else []
     for paragraph in said:
         for line in wrapped(paragraph, max(40, int(wide / 5.4))):
@@ -162,4 +162,4 @@ def _explained(chart: Statechart, words: Words, wide: float, top: float) -> list
     return made
 
 
-__all__ = ["Wanted", "layout"]
+__all__ = ["Wanted", "layout", "scale"]

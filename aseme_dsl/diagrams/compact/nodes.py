@@ -84,7 +84,9 @@ class Nodes:
         count = sum(chart.node(item).activity is not None for item in states)
         rows: list[Row] = [(name or "a part", Look.NAME)]
         rows += [(more, Look.SMALL)] if more else []
-        rows.append((f"{count} activities, {len(states)} states", Look.SMALL))
+        rows.append(
+            (f"{count} {'activity' if count == 1 else 'activities'}, {len(states)} states", Look.SMALL)
+        )
         if block.reason:
             rows.append((f"not drawn: {block.reason}", Look.SMALL))
         wide = max(width(*row) for row in rows) + 2 * PAD + 8

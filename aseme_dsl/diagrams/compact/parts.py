@@ -280,8 +280,9 @@ class Placer:
         if loops:
             room.add(line_to(line, (joint, 0), arrow=False))
             line = replace(pen(joint), at=joint + 4)
-        silent = links.onward if plan.tabled(links.onward) and not loops else ()
-        silent += links.events if plan.tabled(links.events) else ()
+        table = not isinstance(block, Closed)
+        silent = links.onward if table and not loops and plan.tabled(links.onward) else ()
+        silent += links.events if table and plan.tabled(links.events) else ()
         inside = plan.is_endless(block.label) and not (loops and links.again)
         rim = Rim(
             labels,

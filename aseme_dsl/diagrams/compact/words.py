@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 
@@ -11,6 +11,7 @@ from aseme_dsl.amola.expression import (
     Member,
     Named,
     Received,
+    Value,
     action_text,
     duration_text,
     event_text,
@@ -82,11 +83,12 @@ class Words:
         self._ranks = self._ranked()
         self._said = tuple(self._saying(place, item) for place, item in enumerate(chart.transitions))
         self._rows: dict[tuple[int, bool, float], Rows] = {}
+        self._used: set[int] = set()
 
     def anew(self) -> Words:
         """The same texts, without the numbers given so far."""
         other = copy(self)
-        other.notes, other._rows = [], {}
+        other.notes, other._rows, other._used = [], {}, set()
         return other
 
     def has_text(self, place: int) -> bool:
@@ -111,6 +113,7 @@ class Words:
 
     def _paragraph(self, place: int, before: str, look: Look, wide: float) -> tuple[Row, ...]:
         """A transition as one paragraph; a long one is cut."""
+        self._used.add(place)
         said = self.text(place) or "done"
         sign = said[:2] if said[:1] in ICONS else ""
         said = said.removeprefix(sign)
@@ -133,6 +136,7 @@ class Words:
 
     def rows(self, place: int, wide: float, cuts: bool = False) -> Rows:
         """What stands above the line of a transition, and below (its actions), in lines about so wide."""
+        self._used.add(place)
         key = (place, cuts, wide)
         if key not in self._rows:
             self._rows[key] = self._written(place, cuts, max(12, int(wide / _CHARACTER)))
@@ -167,13 +171,22 @@ class Words:
         return "".join(part if number % 2 else self._shorter(part) for number, part in enumerate(parts))
 
     def lets(self) -> dict[str, str]:
-        """What each name of a `let` stands for that the chart uses, in the order of use."""
+        """What each name of a `let` stands for that has been written, in the order of the chart."""
         found: dict[str, str] = {}
-        for item in self._chart.transitions:
-            for value in values_of(item.expression):
-                if isinstance(value, Named) and value_text(value.expression) != value.name:
-                    found.setdefault(value.name, self.short(value_text(value.expression)))
+        for value in self._written_values():
+            if isinstance(value, Named) and value_text(value.expression) != value.name:
+                found.setdefault(value.name, self.short(value_text(value.expression)))
         return found
+
+    def short_channels(self) -> dict[str, str]:
+        """Each channel by the short name that has been written for it."""
+        found = (str(value.channel) for value in self._written_values() if isinstance(value, Member))
+        names = {self.channels[full]: full for full in found}
+        return {name: full for name, full in names.items() if name != full}
+
+    def _written_values(self) -> Iterator[Value]:
+        for place in sorted(self._used):
+            yield from values_of(self._chart.transitions[place].expression)
 
     def _shorter(self, text: str) -> str:
         text = text.replace("&&", "and").replace("||", "or")

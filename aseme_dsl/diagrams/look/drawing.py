@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -27,6 +28,13 @@ class Layout(StrEnum):
     COMPACT = "compact"
 
 
+class PageSize(StrEnum):
+    """What a page of a compact drawing has to fit on."""
+
+    A4 = "a4"
+    SCREEN = "screen"
+
+
 class NoSuchState(ValueError):
     """`Options.at` names a state that no statechart has."""
 
@@ -37,13 +45,15 @@ class Options:
 
     `at` is the label of the state to draw, with the states inside it. `depth` is the number of nested levels
     that are drawn open; composites below are closed and show how many states they have. `layout` None means
-    nested and tree; the compact one is always of the whole chart. Raises ValueError for a depth below 1.
+    nested and tree. With a `page`, the compact one is divided into pages of this size. In a compact drawing
+    `depth` counts formulas. Raises ValueError for a depth below 1.
     """
 
     expressions: Expressions = Expressions.NUMBERED
     at: str | None = None
     depth: int | None = None
     layout: Layout | None = None
+    page: PageSize | None = None
 
     def __post_init__(self) -> None:
         if self.depth is not None and self.depth < 1:
@@ -51,6 +61,8 @@ class Options:
 
 
 DEFAULT = Options()
+
+_LONG_LABEL = 80
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +81,13 @@ class Drawing(Displayed):
     pieces: Callable[[], tuple[Drawing, ...]] | None = field(default=None, compare=False, repr=False)
     picture: str = ""
     note: str = ""
+
+
+def piece_name(name: str, label: str) -> str:
+    """The name of the drawing that shows the state `label` of the drawing `name`; short enough for a file."""
+    if len(label) > _LONG_LABEL:
+        label = f"{label[:_LONG_LABEL]}-{hashlib.sha256(label.encode()).hexdigest()[:8]}"
+    return f"{name}.{label}"
 
 
 def of_sheet(

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Callable, Mapping
 from functools import partial
 
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.diagrams.look.dot import Box, Line, Sheet
-from aseme_dsl.diagrams.look.drawing import Drawing, of_sheet
+from aseme_dsl.diagrams.look.drawing import Drawing, of_sheet, piece_name
 from aseme_dsl.diagrams.look.labels import Cell
 from aseme_dsl.diagrams.look.marks import FILLS, cells_label, name_lines, small, state_id
 from aseme_dsl.diagrams.look.view import View, view
 
 PIECE = 80
 """A piece has at most so many states, if its own OR state alone has not more."""
-
-_LONG_LABEL = 80
 
 Drawer = Callable[[View, str, Mapping[str, str]], Sheet]
 """Draws a view under a name, with the files that its closed states lead to."""
@@ -47,13 +44,6 @@ def _parts(whole: View, name: str, draw: Drawer, most: int) -> list[tuple[View, 
 
 def _flat(part: View, name: str, draw: Drawer) -> tuple[Drawing, ...]:
     return tuple(drawing for _, drawing in _parts(part, name, draw, most=1))
-
-
-def piece_name(name: str, label: str) -> str:
-    """The name of the drawing that shows the state `label` of the drawing `name`; short enough for a file."""
-    if len(label) > _LONG_LABEL:
-        label = f"{label[:_LONG_LABEL]}-{hashlib.sha256(label.encode()).hexdigest()[:8]}"
-    return f"{name}.{label}"
 
 
 def _cuts(whole: View, most: int) -> list[str]:

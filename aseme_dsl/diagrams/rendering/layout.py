@@ -85,12 +85,7 @@ def render(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> 
     """
     if format not in FORMATS:
         raise ValueError(f"{format!r} is not one of {', '.join(FORMATS)}")
-    if drawing.picture:
-        if format != "svg":
-            raise DrawingFailed(
-                f"{drawing.name} in the compact layout is written as SVG only: use `--format svg`, or "
-                "`--layout nested`"
-            )
+    if drawing.picture and format == "svg":
         return drawing.picture.encode()
     if format == "dot":
         return drawing.dot.encode()
@@ -103,6 +98,8 @@ def render(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> 
     reasons: list[str] = []
     for flags in _ATTEMPTS:
         try:
+            if drawing.picture:
+                return _run([graphviz, f"-T{format}"], drawing.dot, time_limit)
             picture = svg.cleaned(_run([graphviz, "-Tsvg", *flags], drawing.dot, time_limit))
             if faults := svg.faults(picture, drawing.shown):
                 raise _Flawed("; ".join(faults[:3]) + (f" and {len(faults) - 3} more" if faults[3:] else ""))

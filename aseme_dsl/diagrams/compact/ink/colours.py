@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from aseme_dsl.amola.statechart import OriginKind, Statechart
+
 LIGHT = {
     "paper": "#ffffff",
     "ink": "#1b1f24",
@@ -61,9 +63,8 @@ text{font-family:Arial,"Liberation Sans",Helvetica,sans-serif;font-size:12px;fil
 path.cut{stroke:{cut}}path.error{stroke:{error};stroke-dasharray:5 3}
 path.never{stroke:{soft};stroke-dasharray:2 3}
 .head{fill:{line};stroke:none}.head.cut{fill:{cut}}.head.error{fill:{error}}.head.never{fill:{soft}}
-path.icon{stroke-width:1.3;stroke:{soft}}path.icon.cut{stroke:{cut}}path.icon.whole{fill:{cut}}
-path.icon.failed{stroke:{error};stroke-width:1.8}path.icon.message{stroke:{message}}
-path.icon.sent{fill:{message};stroke:{message}}path.flap{stroke:{paper}}
+path.icon{stroke-width:1.3}path.soft{stroke:{soft}}path.icon.error{stroke-dasharray:none;stroke-width:1.8}
+path.message{stroke:{message}}path.message.solid{fill:{message}}path.cut.solid{fill:{cut}}path.flap{stroke:{paper}}
 .activity{fill:{node};stroke:{node-border};stroke-width:1.3}.pill{fill:{pill};stroke:{frame-border}}
 path.choice{fill:{choice};stroke:{choice-border}}
 .closed{fill:{frame};stroke:{ink};stroke-width:1.3;stroke-dasharray:2 2}
@@ -89,3 +90,10 @@ def style(theme: str | None = None) -> str:
     if theme is not None:
         return _rules(DARK if theme == "dark" else LIGHT)
     return f"{_rules(LIGHT)}\n@media (prefers-color-scheme:dark){{{_rules(DARK)}}}"
+
+
+def branch_colour(chart: Statechart, label: str) -> int:
+    """The number of the colour of a branch: each protocol has one."""
+    kind = OriginKind.PROTOCOL
+    owners = dict.fromkeys(item.origin.owner for item in chart.states if item.origin.kind is kind)
+    return list(owners).index(chart.node(label).origin.owner) % 4

@@ -1,0 +1,1 @@
+"""Ink: a compact drawing as SVG, and as what Graphviz makes PNG and PDF of."""

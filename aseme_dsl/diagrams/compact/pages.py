@@ -1,0 +1,98 @@
+"""Pages: a compact drawing whose formulas are closed from a depth on, or divided among pages of a size."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import Statechart, StateType
+from aseme_dsl.diagrams.compact.blocks import inside
+from aseme_dsl.diagrams.compact.elements import Form, Picture, Shape
+from aseme_dsl.diagrams.compact.layout import Wanted, layout, scale
+
+_LARGE = 0.67
+"""A formula that is more of a page than this is closed only if there is no smaller one."""
+
+_SMALL = 3
+"""A formula with fewer states is not worth a page."""
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """The drawing of the state `top`."""
+
+    top: str
+    picture: Picture
+
+
+def whole(chart: Statechart, activities: Iterable[Activity], top: str, depth: int | None) -> Page:
+    """One page of a state, with the formulas closed that are more than `depth` formulas deep."""
+    closed = frozenset(label for label, level in _formulas(chart, top) if depth is not None and level > depth)
+    return Page(top, layout(chart, activities, Wanted(top, closed)))
+
+
+def divided(
+    chart: Statechart, activities: Iterable[Activity], top: str, size: tuple[float, float]
+) -> Iterator[Page]:
+    """Pages of at most a size as far as formulas can be closed: each closed one has a page of its own."""
+    known = tuple(activities)
+    waiting = [top]
+    while waiting:
+        label = waiting.pop(0)
+        picture = _fitting(chart, known, label, size)
+        yield Page(label, picture)
+        waiting += (
+            item.state
+            for item in picture.elements
+            if isinstance(item, Shape) and item.form is Form.CLOSED and _can_be_top(chart, item.state, label)
+        )
+
+
+def _can_be_top(chart: Statechart, label: str, around: str) -> bool:
+    """Whether a closed state was closed for want of room."""
+    return any(label == other for other, _ in _formulas(chart, around))
+
+
+def _fitting(
+    chart: Statechart, activities: tuple[Activity, ...], top: str, size: tuple[float, float]
+) -> Picture:
+    closed: set[str] = set()
+    names = [label for label, _ in _formulas(chart, top)]
+    while True:
+        picture = layout(chart, activities, Wanted(top, frozenset(closed), size))
+        label = _next(chart, top, names, closed) if scale(picture, size) < 1 else None
+        if label is None:
+            return picture
+        closed.add(label)
+
+
+def _next(chart: Statechart, top: str, names: list[str], closed: set[str]) -> str | None:
+    """The largest formula that may be closed next, but not one that is nearly all of the page."""
+    sizes: dict[str, int] = {}
+    hidden = {item for label in closed for item in inside(chart, label)}
+    for label in (item for item in names if item not in hidden):
+        sizes[label] = sum(item not in hidden for item in inside(chart, label))
+    total = sum(item not in hidden for item in inside(chart, top))
+    fit = [label for label, count in sizes.items() if _SMALL < count <= _LARGE * total]
+    if fit:
+        return max(fit, key=lambda label: (sizes[label], -names.index(label)))
+    large = [label for label, count in sizes.items() if count > _SMALL]
+    return min(large, key=lambda label: (sizes[label], names.index(label)), default=None)
+
+
+def _formulas(chart: Statechart, top: str) -> Iterator[tuple[str, int]]:
+    """The formulas with a name inside a state, with how many of them are around each, itself counted."""
+    level = {top: 0}
+    for label in inside(chart, top)[1:]:
+        state = chart.node(label)
+        assert state.parent is not None
+        outer = chart.node(state.parent)
+        named = state.type is StateType.OR and state.name != label and state.name.isidentifier()
+        again = outer.name == state.name
+        level[label] = level[state.parent] + (named and not again)
+        if named and not again and not chart.is_region(label):
+            yield label, level[label]
+
+
+__all__ = ["Page", "divided", "whole"]

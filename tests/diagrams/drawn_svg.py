@@ -1,0 +1,90 @@
+"""Reads what a compact SVG shows: the elements that it was made of."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from xml.etree.ElementTree import Element
+
+from aseme_dsl.diagrams.compact.elements import Form, Line, Link, Look, Point, Shape, Stroke, Text
+from aseme_dsl.diagrams.compact.ink.signs import SIGNS
+from aseme_dsl.diagrams.compact.words import ICON, width
+from tests.diagrams.pictures import SVG
+
+_NUMBER = re.compile(r"-?[\d.]+")
+
+
+def elements_of(root: Element) -> Iterator[Line | Shape | Text]:
+    """The lines, shapes and texts of an SVG, in its order."""
+    sign = ""
+    for item in root:
+        kinds = item.get("class", "").split()
+        if item.tag == f"{SVG}g" and "line" in kinds:
+            yield _line(item)
+        elif item.tag == f"{SVG}g":
+            yield _shape(item)
+        elif item.tag == f"{SVG}path" and "icon" in kinds and "flap" not in kinds:
+            sign = next(
+                key
+                for key, known in SIGNS.items()
+                if known.colour == kinds[1]
+                and known.solid == ("solid" in kinds)
+                and len(_points(item.get("d", ""))) == sum(map(len, known.lines)) + 8 * bool(known.circle)
+            )
+        elif item.tag == f"{SVG}text" and "data-of" in item.attrib | {"data-of": ""}:
+            yield _text(item, sign)
+            sign = ""
+
+
+def _line(item: Element) -> Line:
+    path, *heads = item.findall(f"{SVG}path")
+    chain = tuple(_link(part, ",") for part in item.get("data-c", "").split("|") if part)
+    found = _corners(path.get("d", ""))
+    return Line(found, chain, Stroke(path.get("class", "")), bool(heads))
+
+
+def _shape(item: Element) -> Shape:
+    state, *also = item.get("data-n", "").split()
+    body = next(part for part in item if part.tag != f"{SVG}title")
+    kind = body.get("class", "")
+    form = Form.PROTOCOL if re.fullmatch(r"p\d", kind) else Form(kind)
+    marks = _link(item.get("data-t", ""), " ")
+    if body.tag == f"{SVG}rect":
+        x, y, wide, high = (float(body.get(name, "")) for name in ("x", "y", "width", "height"))
+    elif body.tag == f"{SVG}circle":
+        x, y, radius = (float(body.get(name, "")) for name in ("cx", "cy", "r"))
+        x, y, wide, high = x - radius, y - radius, 2 * radius, 2 * radius
+    elif form is Form.ENDLESS:
+        x, y = map(float, _NUMBER.findall(body.get("transform", "")))
+        y, wide, high = y - 5, 16.0, 10.0
+    elif form is Form.FIELD:
+        x, y, right = map(float, _NUMBER.findall(body.get("d", "")))
+        wide, high = right - x, 0.0
+    else:
+        corners = _points(body.get("d", ""))
+        x, y = min(a for a, _ in corners), min(b for _, b in corners)
+        wide, high = max(a for a, _ in corners) - x, max(b for _, b in corners) - y
+    return Shape(form, x, y, wide, high, state, marks, tuple(also))
+
+
+def _text(item: Element, sign: str) -> Text:
+    look = Look(item.get("class", ""))
+    x, y = float(item.get("x", "")), float(item.get("y", ""))
+    said = f"{sign} {item.text or ''}".strip() if sign else item.text or ""
+    of = item.get("data-of")
+    return Text(x - (ICON if sign else 0), y, said, look, width(said, look), None if of is None else int(of))
+
+
+def _link(text: str, separator: str) -> Link:
+    return tuple(map(int, filter(None, text.split(separator))))
+
+
+def _points(path: str) -> list[Point]:
+    numbers = [float(found) for found in _NUMBER.findall(path)]
+    return list(zip(numbers[::2], numbers[1::2], strict=False))
+
+
+def _corners(path: str) -> tuple[Point, ...]:
+    """The points of a line with round corners: its ends, and the middle of each corner."""
+    found = [_points(part)[0] for part in re.findall(r"[MQ][^MLQ]*", path)]
+    return (*found, _points(path)[-1])

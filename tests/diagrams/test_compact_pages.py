@@ -1,0 +1,106 @@
+"""Compact drawings of parts, closed from a depth on, and divided into pages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+import aseme_dsl
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.diagrams import (
+    Drawing,
+    Layout,
+    NoSuchState,
+    Options,
+    PageSize,
+    draw_statechart,
+    render,
+    writes_pdf,
+)
+from tests.diagrams.pictures import SVG, text_of
+from tests.diagrams.texts import compiled
+
+PARTS = """\
+system S
+srm r {
+  liveness {
+    r     = first . (work [> halt)
+    first = A . B
+    work  = (fetch . bring)~
+    fetch = C . [D]
+    bring = deep || E
+    deep  = F . G . H
+    halt  = I . J
+  }
+  control r { enter halt : after(5s) }
+}
+"""
+
+
+def chart() -> Statechart:
+    return compiled(PARTS).iacs[0]
+
+
+def drawn(**options: object) -> list[Drawing]:
+    return draw_statechart(chart(), Options(layout=Layout.COMPACT, **options))  # type: ignore[arg-type]
+
+
+def text(drawing: Drawing) -> str:
+    return text_of(ElementTree.fromstring(render(drawing, "svg")))
+
+
+def label(name: str) -> str:
+    return next(state.label for state in chart().states if state.name == name)
+
+
+def test_depth_counts_formulas() -> None:
+    (one,) = drawn(depth=1)
+    shown = text(one)
+    assert "fetch" in shown and "2 activities" in shown
+    assert "H" not in shown.split()
+    (all_,) = drawn()
+    assert "2 activities" not in text(all_)
+
+
+def test_a_part_is_drawn_alone() -> None:
+    (drawing,) = drawn(at=label("fetch"))
+    assert drawing.name == f"iac.r.{label('fetch')}"
+    assert "C" in text(drawing) and "F" not in text(drawing).split()
+    with pytest.raises(NoSuchState, match="no state 9"):
+        drawn(at="9")
+    (nested,) = drawn(at=label("A"))
+    assert nested.note.endswith("is no OR state")
+
+
+def test_a_large_chart_is_divided_into_pages_that_lead_to_each_other() -> None:
+    file = Path(__file__).parents[2] / "examples" / "robocup" / "kouretes.aseme"
+    system = aseme_dsl.compile(file)
+    player = next(item for item in system.iacs if item.name == "player")
+    first, *others = draw_statechart(
+        player, Options(layout=Layout.COMPACT, page=PageSize.A4), system.activities
+    )
+    assert first.name == "iac.player" and others
+    assert not any(item.note for item in (first, *others))
+    names = {f"{item.name}.svg" for item in others}
+    roots = [ElementTree.fromstring(render(item, "svg")) for item in (first, *others)]
+    assert {link.get("href") for root in roots for link in root.iter(f"{SVG}a")} == names
+    for root in roots:
+        assert float(root.get("width", "")) <= 1320 and float(root.get("height", "")) <= 905
+
+
+def test_pages_have_what_the_whole_has() -> None:
+    pages = drawn(page=PageSize.SCREEN)
+    assert [item.name for item in pages] == ["iac.r"]
+    shown = ElementTree.fromstring(render(pages[0], "svg"))
+    places = sorted(int(place) for item in shown.iter() for place in item.get("data-t", "").split())
+    assert places == list(range(len(chart().transitions)))
+
+
+def test_compact_drawings_are_written_in_all_formats() -> None:
+    (drawing,) = drawn()
+    assert render(drawing, "png").startswith(b"\x89PNG")
+    assert b"_background" in render(drawing, "dot")
+    if writes_pdf():
+        assert render(drawing, "pdf").startswith(b"%PDF")
