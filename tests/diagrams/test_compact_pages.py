@@ -71,7 +71,7 @@ def test_a_part_is_drawn_alone() -> None:
     with pytest.raises(NoSuchState, match="no state 9"):
         drawn(at="9")
     (nested,) = drawn(at=label("A"))
-    assert nested.note.endswith("is no OR state")
+    assert nested.note.endswith("is not an OR state")
 
 
 def test_a_large_chart_is_divided_into_pages_that_lead_to_each_other() -> None:

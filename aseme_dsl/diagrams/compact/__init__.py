@@ -33,7 +33,7 @@ def drawings(chart: Statechart, options: Options, activities: Iterable[Activity]
     if top not in chart.by_label:
         raise NoSuchState(f"the statechart {chart.name} has no state {top}")
     if chart.node(top).type is not StateType.OR:
-        return f"state {top} is no OR state"
+        return f"state {top} is not an OR state"
     try:
         if options.page is not None:
             pages: Sequence[Page] = tuple(divided(chart, known, top, _SIZES[options.page]))
