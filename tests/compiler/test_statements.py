@@ -78,7 +78,7 @@ WHOLE = """
   within 200ms of game.state.Game.phase == Phase.READY  robot2 in Run@center_for
   never two of player in center
   in order PassBall@center, Kick@center_for
-  no message team.signal.Pass before 1s
+  no message team.signal.Pass before 1s  no sent Pass p by robot1 [p.to == 2] before 2s
   no received Pass by robot2 within 3s after sent team.signal.Pass p [p.to == 2]
   eventually outcome "The striker shoots." within 60s in 95% of 200 seeds
   always robot1 has [vision.state.Ball.visible && tries < 9]
@@ -163,6 +163,11 @@ def test_one_mistake_is_one_message(line: str, code: str, place: str) -> None:
     assert problems(f"by 1s robot2 in Run\n{line}\nnever robot2 in Run") == [(code, place)]
     assert (code, place) in problems(f"{line}\nnever robot2 in Rum")
     assert ("E229", "Rum") in problems(f"{line}\nnever robot2 in Rum")
+
+
+def test_the_other_lines_of_a_statement_with_a_mistake_are_not_read() -> None:
+    body = "by 1s robot1 on Search\n  and robot1\n  in Rum\nby 2s robot1 in Rim"
+    assert problems(body) == [("E117", "robot1"), ("E229", "Rim")]
 
 
 def test_what_could_not_be_read_is_not_missing() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import random
+import re
 from textwrap import dedent
 
 import pytest
@@ -532,6 +534,90 @@ def test_lines_of_a_scenario_stay_lines() -> None:
         }
         """,
     )
+
+
+def test_a_statement_stands_on_a_line() -> None:
+    becomes(
+        """
+        scenario "x" {
+          one:robot world w:make for 2s  // all
+          at 0ms one receives a.state.M { x=1 y=2 }   by 1s
+            one in A@p and one has [a.state.M.x>0]
+          table (n, s) {
+            (1, A)  (2, B)
+          }
+          every one in B||one in A leads to one in (A or B) within 1s in 95% of 20 seeds never one in C
+        }
+        property "short" { never fault }
+        property "p" { never fault always one in A }
+        """,
+        """
+        scenario "x" {
+          one : robot
+          world w:make
+          for 2s  // all
+          at 0ms one receives a.state.M { x = 1  y = 2 }
+          by 1s  one in A@p and one has [a.state.M.x>0]
+          table (n, s) {
+            (1, A) (2, B)
+          }
+          every one in B || one in A leads to one in (A or B) within 1s in 95% of 20 seeds
+          never one in C
+        }
+
+        property "short" { never fault }
+
+        property "p" {
+          never fault
+          always one in A
+        }
+        """,
+    )
+
+
+def test_a_long_statement_is_broken_before_the_words_that_join_its_parts() -> None:
+    becomes(
+        """
+        property "p" {
+          every game.state.GameState.player_state == PlayerState.PENALISED and not robot1 in NoGame leads
+             to robot1 in NoGame within 1s
+        }
+        """,
+        """
+        property "p" {
+          every game.state.GameState.player_state == PlayerState.PENALISED and not robot1 in NoGame
+              leads to robot1 in NoGame within 1s
+        }
+        """,
+    )  # fmt: skip
+
+
+def test_statements_however_they_are_written() -> None:
+    """The same statements, and a layout that stays, wherever lines end and comments stand."""
+    statements = (
+        "one, spare[1..3] : robot", "network delay 0..300ms loss 20% reorder", "given n in 0..300",
+        "activity Look takes 1s..3s ends found, lost sets n = 1 + 2", "for 20s", "points 3",
+        "crash one at 6s",
+        "at 2s one receives a.state.M { x = 1  y = n > 2 } from two", "at 3s one raises E", "never fault",
+        "after 500ms in A one receives b.data.N { }", "from 3s to 8s partition { one } | { two }",
+        "within 200ms of a.state.M.x == 1 two in B@p", "at most 2 of robot in A", "in order A, B@p",
+        "no sent inform M m by one [m.x == 2] before 1s", "one in A before sent M", "one fails by 5s",
+        'eventually outcome "well" within 60s in 95% of 200 seeds', "always one has [x && (y or z)]",
+        "every one in (A or B) and not (two in A || x + 1 < 2) leads to two in B within 1s",
+    )  # fmt: skip
+    choose = random.Random(7)
+    between = [" "] * 12 + ["  ", "\n", "\n\n", " // c\n", " /* d */ ", "\n// e\n"]
+    for _ in range(60):
+        chosen = choose.choices(statements, k=6)
+        words = " ".join(chosen).split(" ")
+        text = "".join(word + choose.choice(between) for word in words if word)
+        found = laid(f'scenario "x" {{ {text} }}\n')
+        bare = re.sub(r"//.*|/\*.*?\*/", "", found)
+        assert bare.split()[3:-1] == [word for word in words if word]
+        firsts = {statement.split()[0] for statement in statements}
+        lines = re.findall(r"^ {2,3}(\S+)", bare, re.M)
+        assert [word for word in lines if word in firsts] == [item.split()[0] for item in chosen]
+        assert found.count("// c") == text.count("// c") and found.count("/* d */") == text.count("/* d */")
 
 
 def test_a_file_with_mistakes_is_not_touched() -> None:

@@ -38,34 +38,59 @@ def read_statements(
     source: Source, words: Sequence[tree.Name], in_property: bool = False
 ) -> tuple[tuple[nodes.Statement, ...], tuple[Diagnostic, ...]]:
     """The statements that the words spell, and what is wrong with the others (E102, E103, E108, E117)."""
-    reader = Reader(source, [token(word.text, word.span.start) for word in words])
+    made, _, found = _read(source, [token(word.text, word.span.start) for word in words], in_property)
+    return made, found
+
+
+def statement_starts(source: Source, words: Sequence[Token], in_property: bool) -> frozenset[int] | None:
+    """Where statements begin; None if something is wrong."""
+    _, starts, found = _read(source, words, in_property)
+    return None if found else starts
+
+
+def _read(
+    source: Source, words: Sequence[Token], in_property: bool
+) -> tuple[tuple[nodes.Statement, ...], frozenset[int], tuple[Diagnostic, ...]]:
+    reader = Reader(source, list(words))
     made: list[nodes.Statement] = []
     found: list[Diagnostic] = []
+    starts: list[int] = []
     while reader.index < len(reader.tokens):
         begin = reader.index
+        starts.append(reader.tokens[begin].start)
         reader.depth = 0
         try:
             made.append(_statement(reader, in_property))
         except Malformed as problem:
             found.append(problem.diagnostic)
             reader.index = _next_line(reader, begin, problem.diagnostic.span)
-    return tuple(made), tuple(found)
+    return tuple(made), frozenset(starts), tuple(found)
 
 
 def _next_line(reader: Reader, begin: int, wrong: Span | None) -> int:
     """Where the next statement may begin: at the first line with a word, in no brace, from the mistake on.
 
-    `wrong` is where the mistake stands, which is often the word that has just been taken.
+    `wrong` is where the mistake stands, which is often the word that has just been taken. A line that is
+    indented deeper than the statement with the mistake continues it.
     """
     depth = 0
+    text = reader.source.text
+    width = _indentation(text, reader.tokens[begin])
     for index in range(begin, len(reader.tokens)):
-        text = reader.tokens[index]
-        new = index > begin and "\n" in reader.source.text[reader.tokens[index - 1].end : text.start]
-        is_wrong = index == reader.index - 1 and wrong is not None and text.start == wrong.start
-        if new and depth <= 0 and is_word(text) and (index >= reader.index or is_wrong):
+        word = reader.tokens[index]
+        new = index > begin and "\n" in text[reader.tokens[index - 1].end : word.start]
+        is_wrong = index == reader.index - 1 and wrong is not None and word.start == wrong.start
+        is_statement = new and depth <= 0 and is_word(word) and (index >= reader.index or is_wrong)
+        if is_statement and (word in _STARTS or _indentation(text, word) <= width):
             return index
-        depth += (text == "{") - (text == "}")
+        depth += (word == "{") - (word == "}")
     return len(reader.tokens)
+
+
+def _indentation(text: str, word: Token) -> int:
+    """The column of the first word on the line of `word`."""
+    line = text[text.rfind("\n", 0, word.start) + 1 : word.start]
+    return len(line) - len(line.lstrip())
 
 
 # ---- pieces -----------------------------------------------------------------------------------------
@@ -102,8 +127,12 @@ def _close(reader: Reader, sign: str, opener: Token) -> None:
     reader.take()
 
 
+_ALIASED = (Wanted.ROLE, Wanted.STATE, Wanted.ACTIVITY)
+"""What may stand behind an alias."""
+
+
 def _name(reader: Reader, wanted: Wanted) -> tree.Name:
-    if not is_word(reader.next) or "." in reader.next:
+    if not is_word(reader.next) or reader.next.count(".") > (wanted in _ALIASED):
         raise _wrong(reader, wanted)
     taken = reader.take()
     return tree.Name(str(taken), reader.span(taken))
@@ -330,16 +359,17 @@ def _of_agent(reader: Reader) -> nodes.Condition:
 def _heard(reader: Reader) -> nodes.Heard:
     verb = _name(reader, Wanted.MESSAGE)
     performative = None
-    text = reader.source.text
-    following = reader.tokens[reader.index + 1] if reader.index + 1 < len(reader.tokens) else None
-    if "." not in reader.next and following is not None and is_word(following) and "." not in following:
+    following = _ahead(reader)
+    if "." not in reader.next and is_word(following) and "." not in following:
         # A type of message begins with a capital letter by custom, a performative never does.
-        between = text[reader.tokens[reader.index].end : following.start]
-        if reader.next[0].islower() and following[0].isupper() and "\n" not in between:
+        begins = _ahead(reader, 2) in (":", ",", "has", "fails")  # the next statement
+        if reader.next[0].islower() and following[0].isupper() and not begins:
             performative = _name(reader, Wanted.PERFORMATIVE)
     what = _path(reader, Wanted.MESSAGE)
     called = None
-    if is_word(reader.next) and _ahead(reader) == "[":
+    if is_word(reader.next) and (
+        _ahead(reader) == "[" or (_ahead(reader) == "by" and is_word(_ahead(reader, 2)))
+    ):
         called = _name(reader, Wanted.MESSAGE_NAME)
     agent = None
     if reader.next == "by" and is_word(_ahead(reader)):
@@ -490,9 +520,9 @@ def _table(reader: Reader) -> nodes.Table:
 
 def _network(reader: Reader) -> None:
     """`delay 0..300ms loss 20% reorder`"""
-    first = reader.tokens[min(reader.index, len(reader.tokens) - 1)]
-    _need(reader, *_NETWORK)
-    reader.index -= 1
+    begin = reader.index
+    first = _need(reader, *_NETWORK)
+    reader.index = begin
     while reader.next in _NETWORK:
         word = reader.take()
         if word == "reorder":
@@ -500,8 +530,11 @@ def _network(reader: Reader) -> None:
         while reader.next[:1].isdigit() or reader.next in ("..", "%"):
             reader.take()
     span = reader.since(first.start)
+    words = ""  # what is read, where it stands, without the comments between
+    for word in reader.tokens[begin : reader.index]:
+        words = words.ljust(word.start - first.start) + word
     try:
-        read_network(span.text)
+        read_network(words)
     except NetworkWordsError as wrong:
         place = Span(reader.source, span.start + wrong.start, span.start + wrong.end)
         raise Malformed(Diagnostic(wrong.problem, place)) from None
@@ -785,5 +818,8 @@ _SCENARIO: dict[str, Callable[[Reader], nodes.Statement]] = {
 }
 """What scenarios alone have."""
 
+_STARTS = frozenset((*_RULES, *_SCENARIO)) - {"by", "within"}
+"""The words that begin a statement, and do not continue one."""
 
-__all__ = ["read_statements"]
+
+__all__ = ["read_statements", "statement_starts"]

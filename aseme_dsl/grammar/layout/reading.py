@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from aseme_dsl.grammar.formulas.filling import apart
+from aseme_dsl.grammar.formulas.statement import statement_starts
 from aseme_dsl.grammar.layout.gaps import Gaps
 from aseme_dsl.grammar.layout.pieces import GLUED, Block, Gap, Piece, Row
 from aseme_dsl.grammar.layout.rules import (
@@ -31,6 +32,9 @@ from aseme_dsl.source import Source
 _TIGHT_AFTER = frozenset(("(", "[", "..", "@", "#", "."))
 _TIGHT_BEFORE = frozenset((")", "]", ",", "..", "@", "#", "."))
 _LIST, _BREAK = 0, 1
+_OPERATORS = frozenset(("and", "or", "&&", "||"))
+_JOINING = _OPERATORS | frozenset("leads before until within ends writes sends sets takes".split())
+"""The words of a statement before which it is broken."""
 
 
 def read_blocks(source: Source, tree: ParseNode, comments: Sequence[Comment]) -> Block:
@@ -42,6 +46,7 @@ class _Reader:
     """Collects the pieces of a file while it walks over the parse tree; `gaps` has the comments."""
 
     def __init__(self, source: Source, comments: Sequence[Comment]) -> None:
+        self.source = source
         self.text = source.text
         self.gaps = Gaps(source.text, comments)
         self.end = 0  # of the last token
@@ -145,7 +150,9 @@ class _Reader:
             found.entries += self.entries(node)
             return
         self.broken = False
-        found.entries += self.statements(_words(node))
+        words = _words(node)
+        starts = statement_starts(self.source, words, found.rule == "Property")
+        found.entries += self.statements(words, starts)
         found.one_line = found.one_line and not self.broken
 
     def closing(self, brace: Token, found: Block) -> None:
@@ -161,8 +168,11 @@ class _Reader:
 
     # ---- lines of words ------------------------------------------------------------------------
 
-    def statements(self, words: Sequence[Token]) -> list[Row | Block]:
-        """A row for each line of the author; braces opened at the end of a line hold lines again."""
+    def statements(self, words: Sequence[Token], starts: frozenset[int] | None) -> list[Row | Block]:
+        """A row for each statement; braces opened at the end of a line hold lines of the author again.
+
+        Without `starts`, where something is wrong, a row for each line of the author.
+        """
         top: list[Row | Block] = []
         open_: list[Block] = []
         closing = _closing(words)
@@ -172,6 +182,8 @@ class _Reader:
         for index, word in enumerate(words):
             gap = self.gaps.between(self.end, word.start)
             begins = row is None or (gap.newline and not inline)
+            if starts is not None and not open_:
+                begins = row is None or word.start in starts
             if begins and word != "}":
                 if row is not None:
                     self.finish(row)
@@ -182,7 +194,7 @@ class _Reader:
             following = words[index + 1] if index + 1 < len(words) else None
             if word == "{":
                 assert row is not None
-                if not inline and self.holds_lines(words, index, closing[index]):
+                if not inline and self.holds_lines(words, index, closing[index], starts):
                     self.word(word, 1, row)
                     block = Block("Words", row)
                     entries[-1] = block
@@ -206,32 +218,52 @@ class _Reader:
                     row = None
                     continue
             assert row is not None
-            self.word(word, inline, row, following)
+            self.word(word, inline, row, following, starts is not None)
         if row is not None:
             self.finish(row)
         return top
 
-    def holds_lines(self, words: Sequence[Token], opening: int, closing: int) -> bool:
-        """Whether the author has broken the line behind an opening brace, and behind the closing one."""
+    def holds_lines(
+        self, words: Sequence[Token], opening: int, closing: int, starts: frozenset[int] | None
+    ) -> bool:
+        """Whether the line is broken behind an opening brace, and behind the closing one."""
         ends = closing + 1 == len(words) or words[closing + 1] == "}"
+        ends = ends or (starts is not None and words[closing + 1].start in starts)
         return self._breaks(words, opening) and (ends or self._breaks(words, closing))
 
     def _breaks(self, words: Sequence[Token], index: int) -> bool:
         return "\n" in self.text[words[index].end : words[index + 1].start]
 
-    def word(self, word: Token, inline: int, row: Row, following: Token | None = None) -> None:
-        """A word of a row: with a blank before it where the author has one, and around `:` and `=`."""
+    def word(
+        self, word: Token, inline: int, row: Row, following: Token | None = None, breaks: bool = False
+    ) -> None:
+        """A word of a row: with a blank before it where the author has one, and around `:` and `=`.
+
+        `breaks`: a row that is too long is broken before the words that join its parts.
+        """
         touches = word.start == self.end and word not in (":", "=") and self.last not in (":", "=")
         blanks = 0 if touches else 1
+        depth, level = 0, GLUED
         if inline and row.pieces:
             before = row.pieces[-1].text
             if word in ("{", "}") or before == "{":
                 blanks = 1
             elif following == "=" and before not in ("=", ",", "("):
                 blanks = 2
+        if breaks and row.pieces:
+            last = row.pieces[-1]
+            depth = last.depth + last.text.endswith(("(", "[", "{")) - (word in (")", "]", "}"))
+            if word in _JOINING or self.last in _OPERATORS:
+                blanks = max(blanks, 1)
+            elif row.pieces[0].text == "world" and ":" in (word, self.last):
+                blanks = 0
+            if word in _JOINING or blanks == 2:
+                level = level_of(depth, _BREAK)
+            elif self.last == ",":
+                level = level_of(depth, _LIST)
         if len(row.pieces) == 2 and row.pieces[1].text[0].isdigit() and blanks:
             self.column = 1
-        self.piece(word, 0, blanks)
+        self.piece(word, depth, blanks, level)
 
     # ---- lines ---------------------------------------------------------------------------------
 
