@@ -10,6 +10,8 @@ XLINK = "http://www.w3.org/1999/xlink"
 
 FIGURE_CLASS = "aseme-diagram"
 PROBLEM_CLASS = "aseme-problem"
+COMPACT_CLASS = "aseme-compact"
+"""The class of a compact drawing, whose titles are its tips."""
 
 _STYLE = "max-width:100%;height:auto"
 """Never wider than the page."""
@@ -24,11 +26,12 @@ def inline(svg: bytes, alt: str, prefix: str) -> str:
     ElementTree.register_namespace("", SVG)
     ElementTree.register_namespace("xlink", XLINK)
     root = ElementTree.fromstring(svg)
+    ours = root.get("class") == COMPACT_CLASS
     for element in list(root.iter()):
         own = element.get("id")
         if own is not None:
             element.set("id", f"{prefix}-{own}")
-        for title in element.findall(f"{{{SVG}}}title"):
+        for title in () if ours else element.findall(f"{{{SVG}}}title"):
             element.remove(title)  # a name of Graphviz' own, such as cluster_n0
     for link in list(root.iter(f"{{{SVG}}}a")):
         tip = link.attrib.pop(f"{{{XLINK}}}title", None)

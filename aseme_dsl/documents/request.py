@@ -11,7 +11,7 @@ from aseme_dsl.diagrams import Expressions, Layout, Options
 from aseme_dsl.runtime.message.by_name import made
 
 BOTH = "both"
-"""The layout that is both of them."""
+"""The layout that is nested and tree."""
 
 
 class WrongOption(ValueError):
@@ -88,7 +88,7 @@ def _depth(name: str, text: str) -> int:
 
 
 def _layout(name: str, text: str) -> Layout | None:
-    chosen = _one_of("nested", "tree", BOTH)(name, text)
+    chosen = _one_of("nested", "tree", "compact", BOTH)(name, text)
     return None if chosen == BOTH else Layout(chosen)
 
 

@@ -107,6 +107,19 @@ def test_what_options_mean(site: Site) -> None:
     assert "Seen.ball]" in "".join(texts(tree)) and "0.1" not in texts(tree)
 
 
+def test_compact_drawings_keep_their_tips_and_leave_the_page_alone(site: Site) -> None:
+    site.write("index.rst", rst(":model: iac.robot\n:layout: compact", file="/walker.aseme"))
+    assert site.build(strict=True) == (0, "")
+    (drawing,) = svgs(site.page())
+    assert len(ids(site.page())) == len(set(ids(site.page())))
+    assert any("BASIC Walk" in (item.text or "") for item in drawing.iter() if item.tag.endswith("title"))
+    (style,) = (item.text or "" for item in drawing.iter() if item.tag.endswith("style"))
+    selectors = re.findall(r"(?:^|[}\n])([^{}@\n]+)\{", style)
+    assert selectors and all(
+        part.startswith(".aseme-compact ") for rule in selectors for part in rule.split(",")
+    )
+
+
 def test_a_picture_beside_the_page(site: Site) -> None:
     site.write("deep/page.rst", rst(":model: iac.robot\n:embed: file", file="../walker.aseme"))
     site.write("index.rst", "Title\n=====\n\n.. toctree::\n\n   deep/page\n")
@@ -152,7 +165,7 @@ def test_what_cannot_be_drawn(site: Site) -> None:
         (":at: 0.9", "", "walker.aseme", "0.9"),
         (":at: here", "", "walker.aseme", "the label of a state"),
         (":depth: 0", "", "walker.aseme", "at least 1"),
-        (":layout: square", "", "walker.aseme", "nested, tree or both"),
+        (":layout: square", "", "walker.aseme", "nested, tree, compact or both"),
         ("", SMALL, "walker.aseme", "a file or a text, not both"),
         ("", "", "", "needs a file, or the text"),
         ("", "system Nothing", "", "nothing to draw"),

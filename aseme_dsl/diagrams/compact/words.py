@@ -8,8 +8,10 @@ from copy import copy
 from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
+    Assign,
     Member,
     Named,
+    Publish,
     Received,
     Value,
     action_text,
@@ -120,7 +122,7 @@ class Words:
         said = f"{before}{said}" if before else f"{sign}{said}"
         if len(said) > _LONG_PARAGRAPH:
             said = f"{said[: _LONG_PARAGRAPH - 10].rpartition(' ')[0]} {self._note(place)}"
-        return tuple((line, look) for line in wrapped(said, max(12, int(wide / _CHARACTER))))
+        return tuple((line, look) for line in balanced(said, max(12, int(wide / _CHARACTER))))
 
     def _note(self, place: int) -> str:
         if place not in self.notes:
@@ -180,7 +182,8 @@ class Words:
 
     def short_channels(self) -> dict[str, str]:
         """Each channel by the short name that has been written for it."""
-        found = (str(value.channel) for value in self._written_values() if isinstance(value, Member))
+        items = self._chart.transitions
+        found = (str(channel) for place in sorted(self._used) for channel in _channels_of(items[place]))
         names = {self.channels[full]: full for full in found}
         return {name: full for name, full in names.items() if name != full}
 
@@ -189,7 +192,7 @@ class Words:
             yield from values_of(self._chart.transitions[place].expression)
 
     def _shorter(self, text: str) -> str:
-        text = text.replace("&&", "and").replace("||", "or")
+        text = text.replace("&&", "and").replace("||", "or").replace("write_messages.", "publish ")
         text = _CHANNEL.sub(lambda match: self.channels.get(match[0], match[0]), text)
         return _CONSTANT.sub(r"\1", text)
 
@@ -197,9 +200,7 @@ class Words:
         """The short name of each channel: its message, unless that is on two topics."""
         used: dict[str, Channel] = {}
         for item in self._chart.transitions:
-            for value in values_of(item.expression):
-                if isinstance(value, Member):
-                    used[str(value.channel)] = value.channel
+            used |= {str(channel): channel for channel in _channels_of(item)}
         found: dict[str, str] = {}
         for text, channel in used.items():
             names = (channel.message, f"{channel.topic}.{channel.message}")
@@ -279,17 +280,40 @@ class Words:
         head = said.head
         if mark:
             head = f"{mark} {head.lstrip('✉◷ ')}"
-        above = tuple((line, look) for line in wrapped(_cut(head, note), characters)) if head else ()
+        above = tuple((line, look) for line in balanced(_cut(head, note), characters)) if head else ()
         actions = [_cut(text, note) for text in said.actions[:_MOST]]
         if len(said.actions) > _MOST:
             actions[-1] = f"/ {note}"
-        below = tuple((line, Look.ACTION) for text in actions for line in wrapped(text, characters))
+        below = tuple((line, Look.ACTION) for text in actions for line in balanced(text, characters))
         return above, below
+
+
+def _channels_of(item: Transition) -> Iterator[Channel]:
+    """The channels that a transition reads, sets or publishes."""
+    for value in values_of(item.expression):
+        if isinstance(value, Member):
+            yield value.channel
+    for action in item.expression.actions:
+        if isinstance(action, Publish):
+            yield action.channel
+        elif isinstance(action, Assign) and isinstance(action.target, Member):
+            yield action.target.channel
 
 
 def _users(channels: Iterable[Channel], name: str) -> int:
     """How many channels may be meant by a short name."""
     return sum(name in (item.message, f"{item.topic}.{item.message}") for item in channels)
+
+
+def balanced(text: str, characters: int) -> tuple[str, ...]:
+    """The text in as few lines as fit, each as short as that allows."""
+    lines = wrapped(text, characters)
+    while len(lines) > 1:
+        shorter = wrapped(text, max(map(len, lines)) - 1)
+        if len(shorter) > len(lines) or max(map(len, shorter)) >= max(map(len, lines)):
+            break
+        lines = shorter
+    return lines
 
 
 def _waits(item: Transition) -> bool:

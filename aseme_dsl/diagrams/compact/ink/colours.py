@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from aseme_dsl.amola.statechart import OriginKind, Statechart
 
 LIGHT = {
@@ -82,7 +84,12 @@ def _rules(colours: dict[str, str]) -> str:
     text = _RULES
     for name, colour in colours.items():
         text = text.replace(f"{{{name}}}", colour)
-    return text
+    # Part of a page, the rules must not reach what is around.
+    return re.sub(r"(^|\}\n?)([^{}\n]+)\{", _of_drawing, text)
+
+
+def _of_drawing(match: re.Match[str]) -> str:
+    return f"{match[1]}{','.join(f'.aseme-compact {item}' for item in match[2].split(','))}{{"
 
 
 def style(theme: str | None = None) -> str:

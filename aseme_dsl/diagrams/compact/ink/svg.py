@@ -28,7 +28,7 @@ def svg(
     about = f"{chart.kind} {chart.name} of {chart.system}"
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}" height="{height:g}" '
-        f'viewBox="0 0 {width:g} {height:g}" role="img" aria-label="{_text(about)}">',
+        f'viewBox="0 0 {width:g} {height:g}" class="aseme-compact" role="img" aria-label="{_text(about)}">',
         f"<title>{_text(about)}</title>",
         f"<style>{style(theme)}</style>",
         f'<rect class="paper" width="{width:g}" height="{height:g}"/>',
