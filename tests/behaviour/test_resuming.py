@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.behaviour.conftest import Play
 from tests.behaviour.running import Run
 
@@ -240,6 +242,26 @@ def test_its_own_time_stands_still(play: Play) -> None:
     assert (run.active, run.due) == (["Give"], 20)
     run.step(ms=20)
     assert run.active == ["B"]
+
+
+@pytest.mark.parametrize("inner", [False, True])
+def test_a_timer_that_an_exit_starts_stands_still_too(inner: bool, play: Play) -> None:
+    """The exit is done while the part is left: its timer is the one that goes on."""
+    text = CONVERSATION.replace(
+        "enter Give : inform Note from b / n = n + 1",
+        "enter Ask : / start_timer(t, 30ms)  exit Ask : / start_timer(t, 70ms)"
+        "  enter Give : when [expired(t)] / n = n + 1",
+    )
+    if inner:
+        text = text.replace("Ask . Give", "both  both = (ask || Other)  ask = Ask . Give")
+        text = text.replace("control a {", "control ask {")
+    run = play(text).step()
+    run.step(run.done("A"))
+    run.step(run.event("go"), ms=8)
+    run.step(run.done("Charge"), run.heard("t.state.M", on=True), ms=50)
+    assert run.due == 70
+    run.step(ms=70)
+    assert run.variable("n") == 1
 
 
 def test_a_timer_ends_with_the_part(play: Play) -> None:

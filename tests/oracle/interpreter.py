@@ -204,6 +204,8 @@ class Reference:
         """The branches that may go on: when each was left, and the timers of each region that stand still."""
         self.abandoning: tuple[int, ...] = ()
         """The `on abandon` line that is done now."""
+        self.left_with: dict[str, dict[str, int]] = {}
+        """The timers that regions had when they were left last."""
         self.held: set[str] = set()
         """The branches that are suspended by the transition which is being taken."""
         self.waited: dict[int, int] = {}
@@ -928,6 +930,8 @@ class Reference:
                 self.outcome.taken.append((number,))
                 self.do(number, self.regions[self.region_of(label)])
         if label in self.mailbox:
+            # What an `exit` has started counts, too: "the part's own `after` and timers stand still".
+            still = {r: self.left_with.get(r, {}) for r in still} | self.timers_of_part(label)
             # "A timer that a part starts ends with the part."
             for name in self.timers_started_in(label):
                 self.regions[self.region_of(label)].timers.pop(name, None)
@@ -942,7 +946,7 @@ class Reference:
                     self.discard(state)
         if label in self.regions and label != self.root():
             # "leaving the region drops its timers", and its blackboard "is dropped when the AND is left"
-            del self.regions[label]
+            self.left_with[label] = self.regions.pop(label).timers
 
     def part(self, branch: str, completed: bool = False, region: Region | None = None) -> None:
         """ "entering/leaving a participation gives Joined/Left"; what waits in it is given up"""

@@ -376,6 +376,24 @@ def test_who_leaves_gives_it_back_at_once() -> None:
     assert said(run.records, "lifts")[0] == "LOST"
 
 
+def test_a_keeper_that_was_suspended_serves_those_in_line() -> None:
+    halted = text().replace("desk = service", "desk = (service [> Halt)~")
+    halted = halted.replace(
+        "places = (keeper~)[8] }",
+        """places = (keeper~)[8] }
+  var halted : bool = false
+  activities { Halt waits }
+  control desk {
+    resume service :
+    enter  Halt    : after(3s) [!halted] / halted = true
+    leave  Halt    : after(2s)
+  }""",
+    )
+    activities = code({"p1": 0, "p2": 1, "p3": 2}, {"p1": 8, "p2": 1, "p3": 1})
+    run = play(generate(halted), activities, until=60 * SECOND)
+    assert served(run) == ["0 p1 RETURNED", "8 p3 RETURNED", "9 p2 RETURNED"]
+
+
 def test_who_waits_too_long_goes_without_it() -> None:
     activities = code({"p1": 0, "p2": 1, "p3": 2}, {"p1": 9, "p3": 1}, {"p2": {"patience": 3 * SECOND}})
     run = play(made(), activities, until=60 * SECOND)

@@ -58,12 +58,17 @@ class Executions:
 
     def start(self, start: Start) -> None:
         """Start an activity, as soon as its period and its predecessor allow it."""
+        node = self.hold(start)
+        node.waits = False
+        self._begin_when_free(node)
+
+    def hold(self, start: Start) -> _Node:
+        """Note an activity that is to start, and do not start it yet: a cancel may come first."""
         node = self._nodes.get(start.label)
         if node is None:
             node = self._nodes[start.label] = self._node(start)
         node.next = start
-        node.waits = False
-        self._begin_when_free(node)
+        return node
 
     def cancel(self, cancel: Cancel) -> None:
         """Cancel an activity that runs, or that was to start."""

@@ -270,6 +270,7 @@ class Agent:
         if self.shown is not None:
             self.shown.follow(outcome)
         stop = chart.stopped_at if outcome.failure is not None else -1
+        self._effects.look_ahead(outcome.effects)
         for place, effect in enumerate(outcome.effects):
             if place == stop:
                 self.conversations.leaving(self, "failed")

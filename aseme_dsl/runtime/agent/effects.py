@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import TypeVar, cast
 
 from aseme_dsl.runtime.activity.execution import Host
@@ -42,6 +42,8 @@ class Effects:
         self._conversations = agent.conversations
         self._missing: tuple[str, str] | None = None
         """The state that is entered though the content of a message is missing, and what to say of it."""
+        self._passing: frozenset[int] = frozenset()
+        """The tokens of the activities that the step cancels, which never begin if it starts them, too."""
         self.carry_out: Mapping[type[Effect], Callable[[Effect], None]] = dict(
             (
                 _of(Start, self._start),
@@ -60,6 +62,10 @@ class Effects:
         )
         """The function for each type of effect."""
 
+    def look_ahead(self, effects: Iterable[Effect]) -> None:
+        """Learn what a step asks for, before any of it is carried out."""
+        self._passing = frozenset(item.token for item in effects if isinstance(item, Cancel))
+
     def _count_fault(self, effect: Fault) -> None:
         agent = self._agent
         at = agent.plan.transitions[effect.transition].at
@@ -77,6 +83,8 @@ class Effects:
         if self._missing is not None and f"{start.label}.".startswith(f"{self._missing[0]}."):
             self._executions.refuse(start, self._missing[1])
             self._missing = None
+        elif start.token in self._passing:
+            self._executions.hold(start)
         else:
             self._executions.start(start)
 

@@ -116,6 +116,28 @@ def test_who_is_cancelled_is_told_and_what_it_still_does_is_dropped(
     assert run.order("end").count("end Next") == 1
 
 
+PASSED = """
+system S
+srm R {
+  var there : bool = true
+  liveness { R = First . Move . Last }
+  activities { First takes 10ms simulated  Last takes 10ms simulated }
+  control R { enter Last : when [there] }
+}
+"""
+
+
+@pytest.mark.parametrize("clock", CLOCKS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_one_step_starts_and_cancels_does_not_run(kind: str, clock: str, tmp_path: Path) -> None:
+    move = WORK[kind].replace("class Work", "class Move")
+    run = play(PASSED, activities_in(folder(tmp_path, move=move)), clock=clock, path=[tmp_path])
+    assert run.result.reason == "finished"
+    (record,) = run.of("activity", activity="Move")
+    assert (record["what"], record["started"]) == ("cancel", False)
+    assert not (tmp_path / "begun").exists()
+
+
 REENTRY = """
 system S
 srm R {
