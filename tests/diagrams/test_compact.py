@@ -243,3 +243,29 @@ def test_a_part_that_is_no_formula_is_a_box_that_says_why() -> None:
     (box,) = shapes(picture, Form.CLOSED)
     assert other.node(box).type is StateType.OR
     assert "2 ways onward" in said(picture)
+
+
+def test_a_guard_changes_nothing_outside_its_region() -> None:
+    text = (
+        "system S\nsrm r { var n : int = 0  liveness { r = one || two  one = (A . [B])~  two = (C . [D])~ }\n"
+        "control one { enter B : [n > 0]\n skip B : else }\n"
+        "control two { enter D : [%s]\n skip D : else } }"
+    )
+    before = layout(chart_of(text % "n > 0"))
+    after = layout(chart_of(text % " && ".join(f"n > {number}" for number in range(20))))
+    assert after.height > before.height
+
+    def first_region(picture: Picture) -> list[tuple[float, float, str]]:
+        items = [item for item in picture.elements if isinstance(item, Text)]
+        names = [item.text for item in items]
+        return [(item.x, item.y, item.text) for item in items[names.index("one") : names.index("two")]]
+
+    assert first_region(before) == first_region(after)
+
+
+def test_two_transitions_without_a_word_between_two_states_are_both_shown() -> None:
+    chart = chart_of("system S\nsrm r { liveness { r = part . B  part = A } }")
+    place = next(n for n, item in enumerate(chart.transitions) if chart.node(item.target).name == "A")
+    twice = replace(chart.transitions[place], priority=1)
+    other = replace(chart, transitions=(*chart.transitions, twice))
+    assert faults(other, layout(other)) == []

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.expression import duration_text
@@ -20,7 +20,7 @@ from aseme_dsl.diagrams.look.labels import wrapped
 _MARGIN = 14
 
 _WIDTHS = (152, 190, 132, 116, 100)
-"""How wide labels are; the next is tried while the drawing is larger than wanted."""
+"""How wide labels are; the next is tried for an outermost region that is wider than wanted."""
 
 _LEAST = 560
 """How wide a page is at least, so that the texts below have room."""
@@ -38,19 +38,33 @@ class Wanted:
 def layout(chart: Statechart, activities: Iterable[Activity] = (), wanted: Wanted | None = None) -> Picture:
     """The compact drawing of a chart, or of a part of it. Raises NotCompact."""
     wanted = wanted or Wanted(chart.root.label)
-    known = tuple(activities)
     root = blocks(chart, wanted.top, wanted.closed)
-    endings, first = Endings(chart), Words(chart, known)
-    best: Picture | None = None
-    for wide in _WIDTHS:
+    endings, first = Endings(chart), Words(chart, tuple(activities))
+    limit = wanted.size[0] - 4 * _MARGIN
+
+    def drawn(wide: float, chosen: Mapping[str, float]) -> tuple[Picture, Mapping[str, float]]:
         words = first.anew()
-        picture = _page(chart, root, words, Plan(chart, words, endings), wide, wanted)
-        if best is None or scale(picture, wanted.size) > scale(best, wanted.size):
-            best = picture
-        if scale(best, wanted.size) >= 1:
+        placer = Placer(chart, words, Plan(chart, words, endings), wide, chosen)
+        return _page(chart, root, words, placer, wanted), placer.widths
+
+    measured: list[tuple[float, Mapping[str, float]]] = []
+    for wide in _WIDTHS:
+        picture, widths = drawn(wide, {})
+        measured.append((wide, widths))
+        if all(width <= limit for width in widths.values()):
             break
-    assert best is not None
-    return best
+    if len(measured) == 1:
+        return picture
+    return drawn(_WIDTHS[0], {label: _best(label, measured, limit) for label in widths})[0]
+
+
+def _best(label: str, measured: Sequence[tuple[float, Mapping[str, float]]], limit: float) -> float:
+    """How wide the labels of a region are: as they are first within the limit, else as it is narrowest.
+
+    Nothing outside the region counts, so that a change there leaves it as it is.
+    """
+    first = (wide for wide, widths in measured if widths[label] <= limit)
+    return next(first, min(measured, key=lambda item: item[1][label])[0])
 
 
 def scale(picture: Picture, size: tuple[float, float]) -> float:
@@ -58,9 +72,9 @@ def scale(picture: Picture, size: tuple[float, float]) -> float:
     return min(1.0, size[0] / picture.width, size[1] / picture.height)
 
 
-def _page(chart: Statechart, root: Group, words: Words, plan: Plan, wide: float, wanted: Wanted) -> Picture:
-    placer = Placer(chart, words, plan, wide)
-    field = _root(chart, plan, placer, root, words, wide)
+def _page(chart: Statechart, root: Group, words: Words, placer: Placer, wanted: Wanted) -> Picture:
+    plan = placer.plan
+    field = _root(chart, plan, placer, root, words)
     room = Room()
     part = plan.heading(wanted.top)[0] if wanted.top != chart.root.label else ""
     title = " · ".join(filter(None, (chart.name, part)))
@@ -88,7 +102,7 @@ def _page(chart: Statechart, root: Group, words: Words, plan: Plan, wide: float,
     )
 
 
-def _root(chart: Statechart, plan: Plan, placer: Placer, root: Group, words: Words, wide: float) -> Placed:
+def _root(chart: Statechart, plan: Plan, placer: Placer, root: Group, words: Words) -> Placed:
     """The outermost region: an AND that never ends needs no line to it."""
     part = plan.only(root)
     group: Group | None = root

@@ -7,7 +7,7 @@ time is linear in the states of each level.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import assert_never
 
@@ -70,19 +70,25 @@ class Rim:
 
 
 class Placer:
-    """Places the blocks of one chart; labels are about `wide` px wide.
+    """Places the blocks of one chart; labels are about `wide` px wide, in some regions as `chosen`.
 
-    `copies` collects the regions that are drawn once for several.
+    `copies` collects the regions that are drawn once for several, `widths` how wide the outermost ones are.
     """
 
-    def __init__(self, chart: Statechart, words: Words, plan: Plan, wide: float) -> None:
+    def __init__(
+        self, chart: Statechart, words: Words, plan: Plan, wide: float, chosen: Mapping[str, float]
+    ) -> None:
+        self.plan = plan
+        self.copies: list[tuple[str, ...]] = []
+        self.widths: dict[str, float] = {}
         self._chart = chart
         self._words = words
         self._plan = plan
-        self._wide = wide
+        self._wide = self._usual = wide
+        self._chosen = chosen
         self._nodes = Nodes(chart, words, plan)
         self._bare: set[str] = set()
-        self.copies: list[tuple[str, ...]] = []
+        self._is_inside = False
 
     # ---- regions -----------------------------------------------------------------------------------
 
@@ -90,6 +96,15 @@ class Placer:
         """A region: its initial dot, what is inside, and the ring if it ends."""
         if isinstance(region, Closed):
             return self._nodes.closed(region, None, x)
+        if self._is_inside:
+            return self._field(region, x)
+        self._is_inside, self._wide = True, self._chosen.get(region.label, self._usual)
+        placed = self._field(region, x)
+        self._is_inside = False
+        self.widths[region.label] = placed.right - x
+        return placed
+
+    def _field(self, region: Group, x: float) -> Placed:
         title = self._plan.title(region)
         if title is not None:
             self._bare.add(title)
@@ -296,7 +311,7 @@ class Placer:
         shape = _border_of(body, block.label) if rim.leaves or not isinstance(block, Group) else None
         if links.events and shape is not None:
             rows = self._rows(links.events, silent, True)[0] + self._rows(links.onward, silent, False)[1]
-            body, shape = _taller(body, shape, rows * PITCH + 14)
+            body, shape = _taller(body, shape, rows * PITCH + _beside(body, shape) + 14)
         room.put(replace(body, pen=None))
         behind = body.pen
         if loops:
@@ -524,6 +539,14 @@ def _border_of(placed: Placed, label: str) -> Shape | None:
     forms = (Form.FIELD, Form.ENDLESS, Form.PILL)
     shapes = (item for item in placed.elements if isinstance(item, Shape) and item.form not in forms)
     return next((item for item in shapes if item.state == label or label in item.also), None)
+
+
+def _beside(placed: Placed, shape: Shape) -> float:
+    """How far the texts reach below the axis that stand right of a border already."""
+    right = shape.x + shape.width
+    return max(
+        (item.y + 4 for item in placed.elements if isinstance(item, Text) and item.x >= right), default=0
+    )
 
 
 def _taller(placed: Placed, shape: Shape, below: float) -> tuple[Placed, Shape]:

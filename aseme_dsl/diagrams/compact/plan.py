@@ -191,7 +191,7 @@ class Plan:
         return len(link) > _TABLE
 
     def _has_text(self, *links: Link) -> bool:
-        return any(self._words.has_text(place) for link in links for place in link)
+        return any(len(link) > 1 or self._words.has_text(place) for link in links for place in link)
 
 
 def transitions_in(chart: Statechart, label: str) -> Link:
