@@ -433,6 +433,33 @@ def test_statements_of_scenarios_name_what_there_is() -> None:
         assert labels(text.replace(CURSOR, f"given {{ robot1 in Sc{CURSOR} }}")) != []
 
 
+@pytest.mark.parametrize(
+    ("line", "some", "none"),
+    [
+        ("‸", ["always", "at", "crash", "robot1", "ScanForBall"], ["receives"]),
+        ("by 2s robot1 ‸", ["in", "has", "receives"], ["robot1", "vision"]),
+        ("by 2s robot1 in Sc‸", ["ScanForBall", "player"], ["robot1", "NoSuchState", "goalie"]),
+        ("by 2s robot1 in (ScanForBall or ‸", ["ScanForBall"], ["robot1"]),
+        ("at 2s robot1 receives ‸", ["vision", "game"], ["ScanForBall"]),
+        ("at 2s robot1 receives vision.state.Ball { ‸", ["visible", "distance"], ["robot1"]),
+        ("at 2s robot1 receives vision.state.Ball { visible = true  ‸", ["distance"], ["robot1"]),
+        ("no sent ‸", ["Ball", "vision"], ["robot1"]),
+        ("activity ‸", ["CheckForBallObservation"], ["robot1"]),
+        ("activity CheckForBallObservation ‸", ["takes", "ends", "writes"], ["robot1"]),
+        ("never ScanForBall@‸", ["center"], ["robot1"]),
+        ("from 1s for 2s robot1 loses ‸", ["radio"], ["robot1"]),
+        ("one : ‸", ["player"], ["robot1"]),
+        ("always some ‸", ["player"], ["robot1"]),
+        ("eventually outcome ‸", ['"The center_for shoots to goal."'], ["robot1"]),
+    ],
+)
+def test_words_of_a_statement(line: str, some: list[str], none: list[str]) -> None:
+    text = instead(SOCCER, "\nscenario ", f'\nscenario "x" {{\n  robot1 : player\n  {line}\n}}\nscenario ')
+    found = labels(text)
+    assert [label for label in some if label not in found] == []
+    assert [label for label in none if label in found] == []
+
+
 def test_timers_and_events_that_are_known() -> None:
     text = instead(SOCCER, "[expired(pace)", "[expired(‸)")
     assert labels(text) == ["pace"]

@@ -7,7 +7,7 @@ expressions say which names that means in this system.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
 from typing import assert_never
@@ -30,12 +30,20 @@ from aseme_dsl.editor.typing.slots import (
     Slot,
     SlotKind,
     formula_is_open,
-    path_before,
     transition_slot,
     value_slot,
 )
 from aseme_dsl.editor.typing.snippets import USUAL, WHOLE, skeleton
-from aseme_dsl.editor.typing.values import actions, agents, constants, members, outcomes, topics, values
+from aseme_dsl.editor.typing.statements import stated
+from aseme_dsl.editor.typing.values import (
+    actions,
+    constants,
+    members,
+    members_to_fill,
+    outcomes,
+    topics,
+    values,
+)
 from aseme_dsl.grammar.parsing.expected import Expected
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.token import Token
@@ -297,17 +305,7 @@ def _busy(ask: Ask) -> Iterator[Item]:
             if item.performative.text == said[0]:
                 yield Item(item.message.text, ItemKind.MESSAGE, said[0], rank=2)
     elif "{" in said and said[-1] in ("{", ","):
-        yield from _members_to_fill(ask, said[1])
-
-
-def _members_to_fill(ask: Ask, message: str, path: Sequence[str] = ()) -> Iterator[Item]:
-    filled = ask.known.symbols.message(message)
-    for name in path:
-        inner = filled.field(name) if filled is not None else None
-        filled = ask.known.symbols.message(inner.type.name) if inner is not None else None
-    for field in filled.fields if filled is not None else ():
-        said = ask.known.documentation(field.span)
-        yield Item(field.name, ItemKind.MEMBER, str(field.type), said, f"{field.name} = ", rank=0)
+        yield from members_to_fill(ask.known, said[1])
 
 
 def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
@@ -338,7 +336,7 @@ def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
                 agents = (name for name, (_, kind) in scope.variables.items() if kind == AGENT)
                 yield from (Item(name, ItemKind.VARIABLE, "agent", rank=3) for name in agents)
         case SlotKind.FILL:
-            yield from _members_to_fill(ask, slot.said[0], slot.path)
+            yield from members_to_fill(ask.known, slot.said[0], slot.path)
         case SlotKind.ACTION:
             yield from actions(scope, ask.known)
             if party is not None:
@@ -484,29 +482,6 @@ def _behind(place: Place, expected: Expected, sign: str) -> list[Token] | None:
     return None if index is None else tokens[index + 1 :]
 
 
-# ---- scenarios and properties ------------------------------------------------------------------------
-
-
-def _stated(ask: Ask) -> Iterator[Item]:
-    """What a statement may name: agents and roles, their states, participants, and what is on topics."""
-    path, _ = path_before(ask.said)
-    known = ask.known
-    if path:
-        yield from members(known.top, known, path)
-        return
-    yield from agents(known.top)
-    for name in known.role_names:
-        yield Item(name, ItemKind.ROLE, "role", rank=3)
-    for name in known.activities:
-        yield Item(name, ItemKind.ACTIVITY, "activity", rank=2)
-    for role in known.blocks.srms:
-        for formula in role.formulas:
-            yield Item(formula.name.text, ItemKind.FORMULA, f"formula of {role.name}", rank=2)
-    for protocol in known.protocols:
-        yield Item(protocol, ItemKind.PROTOCOL, "protocol", rank=4)
-    yield from topics(known.top, known, rank=5)
-
-
 _FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
     "TermToken": _terms,
     "FormulaToken": _formula,
@@ -516,7 +491,7 @@ _FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
     "SettingToken": _expression,
     "BindingToken": _binding,
     "BusyToken": _busy,
-    "Word": _stated,
+    "Word": stated,
 }
 """What is offered inside of what is a list of tokens for the grammar."""
 

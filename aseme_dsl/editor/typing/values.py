@@ -91,6 +91,17 @@ def agents(scope: Scope) -> Iterator[Item]:
             yield Item(agent.name, ItemKind.AGENT, f"agent: {agent.role}", rank=7, goes_on=True)
 
 
+def members_to_fill(known: Known, message: str, path: Sequence[str] = ()) -> Iterator[Item]:
+    """The members of a message, or of one inside it, each with its `=`."""
+    filled = known.symbols.message(message)
+    for name in path:
+        inner = filled.field(name) if filled is not None else None
+        filled = known.symbols.message(inner.type.name) if inner is not None else None
+    for field in filled.fields if filled is not None else ():
+        said = known.documentation(field.span)
+        yield Item(field.name, ItemKind.MEMBER, str(field.type), said, f"{field.name} = ", rank=0)
+
+
 def functions(scope: Scope, known: Known, wanted: Type | None) -> Iterator[Item]:
     """The declared functions and those that are built in, once each, with room for their arguments."""
     for name in scope.symbols.function_names:
