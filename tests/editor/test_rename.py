@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 import sys
 from pathlib import Path
 
@@ -53,6 +54,48 @@ def test_a_participant_is_renamed_with_its_role_in_the_use_cases() -> None:
     assert "clause PassBall@center before KickBall@wing" in text
     # a member of a message that is called the same is something else
     assert "team.state.Assignment.center_for == my" in text
+
+
+@pytest.mark.parametrize(
+    "marked",
+    [
+        "^LEFT RIGHT",
+        "message ^Ball",
+        "bool ^seen",
+        "participant ^guide",
+        "ends ^found",
+        ": ^Whistle",
+        "^one : r",
+    ],
+)
+def test_what_scenarios_name_is_renamed_there(marked: str) -> None:
+    text = """system T
+enum Side { LEFT RIGHT }
+message Ball { bool seen  Side side }
+topic eyes { state Ball }
+aip walk { participant guide { process = Go } }
+srm r {
+  plays walk.guide
+  liveness { r = (Look . guide . Turn)~ }
+  activities { Look takes 1s ends found, lost }
+  control r { enter Turn : Whistle }
+}
+team T { one : r }
+scenario "s" {
+  one : r
+  activity Look ends lost, found
+  at 1s one receives eyes.state.Ball { seen = true  side = Side.LEFT }
+  at 2s one raises Whistle
+  by 3s one in Go@guide and one has [eyes.state.Ball.seen]
+  no received Ball before 1s
+}
+"""
+    before = [item.code for item in analyse(Source(PATH, text)).diagnostics]
+    assert not any(code[0] == "E" for code in before)
+    name = marked.partition("^")[2].partition(" ")[0]
+    changed = renamed(text, marked, "other")
+    assert re.search(rf"\b{name}\b", changed) is None
+    assert [item.code for item in analyse(Source(PATH, changed)).diagnostics] == before
 
 
 def test_a_member_is_renamed_in_the_messages_of_variables() -> None:

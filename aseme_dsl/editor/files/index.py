@@ -15,6 +15,8 @@ from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.names.usecases import folded
 from aseme_dsl.compiler.read.builtins import COMM_TYPES, PERFORMATIVES, ROUND_QUESTIONS
 from aseme_dsl.compiler.types.given import supplied_names
+from aseme_dsl.grammar.formulas.statement import read_statements
+from aseme_dsl.grammar.text import statements as nodes
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source, Span
 
@@ -95,6 +97,8 @@ class World:
     """What each role takes over, directly or not."""
     supplied: frozenset[tuple[str, str]] = frozenset()
     """The inputs and results of participants: `protocol.participant`, and the name."""
+    participants: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """The protocols that have a participant of a name."""
 
 
 def world_of(symbols: Symbols, files: Iterable[tree.File]) -> World:
@@ -118,7 +122,13 @@ def world_of(symbols: Symbols, files: Iterable[tree.File]) -> World:
         for party in protocol.participants
         for item in supplied_names(party)
     )
-    return World(symbols, frozenset(role.name.text for role in roles), realised, included, supplied)
+    participants: dict[str, tuple[str, ...]] = {}
+    for protocol in protocols:
+        for party in protocol.participants:
+            owners = participants.get(party.name.text, ())
+            participants[party.name.text] = (*owners, protocol.name.text)
+    names_of_roles = frozenset(role.name.text for role in roles)
+    return World(symbols, names_of_roles, realised, included, supplied, participants)
 
 
 def _included(roles: Iterable[tree.Srm]) -> dict[str, tuple[tree.Srm, ...]]:
@@ -583,20 +593,83 @@ def occurrences(declaration: tree.Declaration, world: World) -> tuple[Occurrence
 
 def _tokens(node: tree.Scenario | tree.Property, around: Around) -> Iterator[Occurrence]:
     """What the words of a scenario or property mean, as far as they name what is declared."""
+    words = list(_names_in(node.statements if isinstance(node, tree.Scenario) else node.tokens))
+    found: dict[int, Occurrence] = {}
+    statements = read_statements(node.span.source, words, isinstance(node, tree.Property))[0]
+    for item in _stated(statements, around):
+        found.setdefault(item.span.start, item)
+    for word in words:
+        if word.span.start not in found:
+            yield from _word(word, node, around)
+    yield from found.values()
+
+
+def _word(word: tree.Name, node: object, around: Around) -> Iterator[Occurrence]:
+    """What a word means by itself, wherever it stands."""
     symbols = around.world.symbols
-    for word in _names_in(node.statements if isinstance(node, tree.Scenario) else node.tokens):
-        if "." in word.text:
-            yield from _channel(around, _dotted(word))
-        elif word.text in symbols.agents:
-            yield Occurrence(word.span, Symbol(Kind.AGENT, word.text), Use.READ, node)
-        elif word.text in around.world.roles:
-            yield Occurrence(word.span, Symbol(Kind.ROLE, word.text), Use.READ, node)
-        elif word.text in symbols.activities:
-            yield Occurrence(word.span, Symbol(Kind.ACTIVITY, word.text), Use.READ, node)
-        else:
-            found = around.world.realised.get(folded(word.text))
-            if found is not None and found.name == word.text:
-                yield Occurrence(word.span, found, Use.READ, node)
+    if "." in word.text:
+        dotted = _dotted(word)
+        is_enum = symbols.enum(dotted.segments[0].text) is not None
+        yield from _value(around, dotted) if is_enum else _channel(around, dotted)
+    elif word.text in symbols.agents:
+        yield Occurrence(word.span, Symbol(Kind.AGENT, word.text), Use.READ, node)
+    elif word.text in around.world.roles:
+        yield Occurrence(word.span, Symbol(Kind.ROLE, word.text), Use.READ, node)
+    elif word.text in symbols.activities:
+        yield Occurrence(word.span, Symbol(Kind.ACTIVITY, word.text), Use.READ, node)
+    else:
+        found = around.world.realised.get(folded(word.text))
+        if found is not None and found.name == word.text:
+            yield Occurrence(word.span, found, Use.READ, node)
+
+
+def _stated(statements: Iterable[nodes.Statement], around: Around) -> Iterator[Occurrence]:
+    """What names mean because of the statement that they stand in."""
+    todo: list[object] = list(statements)
+    columns = {name.text for item in todo if isinstance(item, nodes.Table) for name in item.columns}
+    while todo:
+        item = todo.pop()
+        match item:
+            case tuple():
+                todo += item
+                continue
+            case nodes.Filled():
+                inside = replace(around, filled=item.what.segments[-1].text)
+                for fill in item.fills:
+                    yield from _filled(fill, fill.target, inside)
+                yield from _message(item.what, around)
+            case nodes.Heard():
+                yield from _message(item.what, around)
+            case nodes.Raises():
+                yield Occurrence(item.event.span, Symbol(Kind.EVENT, item.event.text), Use.READ, around.node)
+            case nodes.Simulated():
+                for end in item.ends:
+                    symbol = Symbol(Kind.OUTCOME, end.text, item.activity.text)
+                    yield Occurrence(end.span, symbol, Use.READ, around.node)
+            case tree.Place() if item.name.text not in columns:
+                yield from _of_place(item, around)
+        if type(item).__module__ == nodes.__name__:
+            todo += [getattr(item, name) for name, _ in _parts(item)]
+
+
+def _of_place(place: tree.Place, around: Around) -> Iterator[Occurrence]:
+    """A state, which is an activity if it is nothing else, and the participant behind its `@`."""
+    found = [*_word(place.name, around.node, around)]
+    if not found and place.name.text not in around.world.participants:
+        found.append(
+            Occurrence(place.name.span, Symbol(Kind.ACTIVITY, place.name.text), Use.READ, around.node)
+        )
+    yield from found
+    owners = around.world.participants.get(place.at.text, ()) if place.at is not None else ()
+    if place.at is not None and len(owners) == 1:
+        symbol = Symbol(Kind.PARTICIPANT, place.at.text, owners[0])
+        yield Occurrence(place.at.span, symbol, Use.READ, around.node)
+
+
+def _message(what: tree.Path, around: Around) -> Iterator[Occurrence]:
+    """A type of message that stands alone, as in `sent Pass`."""
+    if len(what.segments) == 1 and around.world.symbols.message(what.text) is not None:
+        yield Occurrence(what.span, Symbol(Kind.MESSAGE, what.text), Use.READ, around.node)
 
 
 def _dotted(word: tree.Name) -> tree.Path:

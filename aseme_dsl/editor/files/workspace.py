@@ -76,6 +76,7 @@ _World = tuple[
     Mapping[str, Symbol],
     Mapping[str, tuple[tree.Srm, ...]],
     frozenset[tuple[str, str]],
+    Mapping[str, tuple[str, ...]],
 ]
 
 _MAY_IMPORT = re.compile(r"^[ \t]*(?:import|system)\b[^\n]*(?:\n[^\n]*)?", re.MULTILINE)
@@ -301,6 +302,7 @@ class Workspace:
                     world.realised,
                     world.included,
                     world.supplied,
+                    world.participants,
                 )
             return occurrences(declaration, world)  # of an earlier moment
 
