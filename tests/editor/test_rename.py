@@ -63,6 +63,7 @@ def test_a_participant_is_renamed_with_its_role_in_the_use_cases() -> None:
         "message ^Ball",
         "bool ^seen",
         "participant ^guide",
+        "process = ^Go",
         "ends ^found",
         ": ^Whistle",
         "^one : r",
