@@ -25,6 +25,7 @@ LAYERS = {
     "diagrams": 2,
     "codegen": 2,
     "interop": 2,
+    "play": 2,
     "proofs": 2,
     "worlds": 2,
     "amola": 1,
@@ -44,6 +45,7 @@ KNOWS_ONLY = {
     "runtime": {"source", "outside", "display"},
     "worlds": {"runtime"},
     "proofs": {"amola", "source"},
+    "play": {"amola", "runtime", "source"},
 }
 """Packages that may import less than all that is below them."""
 
@@ -53,10 +55,10 @@ SUBPACKAGES = {
     "diagrams": "look compact models sequence rendering",
     "editor": "reading files answers typing changes",
     "grammar": "text formulas parsing layout syntax",
-    "project": "files settings code building editing playing studying",
+    "project": "files settings code building editing playing studying testing",
     "runtime": (
         "time chart plain message library ports trace transport platform channel conversation world activity"
-        " version workers agent driver team control"
+        " version workers agent driver team control monitor"
     ),
 }
 """The subpackages of a package: each imports only from those before it; modules beside them from all."""

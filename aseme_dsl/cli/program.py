@@ -32,6 +32,7 @@ COMMANDS = (
     "diagram",
     "view",
     "run",
+    "test",
     "node",
     "status",
     "switch",
@@ -50,7 +51,7 @@ COMMANDS = (
 """The commands, in the order of the help; each is the object `command` of the module of its name, with an
 underscore where that is a keyword."""
 
-PLAYING = frozenset(("run", "node", "match", "optimise"))
+PLAYING = frozenset(("run", "test", "node", "match", "optimise"))
 """The commands in which code of the user writes to the terminal as it likes."""
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity
@@ -30,6 +31,9 @@ from aseme_dsl.compiler.types.scopes import TypedParticipant, TypedRole
 from aseme_dsl.diagnostics import has_errors
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source
+
+if TYPE_CHECKING:
+    from aseme_dsl.play.scenario import Scenario
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +92,17 @@ def inspecting(
     found = yield from _inspecting(root, sources, options, memory, read)
     memory.end()
     return found
+
+
+def scenarios_of(inspection: Inspection) -> tuple[Scenario, ...]:
+    """The scenarios of a system without errors, as they are played."""
+    from aseme_dsl.compiler.requirements.played import played
+    from aseme_dsl.compiler.requirements.statements import known_by
+
+    found, files = inspection, inspection.loaded.files
+    known = known_by(files, found.top, found.scopes, found.blocks, (), found.iacs, found.activities)
+    charts = {role: chart for role, chart in found.iacs.items() if chart is not None}
+    return played(files, known, charts, found.blocks)
 
 
 def _says(file: tree.File) -> bool:

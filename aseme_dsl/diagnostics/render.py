@@ -61,7 +61,7 @@ def _visible(text: str) -> str:
     return "".join(char if char.isprintable() else "\ufffd" for char in text)
 
 
-def _excerpt(span: Span, mark: str, paint: str, colour: bool, columns: int | None) -> list[str]:
+def excerpt(span: Span, mark: str, paint: str, colour: bool, columns: int | None) -> list[str]:
     """The lines of a place: all of one line, the first and the last of several."""
     first, column = span.source.position(span.start)
     last, end = span.source.position(max(span.start, span.end))
@@ -140,10 +140,10 @@ def _block(item: Diagnostic, colour: bool, link: Link | None, columns: int | Non
         lines = [f"{item.path or '<input>'}: {head}: {item.message}"]
     else:
         lines = [f"{item.span}: {head}: {item.message}"]
-        lines += _excerpt(item.span, "^", paint, colour, columns)
+        lines += excerpt(item.span, "^", paint, colour, columns)
     for related in item.related:
         lines.append(f"   {related.span}: {related.message}")
-        lines += _excerpt(related.span, "-", "34", colour, columns)
+        lines += excerpt(related.span, "-", "34", colour, columns)
     if item.hint:
         first, *more = item.hint.splitlines()
         lines.append(f"   {_paint('hint', '32', colour)}: {first}")

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
-from itertools import islice
 from typing import assert_never
 
 from aseme_dsl.amola.aip import Aip
-from aseme_dsl.amola.expression import Raised, Value
+from aseme_dsl.amola.expression import Fill, Raised, Value
 from aseme_dsl.amola.liveness import names
-from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, Type
+from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, Channel, Type
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.names.checker import Checker
@@ -144,24 +143,56 @@ def check_statements(files: Sequence[tree.File], known: Known, is_damaged: Damag
     for (statements, wrong, is_property), (item, _) in zip(read, blocks, strict=True):
         own = introduced if is_property else _introduced(statements)
         agents = {**known.agents, **own} if is_property or not own else own
-        check = _Check(known, agents, bool(own) and not is_property, is_damaged(item.span), is_read)
-        for statement in statements:
-            if isinstance(statement, nodes.TakesPart):
-                check.takes_part(statement)
-            elif isinstance(statement, nodes.Input | nodes.Table):
-                check.inputs(statement)
+        check = Check(known, agents, bool(own) and not is_property, is_damaged(item.span), is_read)
+        check.introduce(statements)
         for statement in statements:
             check.statement(statement)
         found += _each_cause(check.found, wrong)
-    found += _not_played(files)
+    found += _not_watched(files)
     return tuple(dict.fromkeys(found))
 
 
-def _not_played(files: Iterable[tree.File]) -> Iterator[Diagnostic]:
-    """Once for each file that has any."""
+def _not_watched(files: Sequence[tree.File]) -> Iterator[Diagnostic]:
+    """Once, if there are properties, but no scenario that checks them."""
+    blocks = [item for file in files for item in _blocks(file)]
+    if not any(isinstance(item, tree.Scenario) for item in blocks):
+        for item in blocks[:1]:
+            yield Diagnostic(problems.PropertyNotWatched(), item.title.span)
+
+
+def scenarios(
+    files: Iterable[tree.File], known: Known
+) -> Iterator[tuple[tree.Scenario, tuple[nodes.Statement, ...], Check]]:
+    """The scenarios of files without errors, with their statements, and what the names in them mean."""
     for file in files:
-        for item in islice(_blocks(file), 1):
-            yield Diagnostic(problems.ScenarioNotPlayed(), item.title.span)
+        for item in _blocks(file):
+            if isinstance(item, tree.Scenario):
+                statements, _ = read_statements(item.span.source, _words(item, _aliases(file)))
+                own = _introduced(statements)
+                check = Check(known, own or known.agents, bool(own), is_broken=False, is_read=True)
+                check.introduce(statements)
+                yield item, statements, check
+
+
+def properties(files: Iterable[tree.File]) -> tuple[nodes.Statement, ...]:
+    """What the properties of files without errors say of every run, without what they assume."""
+    return tuple(
+        statement
+        for file in files
+        for item in _blocks(file)
+        if isinstance(item, tree.Property)
+        for statement in read_statements(item.span.source, _words(item, _aliases(file)), True)[0]
+        if not is_assumption(statement)
+    )
+
+
+def is_assumption(item: nodes.Statement) -> bool:
+    """Whether a statement is about the environment, and for proofs only."""
+    match item:
+        case nodes.Assumed() | nodes.Setup(word="assume") | nodes.Several(word="assume"):
+            return True
+        case _:
+            return False
 
 
 def _blocks(file: tree.File) -> Iterator[tree.Scenario | tree.Property]:
@@ -199,14 +230,14 @@ def _introduced(statements: Iterable[nodes.Statement]) -> dict[str, str]:
         if isinstance(item, nodes.TakesPart):
             for name, bounds in item.agents:
                 if bounds is None:
-                    found[name.text] = _model_name(item.role)
+                    found[name.text] = model_name(item.role)
                 else:
                     numbers = range(bounds[0], bounds[1] + 1)
-                    found.update((f"{name}{number}", _model_name(item.role)) for number in numbers)
+                    found.update((f"{name}{number}", model_name(item.role)) for number in numbers)
     return found
 
 
-def _model_name(name: tree.Name) -> str:
+def model_name(name: tree.Name) -> str:
     """What `alice.attacker` is called in the models."""
     return name.text.replace(".", "_")
 
@@ -227,7 +258,7 @@ def _aliases(file: tree.File) -> frozenset[str]:
     return frozenset(alias.text for alias in items if alias is not None)
 
 
-def _only_agent(item: object) -> tree.Name | None:
+def only_agent(item: object) -> tree.Name | None:
     """The agent of a sentence, if it has one only: what its bare conditions are about."""
     found: dict[str, tree.Name] = {}
     todo = [item]
@@ -277,6 +308,14 @@ def _with_paths(written: tree.Expression, change: Callable[[tree.Path], tree.Pat
             assert_never(written)
 
 
+def taken_by(item: nodes.Heard, kind: str | None) -> Taken | None:
+    """What the condition of `sent Pass p [p.to == 2]` knows as `p`, a message of the kind."""
+    if item.called is None or kind is None:
+        return None
+    act = item.performative.text if item.performative is not None else "inform"
+    return Taken(item.called.text, act, kind, False, item.called.span)
+
+
 def _typed(checker: Checker, written: tree.Expression) -> Value | None:
     value, wrong = type_value(written, checker.scope)
     checker.diagnostics += wrong
@@ -284,7 +323,7 @@ def _typed(checker: Checker, written: tree.Expression) -> Value | None:
 
 
 @dataclass(slots=True)
-class _Check:
+class Check:
     """Goes through the statements of one scenario or property.
 
     `is_broken`: a part of it could not be read, which may have introduced what is not known then. `is_read`:
@@ -301,9 +340,17 @@ class _Check:
     chosen: set[str] = field(default_factory=set)
     """The columns whose values are states."""
 
-    def takes_part(self, item: nodes.TakesPart) -> None:
+    def introduce(self, statements: Iterable[nodes.Statement]) -> None:
+        """Look at what is said of agents and inputs, which all other statements may name."""
+        for item in statements:
+            if isinstance(item, nodes.TakesPart):
+                self._takes_part(item)
+            elif isinstance(item, nodes.Input | nodes.Table):
+                self._inputs(item)
+
+    def _takes_part(self, item: nodes.TakesPart) -> None:
         """`robot1, robot2 : player`"""
-        role = _model_name(item.role)
+        role = model_name(item.role)
         if role not in self.known.states:
             self._unknown(problems.NoRoleInScenario, item.role, self.known.states)
             return
@@ -312,7 +359,7 @@ class _Check:
             if bounds is None and in_team.get(name.text, role) != role:
                 self._report(problems.OtherRole(name.text, in_team[name.text]), item.role)
 
-    def inputs(self, item: nodes.Input | nodes.Table) -> None:
+    def _inputs(self, item: nodes.Input | nodes.Table) -> None:
         """What a scenario is run with."""
         if isinstance(item, nodes.Input):
             self._input(item)
@@ -392,22 +439,22 @@ class _Check:
                 self._event(item)
             case nodes.Timed():
                 self._moments(item)
-                only = _only_agent(item)
+                only = only_agent(item)
                 if item.of is not None:
-                    self._condition(item.of, self._role_of(only))
+                    self._condition(item.of, self.role_of(only))
                 self._event(item.event)
                 self._share(item.share)
             case nodes.Rule():
-                only = _only_agent(item)
+                only = only_agent(item)
                 for condition in item.conditions:
                     if item.word == "never" or not isinstance(condition, nodes.Fault):
-                        self._condition(condition, self._role_of(only))
+                        self._condition(condition, self.role_of(only))
                     else:
                         self._report(problems.FaultNotNever(), condition)
                 self._share(item.share)
             case nodes.Several():
                 role = None
-                if item.role is not None and (role := _model_name(item.role)) not in self.known.states:
+                if item.role is not None and (role := model_name(item.role)) not in self.known.states:
                     self._unknown(problems.NoRoleInScenario, item.role, self.known.states)
                     return
                 for place in item.places:
@@ -426,7 +473,7 @@ class _Check:
     # ---- parts of statements ---------------------------------------------------------------------
 
     def _simulated(self, item: nodes.Simulated) -> None:
-        self._ranges(item.times)
+        self._ranges((item.takes, *(pace for _, pace in item.writes)))
         if not self._activity(item.activity):
             return
         name = item.activity.text
@@ -435,7 +482,7 @@ class _Check:
             ends = activity.ends if activity is not None else ()
             if end.text not in ends:
                 self._unknown(problems.NoOutcomeOfActivity, end, ends, name)
-        for message in (*item.writes, *item.sends):
+        for message in (*(message for message, _ in item.writes), *item.sends):
             self._filled(message)
         roles = self.known.performed.get(name, frozenset())
         variables = {
@@ -448,23 +495,22 @@ class _Check:
             if variable.text not in variables:
                 self._unknown(problems.NoVariableToSet, variable, variables, name)
                 continue
-            self.found += type_value(self._own(value), self._scope(None), variables[variable.text])[1]
+            self.value(value, None, variables[variable.text])
 
     def _moments(self, item: nodes.Timed) -> None:
         """`from 8s to 3s` is empty."""
         if item.word != "from" or len(item.times) < 2:
             return
         first, last = item.times
-        between = first.span.source.text[first.span.end : last.span.start]
-        if between.strip() == "to" and last.nanoseconds < first.nanoseconds:
+        if last.nanoseconds < first.nanoseconds:
             self._empty(first, last)
 
-    def _ranges(self, times: Iterable[tuple[tree.Duration, tree.Duration]]) -> None:
-        for least, most in times:
-            text = least.span.text
-            bare = most is not least and text.isdecimal()  # 0..300ms
-            if not bare and most.nanoseconds < least.nanoseconds:
-                self._empty(least, most)
+    def _ranges(self, times: Iterable[nodes.Lasts | None]) -> None:
+        for item in times:
+            if item is None or item.is_normal:
+                continue
+            if item.most.nanoseconds < item.least.nanoseconds:
+                self._empty(item.least, item.most)
 
     def _empty(self, least: tree.Duration, most: tree.Duration) -> None:
         problem = problems.UnsuitableRange(least.span.text, most.span.text)
@@ -479,7 +525,7 @@ class _Check:
                     self._agent(item.sender)
             case nodes.Raises():
                 self._agent(item.agent)
-                role = self._role_of(item.agent)
+                role = self.role_of(item.agent)
                 events = self.known.events.get(role or "")
                 if role is not None and events is not None and item.event.text not in events:
                     self._unknown(problems.NoEventOfRole, item.event, events, role)
@@ -487,7 +533,7 @@ class _Check:
                 for agent in item.agents:
                     self._agent(agent)
             case nodes.Reached():
-                self._condition(item.condition, self._role_of(_only_agent(item)))
+                self._condition(item.condition, self.role_of(only_agent(item)))
             case _:
                 assert_never(item)
 
@@ -515,10 +561,10 @@ class _Check:
                         self._bare(item, role)
                     elif self._agent(item.agent):
                         for place in item.places:
-                            self._place(place, self._role_of(item.agent))
+                            self._place(place, self.role_of(item.agent))
                 case nodes.Holds():
                     if item.agent is None or self._agent(item.agent):
-                        self._truth(item.expression, self._role_of(item.agent) or role)
+                        self._truth(item.expression, self.role_of(item.agent) or role)
                 case nodes.Heard():
                     self._heard(item, role)
                 case nodes.Ended():
@@ -534,17 +580,8 @@ class _Check:
     def _bare(self, item: nodes.InState, role: str | None) -> None:
         """A name alone is a state, else a condition that has this name."""
         for place in item.places:
-            scope = self._scope(role)
             name = place.name
-            is_value = (
-                name.text in scope.variables or name.text in scope.lets or name.text in scope.parameters
-            )
-            if (
-                place.at is None
-                and is_value
-                and name.text not in self.chosen
-                and not self._is_state(name.text)
-            ):
+            if self.is_value(place, role):
                 self._truth(tree.Path((name,), name.span), role)
             elif place.at is None and name.text in self.known.processes:
                 pass  # a participant, as in a clause
@@ -553,38 +590,51 @@ class _Check:
             else:
                 self._place(place, None)
 
+    def is_value(self, place: tree.Place, role: str | None) -> bool:
+        """Whether a name alone is a condition."""
+        scope, name = self.scope(role), place.name.text
+        is_known = name in scope.variables or name in scope.lets or name in scope.parameters
+        return place.at is None and is_known and name not in self.chosen and not self._is_state(name)
+
     def _is_state(self, name: str) -> bool:
         return any(states is not None and name in states for states in self.known.states.values())
 
     def _truth(self, written: tree.Expression, role: str | None) -> None:
-        self.found += type_value(self._own(written), self._scope(role), BOOL)[1]
+        self.value(written, role, BOOL)
+
+    def value(
+        self,
+        written: tree.Expression,
+        role: str | None,
+        expected: Type | None = None,
+        taken: Taken | None = None,
+    ) -> Value | None:
+        """An expression with its type, as an agent of the role means it; None if it is wrong."""
+        found, wrong = type_value(self._own(written), replace(self.scope(role), taken=taken), expected)
+        self.found += wrong
+        return found
 
     def _heard(self, item: nodes.Heard, role: str | None) -> None:
         if item.performative is not None and item.performative.text not in PERFORMATIVES:
             self.found.append(unknown_performative(item.performative))
-        kind = self._carried(item.what)
+        kind = self.carried(item.what)
         if item.agent is not None:
             self._agent(item.agent)
         if item.condition is None:
             return
-        scope = self._scope(role)
-        if item.called is not None:
-            if kind is None:
-                return
-            act = item.performative.text if item.performative is not None else "inform"
-            scope = replace(scope, taken=Taken(item.called.text, act, kind, False, item.called.span))
-        self.found += type_value(self._own(item.condition), scope, BOOL)[1]
+        if item.called is None or kind is not None:
+            self.value(item.condition, role, BOOL, taken_by(item, kind))
 
     # ---- names -----------------------------------------------------------------------------------
 
     def _agent(self, name: tree.Name) -> bool:
         """An agent, or a role behind `any`, `some` and `every`."""
-        if name.text in self.agents or _model_name(name) in self.known.states:
+        if name.text in self.agents or model_name(name) in self.known.states:
             return True
         self._unknown(problems.NoAgentInScenario, name, self.agents, self.is_listed)
         return False
 
-    def _role_of(self, name: tree.Name | None) -> str | None:
+    def role_of(self, name: tree.Name | None) -> str | None:
         if name is None:
             return None
         if name.text in self.agents:
@@ -629,17 +679,22 @@ class _Check:
         return False
 
     def _filled(self, item: nodes.Filled) -> None:
+        self.fills(item)
+
+    def fills(self, item: nodes.Filled) -> list[Fill]:
+        """The members of a message that are given."""
         if item.performative is not None and item.performative.text not in PERFORMATIVES:
             self.found.append(unknown_performative(item.performative))
-        kind = self._carried(item.what)
+        kind = self.carried(item.what)
         if kind is None:
-            return
-        checker = Checker(self._scope(None))
+            return []
+        checker = Checker(self.scope(None))
         fills = tuple(replace(one, value=self._own(one.value)) for one in item.fills)
-        fill(checker, kind, fills, _typed)
+        found = fill(checker, kind, fills, _typed)
         self.found += checker.diagnostics
+        return found or []
 
-    def _carried(self, path: tree.Path) -> str | None:
+    def carried(self, path: tree.Path) -> str | None:
         """The type of message that a channel carries, or that is named."""
         if any(one.text in COMM_TYPES for one in path.segments[1:3]) or len(path.segments) > 1:
             return self._channel(path)
@@ -651,12 +706,17 @@ class _Check:
         return None
 
     def _channel(self, path: tree.Path) -> str | None:
+        found = self.channel(path)
+        return None if found is None else found.message
+
+    def channel(self, path: tree.Path) -> Channel | None:
+        """The channel that a path names."""
         checker = Checker(self.known.top)
         found = channel_of(checker, self._meant(path))
         self.found += checker.diagnostics
-        return None if found is None else found[1].message
+        return None if found is None else found[1]
 
-    def _scope(self, role: str | None) -> Scope:
+    def scope(self, role: str | None) -> Scope:
         typed = self.known.scopes.get(role or "")
         scope = self.known.top if typed is None else typed.scope
         return replace(scope, parameters={**scope.parameters, **self.parameters})

@@ -20,6 +20,7 @@ from aseme_dsl.grammar.text import statements as nodes
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.network_words import NetworkWordsError, read_network
 from aseme_dsl.grammar.text.token import Token, token
+from aseme_dsl.runtime.team.network import Network
 from aseme_dsl.source import Source, Span
 
 _COMPARISON = 3
@@ -156,21 +157,21 @@ def _duration(reader: Reader) -> tree.Duration:
     raise _wrong(reader, Wanted.DURATION)
 
 
-def _times(reader: Reader) -> tuple[tree.Duration, tree.Duration]:
+def _times(reader: Reader) -> nodes.Lasts:
     """`2s`, `1s..3s` or `normal(2s, 300ms)`."""
     if reader.next == "normal":
         reader.take()
         opener = _need(reader, "(")
         mean = _duration(reader)
         _need(reader, ",")
-        _duration(reader)
+        deviation = _duration(reader)
         _close(reader, ")", opener)
-        return mean, mean
+        return nodes.Lasts(mean, deviation, is_normal=True)
     least = _duration(reader)
     if reader.next != "..":
-        return least, least
+        return nodes.Lasts(least, least)
     reader.take()
-    return least, _duration(reader)
+    return nodes.Lasts(least, _duration(reader))
 
 
 def _count(reader: Reader) -> int:
@@ -195,6 +196,11 @@ def _agent(reader: Reader) -> tree.Name:
         reader.take()
         return _name(reader, Wanted.ROLE)
     return _name(reader, Wanted.AGENT_NAME)
+
+
+def _which(reader: Reader) -> str:
+    """The word before a role, which `_agent` passes over."""
+    return str(reader.next) if reader.next in _ANY and is_word(_ahead(reader)) else ""
 
 
 def _place(reader: Reader) -> tree.Place:
@@ -346,14 +352,15 @@ def _grouped(reader: Reader) -> nodes.Condition:
 
 
 def _of_agent(reader: Reader) -> nodes.Condition:
+    which = _which(reader)
     agent = _agent(reader)
     if _need(reader, "in", "has") == "in":
         places = _places(reader)
-        return nodes.InState(agent, places, agent.span.to(places[-1].span))
+        return nodes.InState(agent, places, agent.span.to(places[-1].span), which)
     opener = _need(reader, "[")
     inner = operation(reader)
     reader.need("]", opener)
-    return nodes.Holds(agent, inner, reader.since(agent.span.start))
+    return nodes.Holds(agent, inner, reader.since(agent.span.start), which)
 
 
 def _heard(reader: Reader) -> nodes.Heard:
@@ -371,16 +378,18 @@ def _heard(reader: Reader) -> nodes.Heard:
         _ahead(reader) == "[" or (_ahead(reader) == "by" and is_word(_ahead(reader, 2)))
     ):
         called = _name(reader, Wanted.MESSAGE_NAME)
-    agent = None
+    agent, which = None, ""
     if reader.next == "by" and is_word(_ahead(reader)):
         reader.take()
+        which = _which(reader)
         agent = _agent(reader)
     condition = None
     if reader.next == "[":
         opener = reader.take()
         condition = operation(reader)
         reader.need("]", opener)
-    return nodes.Heard(verb, performative, what, called, agent, condition, reader.since(verb.span.start))
+    span = reader.since(verb.span.start)
+    return nodes.Heard(verb, performative, what, called, agent, condition, span, which)
 
 
 # ---- statements -------------------------------------------------------------------------------------
@@ -455,27 +464,33 @@ def _new_agent(reader: Reader) -> tuple[tree.Name, tuple[int, int] | None]:
 def _simulated(reader: Reader) -> nodes.Simulated:
     begin = reader.take().start
     activity = _name(reader, Wanted.ACTIVITY)
+    is_real = False
+    takes: nodes.Lasts | None = None
+    fails: tree.Duration | None = None
     ends: tuple[tree.Name, ...] = ()
-    writes: list[nodes.Filled] = []
+    writes: list[tuple[nodes.Filled, nodes.Lasts | None]] = []
     sends: list[nodes.Filled] = []
     sets: list[tuple[tree.Name, tree.Expression]] = []
-    times: list[tuple[tree.Duration, tree.Duration]] = []
     words = ("real", "takes", "ends", "fails", "writes", "sends", "sets")
     word = str(_need(reader, *words))
     while True:
         match word:
+            case "real":
+                is_real = True
             case "takes":
-                times.append(_times(reader))
+                takes = _times(reader)
             case "ends":
                 ends += _several(reader, lambda inner: _name(inner, Wanted.OUTCOME))
             case "fails":
                 _need(reader, "at")
-                times.append((moment := _duration(reader), moment))
+                fails = _duration(reader)
             case "writes":
-                writes.append(_message(reader))
-                if reader.next == "every":
+                message, pace = _message(reader), None
+                # `every X leads to Y` may be the next statement.
+                if reader.next == "every" and (_ahead(reader)[:1].isdigit() or _ahead(reader) == "normal"):
                     reader.take()
-                    times.append(_times(reader))
+                    pace = _times(reader)
+                writes.append((message, pace))
             case "sends":
                 sends.append(_message(reader))
             case "sets":
@@ -486,7 +501,7 @@ def _simulated(reader: Reader) -> nodes.Simulated:
             break
         word = str(reader.take())
     return nodes.Simulated(
-        activity, ends, tuple(writes), tuple(sends), tuple(sets), tuple(times), reader.since(begin)
+        activity, is_real, takes, ends, fails, tuple(writes), tuple(sends), tuple(sets), reader.since(begin)
     )
 
 
@@ -518,7 +533,7 @@ def _table(reader: Reader) -> nodes.Table:
     return nodes.Table(columns, tuple(rows), reader.since(begin))
 
 
-def _network(reader: Reader) -> None:
+def _network(reader: Reader) -> Network:
     """`delay 0..300ms loss 20% reorder`"""
     begin = reader.index
     first = _need(reader, *_NETWORK)
@@ -534,7 +549,7 @@ def _network(reader: Reader) -> None:
     for word in reader.tokens[begin : reader.index]:
         words = words.ljust(word.start - first.start) + word
     try:
-        read_network(words)
+        return read_network(words)
     except NetworkWordsError as wrong:
         place = Span(reader.source, span.start + wrong.start, span.start + wrong.end)
         raise Malformed(Diagnostic(wrong.problem, place)) from None
@@ -542,11 +557,13 @@ def _network(reader: Reader) -> None:
 
 def _setup(reader: Reader) -> nodes.Setup:
     word = reader.take()
+    network: Network | None = None
+    duration: tree.Duration | None = None
     match word:
         case "network":
-            _network(reader)
+            network = _network(reader)
         case "for":
-            _duration(reader)
+            duration = _duration(reader)
         case "points":
             _count(reader)
         case _:  # world, with or without the function that makes it
@@ -554,7 +571,7 @@ def _setup(reader: Reader) -> nodes.Setup:
                 colon = reader.tokens[reader.index + 1]
                 if "\n" not in reader.source.text[word.end : colon.start]:
                     reader.index += 3
-    return nodes.Setup(str(word), reader.since(word.start))
+    return nodes.Setup(str(word), reader.since(word.start), network, duration)
 
 
 def _crash(reader: Reader) -> nodes.Timed:
@@ -620,8 +637,10 @@ def _during(reader: Reader) -> nodes.Timed:
     """`from 3s for 2s robot2 loses radio`, `from 3s to 8s partition { a } | { b }`"""
     word = reader.take()
     first = _duration(reader)
-    _need(reader, "for", "to")
+    is_length = _need(reader, "for", "to") == "for"
     last = _duration(reader)
+    if is_length:
+        last = replace(last, nanoseconds=first.nanoseconds + last.nanoseconds)
     is_partition = reader.next == "partition"
     event = _partition(reader) if is_partition else _event(reader)
     if not isinstance(event, nodes.Hit):
@@ -633,21 +652,22 @@ def _during(reader: Reader) -> nodes.Timed:
 
 def _partition(reader: Reader) -> nodes.Hit:
     word = reader.take()
-    agents: list[tree.Name] = []
-    groups = 0
+    groups: list[tuple[tree.Name, ...]] = []
     while not groups or reader.next == "|":
         if groups:
             reader.take()
-        groups += 1
         opener = _need(reader, "{")
+        agents: list[tree.Name] = []
         while reader.next not in ("}", ""):
             agents.append(_agent(reader))
             if reader.next == ",":
                 reader.take()
         _close(reader, "}", opener)
-    if groups < 2:
+        groups.append(tuple(agents))
+    if len(groups) < 2:
         raise _wrong(reader, "|")
-    return nodes.Hit("partition", tuple(agents), reader.since(word.start))
+    everybody = tuple(agent for group in groups for agent in group)
+    return nodes.Hit("partition", everybody, reader.since(word.start), tuple(groups))
 
 
 def _event(reader: Reader) -> nodes.Event:
@@ -689,7 +709,7 @@ def _always(reader: Reader) -> nodes.Statement:
         role = _name(reader, Wanted.ROLE)
         _need(reader, "in")
         places = _places(reader)
-        return nodes.Several(count, role, places, _share(reader), reader.since(word.start))
+        return nodes.Several("never", count, role, places, _share(reader), reader.since(word.start))
     condition = _condition(reader)
     return nodes.Rule(str(word), (condition,), None, _share(reader), reader.since(word.start))
 
@@ -753,7 +773,7 @@ def _at_most(reader: Reader) -> nodes.Several:
         role = _name(reader, Wanted.ROLE)
         _need(reader, "in")
     places = _places(reader)
-    return nodes.Several(count, role, places, _share(reader), reader.since(begin))
+    return nodes.Several("at most", count, role, places, _share(reader), reader.since(begin))
 
 
 def _assume(reader: Reader) -> nodes.Statement:
@@ -772,12 +792,12 @@ def _assume(reader: Reader) -> nodes.Statement:
         _need(reader, "of")
         role = _name(reader, Wanted.ROLE)
         _need(reader, "crash")
-        return nodes.Several(count, role, (), None, reader.since(word.start))
+        return nodes.Several("assume", count, role, (), None, reader.since(word.start))
     if not is_word(reader.next) or "." in reader.next:
         raise _wrong(reader, "network", "fair", "at most", Wanted.ACTIVITY)
     activity = _name(reader, Wanted.ACTIVITY)
     writes = None
-    times: tuple[tuple[tree.Duration, tree.Duration], ...] = ()
+    times: tuple[nodes.Lasts, ...] = ()
     match _need(reader, "writes", "takes", "may"):
         case "writes":
             writes = _path(reader, Wanted.MESSAGE)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from aseme_dsl.grammar.text.tree import Duration, Expression, Fill, Name, Path, Place, Text
+from aseme_dsl.runtime.team.network import Network
 from aseme_dsl.source import Span
 
 # ---- conditions -------------------------------------------------------------------------------------
@@ -12,11 +13,15 @@ from aseme_dsl.source import Span
 
 @dataclass(frozen=True, slots=True)
 class InState:
-    """`robot1 in ScanForBall`, or a state alone (`agent` None)."""
+    """`robot1 in ScanForBall`, or a state alone (`agent` None).
+
+    `which` is the word before a role: `some`, `every` or `any`.
+    """
 
     agent: Name | None
     places: tuple[Place, ...]
     span: Span
+    which: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +31,7 @@ class Holds:
     agent: Name | None
     expression: Expression
     span: Span
+    which: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +45,7 @@ class Heard:
     agent: Name | None
     condition: Expression | None
     span: Span
+    which: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,18 +97,29 @@ class Filled:
 
 
 @dataclass(frozen=True, slots=True)
+class Lasts:
+    """`2s`, `1s..3s`; or `normal(2s, 300ms)`, of which `most` is the deviation."""
+
+    least: Duration
+    most: Duration
+    is_normal: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Simulated:
     """`activity Grasp takes 1s ends held`: what an activity does instead of its code.
 
-    `sets` are the variables with their values, `times` all durations.
+    `writes` are messages, each with its pace, `sets` the variables with their values.
     """
 
     activity: Name
+    is_real: bool
+    takes: Lasts | None
     ends: tuple[Name, ...]
-    writes: tuple[Filled, ...]
+    fails: Duration | None
+    writes: tuple[tuple[Filled, Lasts | None], ...]
     sends: tuple[Filled, ...]
     sets: tuple[tuple[Name, Expression], ...]
-    times: tuple[tuple[Duration, Duration], ...]
     span: Span
 
 
@@ -130,6 +148,8 @@ class Setup:
 
     word: str
     span: Span
+    network: Network | None = None
+    duration: Duration | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,11 +173,12 @@ class Raises:
 
 @dataclass(frozen=True, slots=True)
 class Hit:
-    """`crash robot1 at 6s`, `robot1 loses radio`, `partition { a } | { b }`."""
+    """`crash robot1 at 6s`, `robot1 loses radio`, `partition { a } | { b }` with its `groups`."""
 
     word: str
     agents: tuple[Name, ...]
     span: Span
+    groups: tuple[tuple[Name, ...], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,7 +194,10 @@ Event = Receives | Raises | Hit | Reached
 
 @dataclass(frozen=True, slots=True)
 class Timed:
-    """`at 2s …`, `by 3s …`, `from 3s for 2s …`, and relative to what happens: `after`, `within … of`."""
+    """`at 2s …`, `by 3s …`, `from 3s for 2s …`, and relative to what happens: `after`, `within … of`.
+
+    The times of `from` are the first and the last moment.
+    """
 
     word: str
     times: tuple[Duration, ...]
@@ -198,6 +222,7 @@ class Rule:
 class Several:
     """`never two of player in center`, `at most one center`, `assume at most 1 of player crash`."""
 
+    word: str
     count: int
     role: Name | None
     places: tuple[Place, ...]
@@ -220,7 +245,7 @@ class Assumed:
 
     activity: Name
     writes: Path | None
-    times: tuple[tuple[Duration, Duration], ...]
+    times: tuple[Lasts, ...]
     span: Span
 
 
@@ -249,6 +274,7 @@ __all__ = [
     "InState",
     "Input",
     "Joined",
+    "Lasts",
     "Raises",
     "Reached",
     "Receives",

@@ -7,26 +7,19 @@ not by random variation; runs are spread over processes.
 
 from __future__ import annotations
 
-import os
-import signal
-import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import lru_cache
-from multiprocessing import get_context, resource_tracker
 from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from aseme_dsl.project.playing.spread import spread
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.studying.variation import Variant, quicker, varied
 
 if TYPE_CHECKING:
-    from multiprocessing.connection import Connection
-
     from aseme_dsl.amola.system import System
     from aseme_dsl.project.building.build import Choice
     from aseme_dsl.runtime.team.network import Network
@@ -143,7 +136,7 @@ def play_all(
         for number, case in enumerate(cases)
         for seed in seeds
     ]
-    runs = iter(_play(jobs, processes, told))
+    runs = iter(spread(_run_job, jobs, processes, told))
     return tuple(Played(case, tuple(next(runs) for _ in seeds)) for case in cases)
 
 
@@ -159,64 +152,8 @@ def _generated(system: System, case: Case, times: float, folder: Path, choice: C
         raise StudyError(str(problem)) from problem
 
 
-def _play(jobs: Sequence[_Job], processes: int, told: Callable[[], None]) -> list[Run]:
-    """The runs of the jobs, in their order."""
-    if processes == 1:
-        found = []
-        for job in jobs:
-            found.append(run(job.package, job.seed, job.plan))
-            told()
-        return found
-    # Spawned, not forked: a run leaves imported modules and threads behind.
-    spawned = get_context("spawn")
-    end, ours = spawned.Pipe(duplex=False)
-    pool = ProcessPoolExecutor(processes, spawned, _begin_worker, (end,))
-    try:
-        with _interrupts_wait():
-            futures = [pool.submit(run, job.package, job.seed, job.plan) for job in jobs]
-        for future in _as_they_end(futures):
-            future.result()
-            told()
-        return [future.result() for future in futures]
-    except BaseException:
-        ours.close()  # what is being played is of no use any more, and may never end
-        raise
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)
-        ours.close()
-        end.close()
-
-
-@contextmanager
-def _interrupts_wait() -> Iterator[None]:
-    """Inside, Ctrl-C waits, and processes that start never hear of it: it would break that off."""
-    if not hasattr(signal, "pthread_sigmask"):  # Windows
-        yield
-        return
-    resource_tracker.ensure_running()  # which would let it through in between
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
-
-
-def _as_they_end(futures: Sequence[Future[Run]]) -> Iterator[Future[Run]]:
-    waiting = set(futures)
-    while waiting:
-        done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
-        yield from done
-
-
-def _begin_worker(end: Connection[object, object]) -> None:
-    """Ctrl-C is for the one who started the study; when that closes its side, or has ended, we end, too."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-    def wait_for_end() -> None:
-        end.poll(None)
-        os._exit(1)
-
-    threading.Thread(target=wait_for_end, name="aseme end of study", daemon=True).start()
+def _run_job(job: _Job) -> Run:
+    return run(job.package, job.seed, job.plan)
 
 
 class _Clocks:

@@ -39,6 +39,8 @@ class Activity:
 
     kind: ClassVar[str | None] = None
     """One of `KINDS`; None: what the document says, or what `execute` shows."""
+    stands_in: ClassVar[bool] = False
+    """Whether it only plays an activity: it prepares what an activity without code does."""
 
     def execute(self, context: Context) -> object:
         """Do what the activity is for. What it raises makes its state fail."""

@@ -125,6 +125,8 @@ class Setup:
     stop: Callable[[Team], str | None] | None = None
     """Asked at every instant at which nothing is left to do; the reason that it gives ends the run."""
     timed_inputs: Iterable[TimedInput] = ()
+    before: Callable[[Team], None] | None = None
+    """Called when all is ready and no agent has begun: what it gives them is part of their first step."""
     trace: Path | None = None
     listeners: Iterable[Listener] = ()
     state_directory: Path | None = None
@@ -170,6 +172,7 @@ class Team:
         self._path = tuple(setup.path)
         self._until = setup.until_ns
         self._stop = setup.stop
+        self._before = setup.before
         self._has_run = False
         self.at_end: list[Callable[[], None]] = []
         """Called before the last line of the trace is written."""
@@ -476,6 +479,8 @@ class Team:
                     driver.at(item.at, self._giving(item))
                 else:
                     self._giving(item)()
+            if self._before is not None:
+                self._before(self)
             for agent in self.agents:
                 agent.begin()
         for radio in self._radios.values():

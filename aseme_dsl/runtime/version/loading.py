@@ -12,6 +12,7 @@ from __future__ import annotations
 import ast
 import importlib
 import itertools
+import os
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -95,12 +96,15 @@ def importing(folders: Sequence[Path]) -> Iterator[None]:
     several projects.
     """
     resolved = [folder.resolve() for folder in folders]
+    others = {str(folder) for folder in _lent.difference(resolved)}
     for name, module in list(sys.modules.items()):
         file = getattr(module, "__file__", None)
         if "." in name or file is None:
             continue
-        home = Path(file).parent if Path(file).name != "__init__.py" else Path(file).parent.parent
-        if home in _lent and home not in resolved and any(_has_module(f, name) for f in resolved):
+        home, own = os.path.split(file)
+        if own == "__init__.py":
+            home = os.path.dirname(home)  # noqa: PTH120  thousands of times a run
+        if home in others and any(_has_module(f, name) for f in resolved):
             _forget(name)
     _lent.update(resolved)
     added = [str(folder) for folder in folders]

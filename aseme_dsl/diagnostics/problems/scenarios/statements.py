@@ -1,5 +1,5 @@
 """Scenarios and properties: their statements, the names in them, what does not fit, and what is not
-played (E117, E229, E230, N780)."""
+watched (E117, E229, E230, N780)."""
 
 from __future__ import annotations
 
@@ -250,10 +250,10 @@ class FaultNotNever(Problem):
     hint = "write `never fault`"
 
 
-# ---- N780: what is not played ------------------------------------------------------------------
+# ---- N780: what is not watched -----------------------------------------------------------------
 
 
-class ScenarioNotPlayed(Problem):
+class PropertyNotWatched(Problem):
     code = "N780"
-    message = "scenarios and properties are checked, but not played"
-    hint = "test the behaviour in Python"
+    message = "no run is checked for this property: there is no scenario"
+    hint = "write a scenario: `asemec test` checks properties in each"

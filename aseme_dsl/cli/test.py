@@ -1,0 +1,150 @@
+"""`asemec test`: play the scenarios of a system, and say what they have shown."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from aseme_dsl.cli.progress import Progress
+from aseme_dsl.cli.shared import (
+    TARGET_HELP,
+    activities_option,
+    colour_option,
+    json_option,
+    one_system,
+    plural,
+    print_json,
+    refuse,
+    target_argument,
+    wants_colour,
+)
+from aseme_dsl.diagnostics import closest, has_errors
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from aseme_dsl.play.scenario import Scenario
+    from aseme_dsl.project.testing.verdicts import ScenarioResult
+
+
+@click.command(
+    short_help="Play the scenarios of a system.",
+    help="Play each scenario in virtual time, and say whether what it expects was so. Activities are"
+    f" simulated, unless a scenario says otherwise. {TARGET_HELP}",
+    epilog="Example: asemec test team.aseme   ·   asemec test -k ball --seeds 50 -j 4",
+)
+@target_argument
+@click.option("-k", "name", metavar="NAME", help="Only the scenarios whose name contains NAME.")
+@click.option(
+    "--seeds",
+    type=click.IntRange(1),
+    metavar="N",
+    help="Seeds 1 to N.  [default: the project's seed, else 1]",
+)
+@click.option(
+    "-j", "--jobs", type=click.IntRange(1), metavar="N", help="Number of processes.  [default: one a CPU]"
+)
+@activities_option
+@json_option
+@colour_option
+def command(
+    target: str,
+    name: str | None,
+    seeds: int | None,
+    jobs: int | None,
+    activities: Path | None,
+    as_json: bool,
+    colour: str,
+) -> int:
+    """Print the verdicts; 1 if the file has errors, or not all scenarios have passed."""
+    from aseme_dsl.project.building.build import activities_folder, choose
+    from aseme_dsl.project.settings.configuration import OUTPUT
+    from aseme_dsl.project.testing.playing import play_scenarios, scenarios_in
+
+    compiled = one_system(target, activities)
+    if compiled.system is None or has_errors(compiled.diagnostics):
+        return refuse(compiled.diagnostics, as_json, colour)
+    scenarios = _chosen(scenarios_in(compiled), name)
+    configuration = compiled.configuration
+    choice = choose(configuration, activities=activities)
+    project_seed = configuration.run.seed if configuration.run is not None else None
+    progress = Progress(as_json)
+    try:
+        tested = play_scenarios(
+            compiled.system,
+            scenarios,
+            range(1, seeds + 1) if seeds is not None else (1 if project_seed is None else project_seed,),
+            configuration,
+            choice,
+            activities_folder(configuration.output or Path(OUTPUT), choice),
+            jobs or os.cpu_count() or 1,
+            progress.say,
+        )
+    finally:
+        progress.end()
+    if as_json:
+        print_json({"scenarios": [_data(item) for item in tested]})
+    else:
+        for line in _lines(tested, wants_colour(colour, sys.stdout)):
+            click.echo(line)
+    return int(any(item.verdict != "passed" for item in tested))
+
+
+def _chosen(scenarios: Sequence[Scenario], name: str | None) -> list[Scenario]:
+    """The scenarios whose name contains `name`; no such scenario is wrong use."""
+    found = [item for item in scenarios if name is None or name in item.name]
+    if name is not None and not found:
+        names = [item.name for item in scenarios]
+        near = closest(name, names)
+        hint = f"Did you mean {near!r}?" if near else f"Scenarios: {', '.join(names) or 'none'}."
+        raise click.UsageError(f"No scenario has {name!r} in its name. {hint}")
+    return found
+
+
+def _data(item: ScenarioResult) -> dict[str, object]:
+    reason = f"{item.span}: {item.reason}" if item.span is not None else item.reason
+    return {
+        "name": item.name,
+        "verdict": str(item.verdict),
+        "seed": item.seed,
+        "time_ns": item.time_ns,
+        "reason": reason,
+    }
+
+
+_COLOURS = {"passed": "32", "failed": "31", "error": "31", "vacuous": "33"}
+
+
+def _lines(tested: Sequence[ScenarioResult], is_coloured: bool) -> Iterator[str]:
+    """The verdicts for people: the reason of each with its place and what happened last, then the numbers."""
+    from aseme_dsl.runtime.time.clock import shown
+
+    width = max((len(item.name) for item in tested), default=0)
+    for item in tested:
+        verdict = f"{item.verdict:8}"
+        if is_coloured:
+            verdict = f"\x1b[{_COLOURS[item.verdict]}m{verdict}\x1b[0m"
+        runs = f"  {item.runs} runs" if item.runs > 1 else ""
+        yield f"{verdict} {item.name:{width}}  seed {item.seed}  {shown(item.time_ns)}{runs}"
+        yield from _reason(item, is_coloured)
+    counts = [(sum(item.verdict == verdict for item in tested), verdict) for verdict in _COLOURS]
+    said = ", ".join(f"{number} {verdict}" for number, verdict in counts if number)
+    yield f"{plural(len(tested), 'scenario')}{': ' if said else ''}{said}"
+
+
+def _reason(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:
+    from aseme_dsl.diagnostics.render import excerpt
+
+    if item.span is None:
+        return
+    yield f"  {item.span}: {item.reason}"
+    for line in excerpt(item.span, "^", _COLOURS[item.verdict], is_coloured, None):
+        yield f"  {line}"
+    if item.given:
+        yield "  with " + ", ".join(f"{name} = {value}" for name, value in item.given.items())
+    for line in item.story:
+        yield f"    {line}"

@@ -1,0 +1,558 @@
+"""Played: from the statements of scenarios to what is played; the rest is refused, with its place.
+
+It takes files without errors: what the statements name is there, and of the right type.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from typing import NoReturn, assert_never
+
+from aseme_dsl.amola.expression import Value
+from aseme_dsl.amola.messages import BOOL, DOUBLE, Channel, ChannelKind
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.compiler.read.blocks import Blocks
+from aseme_dsl.compiler.read.constants import fold
+from aseme_dsl.compiler.requirements.statements import (
+    Check,
+    Known,
+    model_name,
+    only_agent,
+    properties,
+    scenarios,
+    taken_by,
+)
+from aseme_dsl.grammar.text import statements as nodes
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.play import scenario as play
+from aseme_dsl.play.evaluate import not_evaluated
+from aseme_dsl.runtime.chart.board import NEVER
+from aseme_dsl.runtime.monitor import rules
+from aseme_dsl.source import Span
+
+
+class _NotPlayed(Exception):
+    """Something cannot be played."""
+
+    def __init__(self, span: Span, reason: str) -> None:
+        super().__init__(reason)
+        self.refused = play.Refused(span, reason)
+
+
+class _NotThere(_NotPlayed):
+    """No agent that is meant takes part."""
+
+
+def _refuse(node: nodes.Statement | nodes.Condition | tree.Name | Value, reason: str) -> NoReturn:
+    raise _NotPlayed(node.span, reason)
+
+
+def played(
+    files: Iterable[tree.File], known: Known, charts: Mapping[str, Statechart], blocks: Blocks
+) -> tuple[play.Scenario, ...]:
+    """The scenarios of files without errors, as they are played."""
+    places = _Places(charts, blocks)
+    always = properties(files)
+    return tuple(
+        _scenario(item, statements, always, check, places)
+        for item, statements, check in scenarios(files, known)
+    )
+
+
+def _scenario(
+    item: tree.Scenario,
+    statements: Sequence[nodes.Statement],
+    always: Sequence[nodes.Statement],
+    check: Check,
+    places: _Places,
+) -> play.Scenario:
+    name, title = item.title.text, item.title.span
+    try:
+        tables = [statement for statement in statements if isinstance(statement, nodes.Table)]
+        for table in tables[1:]:
+            _refuse(table, "a scenario is played with one table")
+        rows: list[tuple[tuple[tree.Expression, ...], Span | None]] = [
+            row for table in tables for row in table.rows
+        ] or [((), None)]
+        columns = [column.text for table in tables for column in table.columns]
+        scripts = tuple(
+            _Lowering(check, places, title, dict(zip(columns, cells, strict=True))).script(
+                statements, always, span
+            )
+            for cells, span in rows
+        )
+    except _NotPlayed as problem:
+        return play.Scenario(name, title, (), problem.refused)
+    return play.Scenario(name, title, scripts)
+
+
+# ---- places -----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Places:
+    """Which states of the roles' statecharts a name means."""
+
+    charts: Mapping[str, Statechart]
+    blocks: Blocks
+
+    def labels(self, role: str, name: str, participant: str | None) -> frozenset[str]:
+        """The labels of the states of a role that have the name (in the participant's branches)."""
+        chart = self.charts[role]
+        if participant is None:
+            names = {name}
+        else:
+            names = {name, *self._bound(role, name, participant)}
+        inside = [
+            node.label
+            for node in chart.states
+            if participant is not None
+            and chart.is_branch(node)
+            and participant in (node.origin.name, node.name)
+        ]
+        found = [
+            node
+            for node in chart.states
+            if participant is None or any(f"{node.label}.".startswith(f"{label}.") for label in inside)
+        ]
+        own = {node.label for node in found if names & {_short(node.name), node.name, node.activity}}
+        own |= {node.label for node in found if chart.is_branch(node) and node.origin.name in names}
+        if name == chart.name:
+            own.add(chart.states[0].label)
+        return frozenset(own or _outermost(node.label for node in found if node.origin.name in names))
+
+    def _bound(self, role: str, name: str, participant: str) -> Iterator[str]:
+        """What the role puts in the place of an abstract activity of the participant."""
+        for item in self.blocks.srms:
+            for part in item.plays if item.name.text == role else ():
+                alias = part.alias.text if part.alias is not None else ""
+                if participant in (part.participant.text, alias):
+                    for binding in part.bindings:
+                        if binding.abstract.text == name and binding.own is not None:
+                            yield binding.own.text
+
+
+def _short(name: str) -> str:
+    """The name without the alias of its file."""
+    return name.partition("_")[2]
+
+
+def _outermost(labels: Iterable[str]) -> set[str]:
+    found = set(labels)
+    return {label for label in found if label.rpartition(".")[0] not in found}
+
+
+# ---- one way to play a scenario ---------------------------------------------------------------------
+
+
+@dataclass(slots=True)
+class _Lowering:
+    """Makes the script of a scenario; `row` is what its table gives the columns this time."""
+
+    check: Check
+    places: _Places
+    title: Span
+    row: Mapping[str, tree.Expression]
+    conditions: list[play.Condition] = field(default_factory=list)
+    expectations: list[play.Expectation] = field(default_factory=list)
+    stimuli: list[play.Stimulus] = field(default_factory=list)
+    cuts: list[play.Cut] = field(default_factory=list)
+    activities: dict[str, play.Acting] = field(default_factory=dict)
+
+    @property
+    def team(self) -> Mapping[str, str]:
+        return self.check.agents
+
+    def script(
+        self, statements: Sequence[nodes.Statement], always: Sequence[nodes.Statement], row: Span | None
+    ) -> play.Script:
+        """What is played; `always` is what the properties say."""
+        values = {
+            name: self._constant(cell, name)
+            for name, cell in self.row.items()
+            if name not in self.check.chosen
+        }
+        setups = [item for item in statements if isinstance(item, nodes.Setup)]
+        networks = [item.network for item in setups if item.network is not None]
+        inputs = tuple(self._input(item) for item in statements if isinstance(item, nodes.Input))
+        given = [
+            item.times[0].nanoseconds
+            for item in statements
+            if isinstance(item, nodes.Timed)
+            and item.word == "at"
+            and isinstance(item.event, nodes.Receives | nodes.Raises)
+        ]
+        for item in statements:
+            self._statement(item, given)
+        for item in always:
+            self._always(item)
+        self._add_failures(statements)
+        return play.Script(
+            tuple(self.team.items()),
+            tuple(self.activities.values()),
+            networks[-1] if networks else None,
+            tuple(self.cuts),
+            tuple(self.stimuli),
+            tuple(self.conditions),
+            tuple(self.expectations),
+            inputs,
+            values,
+            row,
+            _end(statements),
+        )
+
+    def _constant(self, cell: tree.Expression, column: str) -> object:
+        value = self.check.value(cell, None)
+        assert value is not None
+        found = fold(value)
+        return float(found) if self.check.parameters[column] == DOUBLE else found
+
+    def _input(self, item: nodes.Input) -> play.Given:
+        ends = [self.check.value(written, None) for written in (item.least, item.most)]
+        least, most = (fold(value) for value in ends if value is not None)
+        assert isinstance(least, int | float) and isinstance(most, int | float)
+        is_whole = self.check.parameters[item.name.text] != DOUBLE
+        return play.Given(item.name.text, least, most, is_whole)
+
+    def _always(self, item: nodes.Statement) -> None:
+        """What a property says of those that take part. It may say nothing in this run."""
+        before = len(self.expectations)
+        with suppress(_NotThere):
+            self._statement(item, ())
+        self.expectations[before:] = [replace(new, witnesses=()) for new in self.expectations[before:]]
+
+    def _add_failures(self, statements: Iterable[nodes.Statement]) -> None:
+        """No agent may fail but those that are to."""
+        failing = {item.agent.text for item in statements if isinstance(item, nodes.Fails)}
+        others = frozenset(self.team) - failing
+        if others:
+            self._expect(rules.Never(self._number(play.Failed(others))), self.title, None)
+
+    def _number(self, condition: play.Condition) -> int:
+        self.conditions.append(condition)
+        return len(self.conditions) - 1
+
+    def _expect(
+        self, rule: rules.Rule, span: Span, share: nodes.Share | None, witnesses: tuple[int, ...] = ()
+    ) -> None:
+        self.expectations.append(play.Expectation(rule, span, witnesses, _share(share)))
+
+    # ---- statements ------------------------------------------------------------------------------
+
+    def _statement(self, item: nodes.Statement, given: Sequence[int]) -> None:
+        match item:
+            case nodes.TakesPart() | nodes.Input() | nodes.Table():
+                pass  # looked at before
+            case nodes.Setup(word=word):
+                if word not in ("network", "for"):
+                    _refuse(item, f"`{word}` is not played yet")
+            case nodes.Simulated():
+                self._simulated(item)
+            case nodes.Hit():
+                _refuse(item, "it needs a moment")
+            case nodes.Timed():
+                self._timed(item, given)
+            case nodes.Rule():
+                self._rule(item)
+            case nodes.Several():
+                self._several(item)
+            case nodes.Fails(agent=agent, by=by):
+                failed = self._number(play.Failed(frozenset((self._agent(agent),))))
+                self._expect(rules.Sometime(failed, 0, by.nanoseconds), item.span, None)
+            case nodes.Assumed():
+                _refuse(item, "assumptions are not watched yet")
+            case _:
+                assert_never(item)
+
+    def _simulated(self, item: nodes.Simulated) -> None:
+        name = item.activity.text
+        if name in self.activities:
+            _refuse(item, f"{name} has a line already")
+        if item.sends:
+            _refuse(item, "an activity that sends agent messages is played with its code (`real`)")
+        does_more = item.takes or item.ends or item.fails or item.writes or item.sets
+        if item.is_real and does_more:
+            _refuse(item, "an activity that is `real` does what its code says, and nothing else")
+        activity = self.check.known.activities.get(name)
+        usual = activity.ends[:1] if activity is not None else ()
+        self.activities[name] = play.Acting(
+            name,
+            item.is_real,
+            _lasts(item.takes) or _declared(activity.takes if activity is not None else None),
+            tuple(end.text for end in item.ends) or usual,
+            None if item.fails is None else item.fails.nanoseconds,
+            tuple(play.Writes(self._content(message), _lasts(pace)) for message, pace in item.writes),
+            tuple((variable.text, self._value(value, None)) for variable, value in item.sets),
+        )
+
+    def _timed(self, item: nodes.Timed, given: Sequence[int]) -> None:
+        moment = item.times[0].nanoseconds
+        about = self._about(item)
+        match item.word, item.event:
+            case "from" | "at", nodes.Hit(word="partition" | "loses") as hit:
+                last = item.times[1].nanoseconds if item.word == "from" else NEVER
+                self._cut(hit, moment, last)
+            case "at", nodes.Reached(condition=condition):
+                self._expect(rules.At(self._condition(condition, about), moment), item.span, item.share)
+            case "at", _:
+                self.stimuli.append(play.Stimulus(self._act(item.event), moment))
+            case "by", nodes.Reached(condition=condition):
+                since = max((earlier for earlier in given if earlier < moment), default=0)
+                rule = rules.Sometime(self._condition(condition, about), since, moment)
+                self._expect(rule, item.span, item.share)
+            case "after", nodes.Reached(condition=condition):
+                assert item.of is not None
+                trigger = self._condition(item.of, about)
+                first = rules.AfterFirst(trigger, moment, self._condition(condition, about))
+                self._expect(first, item.span, item.share, (trigger,))
+            case "after", nodes.Receives() | nodes.Raises():
+                assert item.of is not None
+                trigger = self._condition(item.of, about)
+                self.stimuli.append(play.Stimulus(self._act(item.event), moment, trigger))
+            case "within", nodes.Reached(condition=condition):
+                assert item.of is not None
+                trigger, then = self._condition(item.of, about), self._condition(condition, about)
+                self._expect(rules.LeadsTo(trigger, then, moment), item.span, item.share, (trigger,))
+            case _:
+                _refuse(item, "it is not played yet")
+
+    def _rule(self, item: nodes.Rule) -> None:
+        about = self._about(item)
+        found = tuple(self._condition(condition, about) for condition in item.conditions)
+        within = None if item.within is None else item.within.nanoseconds
+        match item.word, found:
+            case "always", (first,):
+                self._expect(rules.Always(first), item.span, item.share)
+            case "never", (first,):
+                several = self.conditions[first]
+                witnesses = several.parts if isinstance(several, play.AllOf) else ()
+                self._expect(rules.Never(first), item.span, item.share, witnesses)
+            case "no before", (first,):
+                assert within is not None
+                self._expect(rules.Never(first, within), item.span, item.share)
+            case "no within", (first, second):
+                assert within is not None
+                rule = rules.NotWithin(first, second, within)
+                self._expect(rule, item.span, item.share, (second,))
+            case "eventually", (first,):
+                until = NEVER if within is None else within
+                self._expect(rules.Sometime(first, 0, until), item.span, item.share)
+            case "in order", _:
+                self._expect(rules.InOrder(found), item.span, item.share)
+            case "leads to", (first, second):
+                self._expect(rules.LeadsTo(first, second, within), item.span, item.share, (first,))
+            case "before", (first, second):
+                self._expect(rules.Before(first, second), item.span, item.share, (second,))
+            case "until", (first, second):
+                self._expect(rules.Until(first, second), item.span, item.share)
+            case _:
+                _refuse(item, "it is not played yet")
+
+    def _several(self, item: nodes.Several) -> None:
+        if item.word == "assume":
+            _refuse(item, "assumptions are not watched yet")
+        role = None if item.role is None else model_name(item.role)
+        agents = [agent for agent, played in self.team.items() if role in (None, played)]
+        places = self._in_places(agents, item.places, item)
+        least = item.count + 1 if item.word == "at most" else item.count
+        rule = rules.Never(self._number(play.InPlaces(places, least)))
+        self._expect(rule, item.span, item.share, (self._number(play.InPlaces(places)),))
+
+    # ---- what happens ----------------------------------------------------------------------------
+
+    def _cut(self, hit: nodes.Hit, first: int, last: int) -> None:
+        groups = hit.groups or (hit.agents,)
+        named = [self._agent(agent) for agent in hit.agents]
+        if hit.groups and sorted(named) != sorted(self.team):
+            _refuse(hit, "each agent that takes part stands in one of the groups")
+        for group in groups[: max(1, len(groups) - 1)]:
+            self.cuts.append(play.Cut(frozenset(map(self._agent, group)), first, last))
+
+    def _act(self, event: nodes.Event) -> play.Act:
+        match event:
+            case nodes.Receives(agent=agent, message=message, sender=sender):
+                by = "input" if sender is None else sender.text
+                return play.Receives(self._agent(agent), self._content(message), by)
+            case nodes.Raises(agent=agent, event=name):
+                return play.Raises(self._agent(agent), name.text)
+            case nodes.Hit(word="crash", agents=(agent,)):
+                return play.Crashes(self._agent(agent))
+            case nodes.Hit(word="restart", agents=(agent,)):
+                return play.Restarts(self._agent(agent))
+            case nodes.Hit() | nodes.Reached():
+                raise _NotPlayed(event.span, "it is not played yet")
+            case _:
+                assert_never(event)
+
+    def _content(self, message: nodes.Filled) -> play.Content:
+        channel = self._channel(message.what)
+        if channel is None:
+            raise _NotPlayed(message.span, "an agent message is not given yet: messages on channels are")
+        members = tuple((item.path, self._supported(item.value)) for item in self.check.fills(message))
+        return play.Content(str(channel), members, message.span)
+
+    def _channel(self, path: tree.Path) -> Channel | None:
+        """The channel, if the path names one; else it is a type of message."""
+        kinds = {kind.value for kind in ChannelKind}
+        is_channel = any(segment.text in kinds for segment in path.segments[1:3])
+        return self.check.channel(path) if is_channel else None
+
+    # ---- conditions ------------------------------------------------------------------------------
+
+    def _about(self, item: nodes.Statement) -> str | None:
+        """The agent that the bare conditions of a sentence are about: the only one, if there is one only."""
+        named = only_agent(item)
+        playing = self._playing(named) if named is not None else tuple(self.team)
+        return playing[0] if len(playing) == 1 else None
+
+    def _agent(self, name: tree.Name) -> str:
+        """An agent by its name, or the only one that plays the role."""
+        playing = self._playing(name)
+        if not playing:
+            raise _NotThere(name.span, f"{name.text} does not take part")
+        if len(playing) != 1:
+            _refuse(name, f"{len(playing)} agents play {name.text}: name one, or write `some` or `every`")
+        return playing[0]
+
+    def _playing(self, name: tree.Name) -> tuple[str, ...]:
+        """The agent of that name, or those that play the role."""
+        if name.text in self.team:
+            return (name.text,)
+        return tuple(agent for agent, role in self.team.items() if role == model_name(name))
+
+    def _meant(self, name: tree.Name, which: str) -> tuple[str, ...]:
+        """The agents that a condition is about."""
+        if which == "any":
+            _refuse(name, "`any` is not played yet: name an agent")
+        return self._playing(name) if which else (self._agent(name),)
+
+    def _condition(self, item: nodes.Condition, about: str | None) -> int:
+        match item:
+            case nodes.Joined(operator=operator, parts=written):
+                parts = tuple(self._condition(part, about) for part in written)
+                if operator == "not":
+                    return self._number(play.NotSo(parts[0]))
+                return self._number(play.AllOf(parts) if operator == "and" else play.AnyOf(parts))
+            case nodes.InState(agent=None, places=(place,)) if self.check.is_value(place, self._role(about)):
+                return self._holds(item, about, tree.Path((place.name,), place.name.span))
+            case nodes.InState(agent=agent, places=places, which=which):
+                agents = tuple(self.team) if agent is None else self._meant(agent, which)
+                least = len(agents) if which == "every" else 1
+                return self._number(play.InPlaces(self._in_places(agents, places, item), least))
+            case nodes.Holds(agent=agent, expression=expression, which=which):
+                if agent is None:
+                    return self._holds(item, about, expression)
+                found = tuple(self._holds(item, each, expression) for each in self._meant(agent, which))
+                return self._number(play.AllOf(found) if which == "every" else play.AnyOf(found))
+            case nodes.Heard():
+                return self._number(self._says(item, about))
+            case nodes.Ended():
+                _refuse(item, "outcomes of protocols have no condition yet")
+            case nodes.Fault():
+                return self._number(play.Faulty())
+            case _:
+                assert_never(item)
+
+    def _role(self, agent: str | None) -> str | None:
+        return None if agent is None else self.team[agent]
+
+    def _holds(self, item: nodes.Condition, agent: str | None, written: tree.Expression) -> int:
+        if agent is None:
+            _refuse(item, "which agent is meant? write `robot1 has [...]`")
+        return self._number(play.Holds(agent, self._value(written, self.team[agent])))
+
+    def _value(self, written: tree.Expression, role: str | None) -> Value:
+        value = self.check.value(written, role)
+        assert value is not None
+        return self._supported(value)
+
+    def _supported(self, value: Value) -> Value:
+        for part in not_evaluated(value):
+            _refuse(part, f"`{part.span.text}` is not evaluated in scenarios yet")
+        return value
+
+    def _in_places(
+        self, agents: Iterable[str], places: Iterable[tree.Place], item: nodes.Statement | nodes.Condition
+    ) -> dict[str, frozenset[str]]:
+        """The labels of the places in the statechart of each agent that has some."""
+        found: dict[str, frozenset[str]] = {}
+        for agent in agents:
+            labels: set[str] = set()
+            for place in places:
+                chosen = self.row.get(place.name.text) if place.name.text in self.check.chosen else None
+                name = chosen.text if isinstance(chosen, tree.Path) else place.name.text
+                at = None if place.at is None else place.at.text
+                labels |= self.places.labels(self.team[agent], name, at)
+            if labels:
+                found[agent] = frozenset(labels)
+        if not found:
+            raise _NotThere(item.span, "no agent that takes part has this place in its statechart")
+        return found
+
+    def _says(self, item: nodes.Heard, about: str | None) -> play.Says:
+        channel = self._channel(item.what)
+        agents = None if item.agent is None else self._meant(item.agent, item.which)
+        condition = None
+        if item.condition is not None:
+            kind = self.check.carried(item.what)
+            whose = agents[0] if agents else about
+            found = self.check.value(item.condition, self._role(whose), BOOL, taken_by(item, kind))
+            assert found is not None
+            condition = self._supported(found)
+        return play.Says(
+            item.what.text if channel is None else str(channel),
+            channel is None,
+            item.verb.text == "received",
+            None if item.performative is None else item.performative.text,
+            None if agents is None else frozenset(agents),
+            condition,
+        )
+
+
+def _lasts(written: nodes.Lasts | None) -> play.Lasts | None:
+    if written is None:
+        return None
+    return play.Lasts(written.least.nanoseconds, written.most.nanoseconds, written.is_normal)
+
+
+def _declared(takes: int | None) -> play.Lasts | None:
+    return None if takes is None else play.Lasts(takes, takes)
+
+
+def _share(written: nodes.Share | None) -> play.Share | None:
+    if written is None:
+        return None
+    assert isinstance(written.percent, tree.Number) and isinstance(written.seeds, tree.Number)
+    seeds = int(written.seeds.value)
+    return play.Share(-int(-written.percent.value * seeds // 100), seeds)
+
+
+def _end(statements: Sequence[nodes.Statement]) -> int | None:
+    """When the run ends: as the scenario says, else when no statement reaches further, if that is known."""
+    for item in statements:
+        if isinstance(item, nodes.Setup) and item.duration is not None:
+            return item.duration.nanoseconds
+    moments: list[int] = []
+    delays = [0]
+    for item in statements:
+        match item:
+            case nodes.Timed(word="after" | "within", times=times):
+                delays.append(times[0].nanoseconds)
+            case nodes.Timed(times=times):
+                moments += [time.nanoseconds for time in times]
+            case nodes.Fails(by=by):
+                moments.append(by.nanoseconds)
+            case nodes.Rule(word="no before" | "eventually", within=tree.Duration() as within):
+                moments.append(within.nanoseconds)
+            case nodes.Rule(word="no within" | "leads to", within=tree.Duration() as within):
+                delays.append(within.nanoseconds)
+            case nodes.Rule(word="eventually" | "leads to" | "in order"):
+                return None
+            case _:
+                pass
+    return max(moments) + max(delays) if moments else None
+
+
+__all__ = ["played"]

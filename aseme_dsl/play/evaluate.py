@@ -1,0 +1,191 @@
+"""Evaluate: what an expression of a scenario comes to, with messages as the trace tells them.
+
+An enum's constant is its name, a message a mapping of its members, a duration ns. What is absent is None, and
+so is what is computed of it; logic is that of conditions (`absent || true` is true).
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import cast
+
+from aseme_dsl.amola import expression as e
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Type
+
+Told = Mapping[str, object]
+"""A message, as the trace tells it."""
+
+
+def _nothing(*asked: object) -> None:
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What expressions read: for one agent, at one moment."""
+
+    now: int = 0
+    inputs: Mapping[str, object] = field(default_factory=dict)
+    """What the scenario is run with, by name."""
+    newest: Callable[[str, str | None], tuple[Told, int] | None] = _nothing
+    """The last message of a channel (of a sender), and when it was measured."""
+    variable: Callable[[str], object] = _nothing
+    bound: Told | None = None
+    """The content of the message that a condition is about."""
+
+
+_COMPARE: dict[str, Callable[[object, object], object]] = {
+    "==": operator.eq,
+    "!=": operator.ne,
+    "<": cast("Callable[[object, object], object]", operator.lt),
+    "<=": cast("Callable[[object, object], object]", operator.le),
+    ">": cast("Callable[[object, object], object]", operator.gt),
+    ">=": cast("Callable[[object, object], object]", operator.ge),
+}
+_COMPUTE: dict[str, Callable[[float, float], float]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+    "%": operator.mod,
+}
+_BUILT_IN: dict[str, Callable[[Sequence[float]], float]] = {
+    "abs": lambda numbers: abs(numbers[0]),
+    "min": min,
+    "max": max,
+}
+
+
+def not_evaluated(value: e.Value) -> Iterator[e.Value]:
+    """The parts of an expression that no scenario evaluates yet."""
+    for part in e.walk(value):
+        match part:
+            case e.Call(function=function):
+                if function.target.removeprefix("builtin:") not in _BUILT_IN:
+                    yield part
+            case e.Compare(left=left, right=right):
+                ages = [side for side in (left, right) if isinstance(side, e.Age)]
+                if ages and not any(isinstance(side, e.Literal) for side in (left, right)):
+                    yield part
+            case e.Arithmetic():
+                yield from (side for side in (part.left, part.right) if isinstance(side, e.Age))
+            case (
+                e.Literal()
+                | e.EnumConstant()
+                | e.VariableValue()
+                | e.ParameterValue()
+                | e.Member()
+                | e.Bound()
+                | e.ListValue()
+                | e.Element()
+                | e.Size()
+                | e.Contains()
+                | e.Has()
+                | e.Age()
+                | e.Not()
+                | e.Negate()
+                | e.Logic()
+                | e.Conditional()
+                | e.Named()
+            ):
+                pass
+            case _:
+                yield part
+
+
+def ages(value: e.Value) -> Iterator[tuple[e.Member, int]]:
+    """The messages whose age is compared, with the age (ns) at which time alone changes something."""
+    for part in e.walk(value):
+        if isinstance(part, e.Compare):
+            for side, other in ((part.left, part.right), (part.right, part.left)):
+                if isinstance(side, e.Age) and isinstance(side.message, e.Member):
+                    assert isinstance(other, e.Literal) and isinstance(other.value, int)
+                    yield side.message, other.value
+
+
+def value_of(value: e.Value, known: Known) -> object:
+    """What the value comes to; None where something that it needs is absent, or cannot be computed."""
+    try:
+        return _value(value, known)
+    except (ArithmeticError, TypeError, ValueError):
+        return None
+
+
+def _value(value: e.Value, known: Known) -> object:
+    match value:
+        case e.Named(expression=inner):
+            return _value(inner, known)
+        case e.Literal(value=constant):
+            return constant
+        case e.EnumConstant(constant=constant):
+            return constant
+        case e.ParameterValue(name=name):
+            return known.inputs[name]
+        case e.VariableValue(name=name, path=path, type=kind):
+            return _member(known.variable(name), path, kind)
+        case e.Bound(path=path, type=kind):
+            return _member(known.bound, path, kind)
+        case e.Member(channel=channel, host=host, path=path, type=kind):
+            found = known.newest(str(channel), host)
+            return None if found is None else _member(found[0], path, kind)
+        case e.Has(message=message):
+            return _value(message, known) is not None
+        case e.Age(message=e.Member(channel=channel, host=host)):
+            found = known.newest(str(channel), host)
+            return None if found is None else known.now - found[1]
+        case e.Not(operand=operand):
+            truth = _value(operand, known)
+            return None if truth is None else not truth
+        case e.Logic(operator=word, operands=operands):
+            return _logic(word == "&&", [_value(item, known) for item in operands])
+        case e.Conditional(condition=condition, yes=yes, no=no):
+            truth = _value(condition, known)
+            return None if truth is None else _value(yes if truth else no, known)
+    parts = [_value(item, known) for item in e.operands(value)]
+    return None if None in parts else _computed(value, parts)
+
+
+def _logic(needs_all: bool, truths: Sequence[object]) -> object:
+    """`&&` or `||`: one that decides counts more than one that is absent."""
+    if (not needs_all) in truths:
+        return not needs_all
+    return None if None in truths else needs_all
+
+
+def _member(message: object, path: Sequence[str], kind: Type) -> object:
+    found = message
+    for name in path:
+        found = cast(Told, found).get(name) if found is not None else None
+    return float(found) if kind == DOUBLE and isinstance(found, str) else found  # not-a-number
+
+
+def _computed(value: e.Value, parts: Sequence[object]) -> object:
+    """What a value comes to whose parts are there."""
+    numbers = cast("Sequence[float]", parts)
+    match value:
+        case e.Compare(operator=word):
+            return _COMPARE[word](parts[0], parts[1])
+        case e.Arithmetic(operator=word, type=kind, left=left, right=right):
+            if kind == DURATION and word == "/" and right.type == INT:
+                return numbers[0] // numbers[1]
+            found = _COMPUTE[word](*numbers)
+            return int(found) if kind == DURATION and DOUBLE in (left.type, right.type) else found
+        case e.Negate():
+            return -numbers[0]
+        case e.Call(function=function):
+            return _BUILT_IN[function.target.removeprefix("builtin:")](numbers)
+        case e.ListValue():
+            return list(parts)
+        case e.Size():
+            return len(cast("Sequence[object]", parts[0]))
+        case e.Contains():
+            return parts[1] in cast("Sequence[object]", parts[0])
+        case e.Element(path=path, type=kind):
+            elements, place = cast("Sequence[object]", parts[0]), cast(int, parts[1])
+            return _member(elements[place], path, kind) if 0 <= place < len(elements) else None
+    raise LookupError(f"{e.value_text(value)} is not evaluated")  # see `not_evaluated`
+
+
+__all__ = ["Known", "Told", "ages", "not_evaluated", "value_of"]

@@ -1,0 +1,389 @@
+"""Observer: follows a run by the lines of its trace, and shows the rules of a scenario what happens."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import assert_never, cast
+
+from aseme_dsl.play.evaluate import Known, Told, ages, value_of
+from aseme_dsl.play.scenario import (
+    AllOf,
+    AnyOf,
+    Condition,
+    Failed,
+    Faulty,
+    Holds,
+    InPlaces,
+    NotSo,
+    Says,
+    Script,
+)
+from aseme_dsl.runtime.chart.plan import Plan, is_in
+from aseme_dsl.runtime.message.as_json import to_json
+from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
+from aseme_dsl.runtime.team.team import Team
+from aseme_dsl.runtime.time.clock import shown
+from aseme_dsl.runtime.trace.records import Record
+
+LAST = 6
+"""A failure shows so many of the last things that happened to an agent."""
+
+_KINDS = frozenset(
+    ("step", "message", "agent_message", "radio_received", "arrived", "fault", "error", "activity")
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """A message as its sender has sent it: on a channel, or (`performative`) to other agents."""
+
+    what: str
+    kind: str
+    performative: str | None
+    sender: str
+    content: Told
+    moment: int
+
+
+@dataclass(slots=True)
+class _Followed:
+    """What is known of an agent."""
+
+    active: frozenset[str] = frozenset()
+    """The labels of the active states, with those around them."""
+    newest: dict[tuple[str, str | None], tuple[Told, int]] = field(default_factory=dict)
+    has_begun: bool = False
+    last: dict[str, int] = field(default_factory=dict)
+    """When what has happened to it happened last; the newest comes last."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Happening:
+    """What is new at a point."""
+
+    entered: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    sent: Said | None = None
+    received: tuple[tuple[str, Said], ...] = ()
+    is_fault: bool = False
+    failed: str | None = None
+
+
+_NOTHING = _Happening()
+_NONE: frozenset[str] = frozenset()
+
+
+class Observer:
+    """Follows one run. A listener of its trace; `settled` is asked at the end of each instant."""
+
+    def __init__(self, script: Script, inputs: Mapping[str, object]) -> None:
+        self.script = script
+        self.states = [State() for _ in script.expectations]
+        self.met: set[int] = set()
+        """The conditions that were met at some point."""
+        self.broken: int | None = None
+        """The first expectation that was broken, of those that every run has to meet."""
+        self.failures: dict[str, str] = {}
+        """Why agents have failed."""
+        self.faults: list[str] = []
+        self.waiting: dict[int, list[Callable[[int], None]]] = {}
+        """Called with the moment at which a condition occurs for the first time, in the midst of a step."""
+        self._inputs = inputs
+        self._agents = {name: _Followed() for name, _ in script.team}
+        self._said: dict[tuple[str, int], Said] = {}
+        self._arrived: dict[tuple[str, str, int], int] = {}
+        self._held: frozenset[int] = frozenset()
+        self._passing = _passing(script.conditions)
+        self._aged = _aged(script.conditions)
+        self._now = 0
+        self._team: Team | None = None
+        self._is_over = False
+
+    def begin(self, team: Team) -> None:
+        """The run of the team begins."""
+        self._team = team
+
+    def wants(self, kind: str, what: str | None) -> bool:
+        return kind in _KINDS
+
+    def __call__(self, record: Record) -> None:
+        if self._is_over or record["kind"] not in _KINDS:
+            return
+        self._pass_to(record["time"])
+        match record["kind"]:
+            case "step":
+                self._step(record)
+            case "message" | "agent_message" | "radio_received":
+                self._say(record)
+            case "arrived":
+                agent, number = record["input"]
+                self._arrived[record["agent"], str(agent), int(number)] = record["measured"]
+            case "fault":
+                self.faults.append(record["reason"])
+                self._note(record["agent"], f"fault: {record['reason']}")
+                self._look(_Happening(is_fault=True))
+            case "error":
+                self.failures[record["agent"]] = record["reason"]
+                self._note(record["agent"], f"fails: {record['reason']}")
+                self._look(_Happening(failed=record["agent"]))
+            case "activity" if record["what"] in ("end", "crash"):
+                self._note(record["agent"], _ending(record))
+
+    # ---- time --------------------------------------------------------------------------------
+
+    def settled(self, team: Team) -> str | None:
+        """Nothing is left to do at this instant; why the run ends, if it does."""
+        self._pass_to(team.driver.clock.now())
+        return "broken" if self.broken is not None else None
+
+    def _pass_to(self, moment: int) -> None:
+        """Time passes: until then all has rested."""
+        if moment > self._now:
+            self._show(self._view(_NOTHING, self._now, moment - 1, rests=True))
+            self._now = moment
+
+    def look(self) -> None:
+        """Time alone may have changed something."""
+        if self._team is not None and not self._is_over:
+            self._pass_to(self._team.driver.clock.now())
+            self._look(_NOTHING)
+
+    def end(self, moment: int) -> None:
+        """The run was to end at this moment: nothing changes any more."""
+        if self.broken is None:
+            self._pass_to(moment + 1)
+            for place, item in enumerate(self.script.expectations):
+                self._take(place, ended(item.rule, self.states[place], moment))
+        self._is_over = True
+
+    # ---- what happens ------------------------------------------------------------------------
+
+    def crashed(self, agent: str) -> None:
+        """An agent has stopped dead: it is in no state, and knows nothing."""
+        followed = self._agents[agent]
+        followed.active = frozenset()
+        followed.newest.clear()
+        self._note(agent, "crashes")
+        self.look()
+
+    def restarted(self, agent: str) -> None:
+        self._note(agent, "starts again")
+
+    def _step(self, record: Record) -> None:
+        agent = record["agent"]
+        followed = self._agents[agent]
+        plan = self._plan(agent)
+        before = followed.active
+        if "configuration" in record:
+            leaves = record["configuration"]
+            followed.active = frozenset(label for leaf in leaves for label in _around(leaf))
+        followed.has_begun = True
+        entered = set(followed.active - before)
+        received = []
+        for identity in record["inputs"]:
+            said = self._said.get((str(identity[0]), int(identity[1])))
+            if said is not None:
+                self._receive(agent, said, (str(identity[0]), int(identity[1])))
+                received.append((agent, said))
+        for taken in record["taken"]:
+            entered |= _entered(plan, taken["transitions"])
+            self._note(agent, _way(plan, taken["source"], taken["target"]))
+        self._look(_Happening({agent: frozenset(entered)}, received=tuple(received)))
+
+    def _receive(self, agent: str, said: Said, identity: tuple[str, int]) -> None:
+        self._note(agent, f"receives {said.what} from {said.sender}")
+        if said.performative is not None:
+            return
+        followed = self._agents[agent]
+        measured = self._arrived.get((agent, *identity), said.moment)
+        for sender in (None, said.sender):
+            followed.newest[said.what, sender] = said.content, measured
+        assert self._team is not None
+        for age in self._aged.get(said.what, ()):
+            for moment in (measured + age, measured + age + 1):
+                self._team.driver.at(moment, self.look, background=True)
+
+    def _say(self, record: Record) -> None:
+        agent = record["agent"]
+        sender = record.get("sender", agent)
+        performative = record.get("performative")
+        if performative is not None:
+            kind, content = str(record["message"]), record["content"]
+            what = f"{performative} {kind}"
+        else:
+            what, content = record["channel"], record["message"]
+            kind = what.rpartition(".")[2]
+        said = Said(what, kind, performative, sender, cast(Told, content), self._now)
+        self._said[agent, record["sequence"]] = said
+        if record["kind"] != "radio_received" and sender in self._agents:
+            self._note(sender, f"sends {what}")
+            self._look(_Happening(sent=said))
+
+    def _plan(self, agent: str) -> Plan:
+        assert self._team is not None
+        return self._team.agent(agent).plan
+
+    def _note(self, agent: str, text: str) -> None:
+        if agent in self._agents:
+            last = self._agents[agent].last
+            last.pop(text, None)
+            last[text] = self._now
+
+    def story(self) -> tuple[str, ...]:
+        """The last things that happened, agent by agent."""
+        return tuple(
+            f"{name}  {shown(moment)}  {text}"
+            for name, followed in self._agents.items()
+            for text, moment in list(followed.last.items())[-LAST:]
+        )
+
+    # ---- what is seen ------------------------------------------------------------------------
+
+    def _look(self, happening: _Happening) -> None:
+        view = self._view(happening, self._now, self._now)
+        self._show(view)
+        for condition in view.occurs & self.waiting.keys():
+            for call in self.waiting.pop(condition):
+                call(self._now)
+
+    def _view(self, happening: _Happening, first: int, last: int, rests: bool = False) -> View:
+        holds: set[int] = set()
+        occurs: set[int] = set()
+        for number, condition in enumerate(self.script.conditions):
+            is_held, has_occurred = self._judge(number, condition, happening, holds, occurs)
+            if is_held:
+                holds.add(number)
+            if has_occurred:
+                occurs.add(number)
+        self._held = frozenset(holds - self._passing)
+        has_begun = all(item.has_begun for item in self._agents.values())
+        return View(first, last, frozenset(holds), frozenset(occurs), has_begun, rests)
+
+    def _judge(
+        self,
+        number: int,
+        condition: Condition,
+        happening: _Happening,
+        holds: set[int],
+        occurs: set[int],
+    ) -> tuple[bool, bool]:
+        """Whether a condition holds, and whether it occurs."""
+        match condition:
+            case InPlaces(places=places, least=least):
+                inside = [bool(self._agents[agent].active & labels) for agent, labels in places.items()]
+                if least == 1:
+                    found = happening.entered
+                    return any(inside), any(
+                        places[agent] & found[agent] for agent in found if agent in places
+                    )
+                is_held = sum(inside) >= least
+            case Holds(agent=agent, value=value):
+                is_held = value_of(value, self._known(agent)) is True
+            case Says():
+                is_held = any(self._is_meant(condition, *item) for item in _messages(condition, happening))
+            case Faulty():
+                is_held = happening.is_fault
+            case Failed(agents=agents):
+                is_held = happening.failed in agents
+            case AllOf(parts=parts):
+                is_held = holds.issuperset(parts)
+            case AnyOf(parts=parts):
+                return not holds.isdisjoint(parts), not occurs.isdisjoint(parts)
+            case NotSo(part=part):
+                is_held = part not in holds
+            case _:
+                assert_never(condition)
+        return is_held, is_held and number not in self._held
+
+    def _known(self, agent: str, bound: Told | None = None) -> Known:
+        newest = self._agents[agent].newest
+        return Known(
+            self._now,
+            self._inputs,
+            lambda channel, sender: newest.get((channel, sender)),
+            lambda name: self._variable(agent, name),
+            bound,
+        )
+
+    def _variable(self, agent: str, name: str) -> object:
+        assert self._team is not None
+        chart = self._team.agent(agent).chart
+        return to_json(chart.variable(name)) if chart.started else None
+
+    def _is_meant(self, says: Says, agent: str, said: Said) -> bool:
+        if says.what != (said.kind if says.is_kind else said.what):
+            return False
+        if says.performative not in (None, said.performative):
+            return False
+        if says.agents is not None and agent not in says.agents:
+            return False
+        return says.condition is None or value_of(says.condition, self._known(agent, said.content)) is True
+
+    def _show(self, view: View) -> None:
+        self.met |= view.holds | view.occurs
+        for place, item in enumerate(self.script.expectations):
+            self._take(place, seen(item.rule, self.states[place], view))
+
+    def _take(self, place: int, state: State) -> None:
+        self.states[place] = state
+        is_broken = state.verdict is Verdict.BROKEN and self.script.expectations[place].share is None
+        if is_broken and self.broken is None:
+            self.broken = place
+
+
+def _messages(says: Says, happening: _Happening) -> Iterable[tuple[str, Said]]:
+    if says.is_received:
+        return happening.received
+    return () if happening.sent is None else ((happening.sent.sender, happening.sent),)
+
+
+def _passing(conditions: Sequence[Condition]) -> frozenset[int]:
+    """The conditions that hold at points only: each time they do, they occur."""
+    found: set[int] = set()
+    for number, condition in enumerate(conditions):
+        is_part = isinstance(condition, AllOf | AnyOf) and not found.isdisjoint(condition.parts)
+        if is_part or isinstance(condition, Says | Faulty | Failed):
+            found.add(number)
+    return frozenset(found)
+
+
+def _aged(conditions: Iterable[Condition]) -> Mapping[str, frozenset[int]]:
+    """The ages (ns) that conditions ask for, by channel."""
+    found: dict[str, set[int]] = {}
+    for condition in conditions:
+        if isinstance(condition, Holds):
+            for member, age in ages(condition.value):
+                found.setdefault(str(member.channel), set()).add(age)
+    return {channel: frozenset(items) for channel, items in found.items()}
+
+
+def _around(label: str) -> Iterable[str]:
+    """A label, and those of the states around it."""
+    parts = label.split(".")
+    return (".".join(parts[:end]) for end in range(1, len(parts) + 1))
+
+
+def _entered(plan: Plan, numbers: Iterable[int]) -> set[str]:
+    """The labels of the states that transitions enter, also those that are left again in the same step."""
+    found: set[str] = set()
+    for number in numbers:
+        item = plan.transitions[number]
+        if item.kind == "external":
+            found |= {label for label in _around(item.target) if not is_in(item.source, label)}
+            found.add(item.target)
+    return found
+
+
+def _way(plan: Plan, source: str, target: str) -> str:
+    left, entered = plan.by_label[source], plan.by_label[target]
+    if left.type == "START":
+        return f"enters {plan.called(entered)}"
+    return f"{plan.called(left)} -> {plan.called(entered)}"
+
+
+def _ending(record: Record) -> str:
+    how = record.get("outcome") or record.get("reason")
+    return f"{record['activity']} {'ends' if record['what'] == 'end' else 'fails'}{f': {how}' if how else ''}"
+
+
+__all__ = ["Observer", "Said"]

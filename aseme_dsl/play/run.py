@@ -1,0 +1,135 @@
+"""Run: one way to play a scenario, in virtual time, and what came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import assert_never
+
+from aseme_dsl.play.observer import Observer
+from aseme_dsl.play.scenario import Act, Crashes, Raises, Receives, Restarts, Script, Stimulus
+from aseme_dsl.play.stand_ins import NotComputed, finder, given_message, staged
+from aseme_dsl.runtime.activity.activities import ActivityFinder
+from aseme_dsl.runtime.monitor.rules import State
+from aseme_dsl.runtime.team.faults import Faults, Partition
+from aseme_dsl.runtime.team.team import Team, TeamError, make_team
+from aseme_dsl.runtime.version.loading import Loaded
+
+
+class NotPlayable(Exception):
+    """A scenario cannot be played; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """How a run went. `states` are those of the expectations, `met` the conditions that were met."""
+
+    seed: int
+    inputs: Mapping[str, object]
+    end: int
+    states: tuple[State, ...]
+    met: frozenset[int]
+    broken: int | None
+    """The first expectation that was broken, of those that every run has to meet."""
+    failures: Mapping[str, str]
+    faults: tuple[str, ...]
+    story: tuple[str, ...]
+
+
+def play(
+    loaded: Loaded, script: Script, seed: int, inputs: Mapping[str, object], real: ActivityFinder, until: int
+) -> Played:
+    """Play a script with a seed and values for its inputs, up to `until` (ns).
+
+    Raises:
+        NotPlayable: the code of an activity cannot be loaded, a value cannot be computed.
+    """
+    inputs = {**script.values, **inputs}
+    observer = Observer(script, inputs)
+    acting = {item.activity: item for item in script.activities}
+    charts = {role: staged(chart, acting) for role, chart in loaded.charts.items()}
+    find = finder(script, inputs, loaded.messages, real)
+    try:
+        team = make_team(
+            replace(loaded, charts=charts, team=script.team),
+            find,
+            seed=seed,
+            until_ns=until,
+            stop=observer.settled,
+            before=_Stage(script, loaded, inputs, observer).begin,
+            listeners=(observer,),
+            faults=_faults(script, seed),
+        )
+        result = team.run()
+    except (TeamError, NotComputed) as problem:
+        raise NotPlayable(str(problem)) from problem
+    if result.reason == "interrupted":
+        raise KeyboardInterrupt
+    observer.end(until)
+    broken = observer.broken
+    return Played(
+        seed,
+        inputs,
+        until if broken is None else observer.states[broken].at,
+        tuple(observer.states),
+        frozenset(observer.met),
+        broken,
+        observer.failures,
+        tuple(observer.faults),
+        observer.story(),
+    )
+
+
+def _faults(script: Script, seed: int) -> Faults | None:
+    """What goes wrong between the agents, if something does."""
+    cuts = tuple(Partition(cut.agents, cut.first, cut.last - cut.first) for cut in script.cuts)
+    if script.network is not None:
+        return replace(script.network.faults(seed), partitions=cuts)
+    return Faults(seed, partitions=cuts) if cuts else None
+
+
+@dataclass(frozen=True, slots=True)
+class _Stage:
+    """Gives the agents what the script gives them."""
+
+    script: Script
+    loaded: Loaded
+    inputs: Mapping[str, object]
+    observer: Observer
+
+    def begin(self, team: Team) -> None:
+        """Give what comes first, and schedule the rest."""
+        self.observer.begin(team)
+        for item in self.script.stimuli:
+            call = partial(self._do, team, item.act)
+            if item.trigger is not None:
+                later = partial(self._schedule, team, item, call)
+                self.observer.waiting.setdefault(item.trigger, []).append(later)
+            elif item.moment > 0:
+                team.driver.at(item.moment, call)
+            else:
+                call()
+
+    def _schedule(self, team: Team, item: Stimulus, call: partial[None], moment: int) -> None:
+        team.driver.at(moment + item.moment, call)
+
+    def _do(self, team: Team, act: Act) -> None:
+        agent = team.agent(act.agent)
+        match act:
+            case Receives(content=content, sender=sender):
+                message = given_message(content, self.loaded.messages, self.inputs)
+                team.bus.give(agent, content.channel, message, sender)
+            case Raises(event=event):
+                team.bus.give_event(agent, event)
+            case Crashes():
+                agent.crash()
+                self.observer.crashed(act.agent)
+            case Restarts():
+                agent.restart()
+                self.observer.restarted(act.agent)
+            case _:
+                assert_never(act)
+
+
+__all__ = ["NotPlayable", "Played", "play"]

@@ -1,0 +1,270 @@
+"""Scenario: what is played, as the compiler has understood it.
+
+Conditions have numbers, their places in `Script.conditions`; each stands behind those that it is made of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from aseme_dsl.amola.expression import Value
+from aseme_dsl.runtime.monitor.rules import Rule
+from aseme_dsl.runtime.team.network import Network
+from aseme_dsl.source import Span
+
+# ---- conditions -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class InPlaces:
+    """At least so many of the agents are in one of the places, which are labels of their statecharts."""
+
+    places: Mapping[str, frozenset[str]]
+    """The labels by agent."""
+    least: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Says:
+    """A message was sent (by one of the `agents`, if they are named) or, with `is_received`, received.
+
+    `what` is a channel, or with `is_kind` a type of message. `condition` is about the message.
+    """
+
+    what: str
+    is_kind: bool
+    is_received: bool
+    performative: str | None
+    agents: frozenset[str] | None
+    condition: Value | None
+
+
+@dataclass(frozen=True, slots=True)
+class Holds:
+    """An expression is true for what an agent has received last, and for its variables."""
+
+    agent: str
+    value: Value
+
+
+@dataclass(frozen=True, slots=True)
+class Faulty:
+    """A fault was recorded."""
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """One of the agents has failed."""
+
+    agents: frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class AllOf:
+    """Each of the conditions."""
+
+    parts: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AnyOf:
+    """One of the conditions."""
+
+    parts: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class NotSo:
+    """The opposite of a condition."""
+
+    part: int
+
+
+Condition = InPlaces | Says | Holds | Faulty | Failed | AllOf | AnyOf | NotSo
+
+# ---- what is expected -------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """In at least so many of the runs with the seeds from 1 on."""
+
+    least: int
+    seeds: int
+
+
+@dataclass(frozen=True, slots=True)
+class Expectation:
+    """A rule, with its place. It is vacuous if one of the `witnesses` was met in no run."""
+
+    rule: Rule
+    span: Span
+    witnesses: tuple[int, ...] = ()
+    share: Share | None = None
+
+
+# ---- what happens -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Content:
+    """A message on a channel, with the members that are given."""
+
+    channel: str
+    members: tuple[tuple[tuple[str, ...], Value], ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Receives:
+    agent: str
+    content: Content
+    sender: str
+
+
+@dataclass(frozen=True, slots=True)
+class Raises:
+    agent: str
+    event: str
+
+
+@dataclass(frozen=True, slots=True)
+class Crashes:
+    agent: str
+
+
+@dataclass(frozen=True, slots=True)
+class Restarts:
+    agent: str
+
+
+Act = Receives | Raises | Crashes | Restarts
+
+
+@dataclass(frozen=True, slots=True)
+class Stimulus:
+    """An act, at `moment`; or, with a `trigger`, so many ns after the first occurrence of that condition."""
+
+    act: Act
+    moment: int
+    trigger: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """From `first` to `last`, nothing passes between these agents and the others."""
+
+    agents: frozenset[str]
+    first: int
+    last: int
+
+
+# ---- the surroundings -------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Lasts:
+    """How long something lasts: from `least` to `most` ns, or normally distributed (mean, deviation)."""
+
+    least: int
+    most: int
+    is_normal: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Writes:
+    """A message that an activity publishes when it ends, or (`every`) again and again."""
+
+    content: Content
+    every: Lasts | None
+
+
+@dataclass(frozen=True, slots=True)
+class Acting:
+    """What an activity does instead of its code; `real`: its code."""
+
+    activity: str
+    real: bool = False
+    lasts: Lasts | None = None
+    ends: tuple[str, ...] = ()
+    fails_at: int | None = None
+    writes: tuple[Writes, ...] = ()
+    sets: tuple[tuple[str, Value], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """`given n in 0..300`: a whole number where `is_whole`."""
+
+    name: str
+    least: float
+    most: float
+    is_whole: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """One way to play a scenario. `values` are those of a row of its table."""
+
+    team: tuple[tuple[str, str], ...]
+    """The agents with their roles."""
+    activities: tuple[Acting, ...]
+    network: Network | None
+    cuts: tuple[Cut, ...]
+    stimuli: tuple[Stimulus, ...]
+    conditions: tuple[Condition, ...]
+    expectations: tuple[Expectation, ...]
+    inputs: tuple[Given, ...]
+    values: Mapping[str, object]
+    row: Span | None
+    until: int | None
+    """The end of the run; None: that of the project."""
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """Why a scenario is not played."""
+
+    span: Span
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """A scenario with a script for each row of its table (one without a table)."""
+
+    name: str
+    span: Span
+    scripts: tuple[Script, ...]
+    refused: Refused | None = None
+
+
+__all__ = [
+    "Act",
+    "Acting",
+    "AllOf",
+    "AnyOf",
+    "Condition",
+    "Content",
+    "Crashes",
+    "Cut",
+    "Expectation",
+    "Failed",
+    "Faulty",
+    "Given",
+    "Holds",
+    "InPlaces",
+    "Lasts",
+    "NotSo",
+    "Raises",
+    "Receives",
+    "Refused",
+    "Restarts",
+    "Says",
+    "Scenario",
+    "Script",
+    "Share",
+    "Stimulus",
+    "Writes",
+]

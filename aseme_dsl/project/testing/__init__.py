@@ -1,0 +1,1 @@
+"""Testing: the scenarios of a system, played, and what each has shown."""

@@ -1,0 +1,144 @@
+"""Playing: the scenarios of a system in as many processes as are wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import count
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
+
+from aseme_dsl.play.run import NotPlayable, Played, play
+from aseme_dsl.play.scenario import Scenario, Script
+from aseme_dsl.project.playing.spread import spread
+from aseme_dsl.project.testing.cases import Case, cases_of
+from aseme_dsl.project.testing.verdicts import NotRun, ScenarioResult, verdict_of
+from aseme_dsl.runtime.time.clock import USUAL_LENGTH
+
+if TYPE_CHECKING:
+    from aseme_dsl.amola.system import System
+    from aseme_dsl.project.building.build import Choice
+    from aseme_dsl.project.building.project import Compiled
+    from aseme_dsl.project.settings.configuration import Configuration
+    from aseme_dsl.runtime.version.loading import Loaded
+
+MANY = 20
+"""So many runs one process makes before another one is of use."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Job:
+    """Some of the runs of a script."""
+
+    package: Path
+    project: Path
+    activities: Path
+    script: Script
+    cases: tuple[Case, ...]
+    until: int
+
+
+def scenarios_in(compiled: Compiled) -> tuple[Scenario, ...]:
+    """The scenarios of a system that has no errors."""
+    from aseme_dsl.compiler.phases import inspect_files, scenarios_of
+    from aseme_dsl.project.building.project import options_of
+
+    return scenarios_of(inspect_files(compiled.root, None, options_of(compiled.configuration)))
+
+
+def play_scenarios(
+    system: System,
+    scenarios: Sequence[Scenario],
+    seeds: Sequence[int],
+    configuration: Configuration,
+    choice: Choice,
+    activities: Path,
+    processes: int,
+    told: Callable[[str], None] = lambda text: None,
+) -> tuple[ScenarioResult, ...]:
+    """The verdicts on scenarios, in their order. `told` is given how much is done.
+
+    Raises:
+        OperateError: the code of the system cannot be written.
+    """
+    from aseme_dsl.project.playing.operate import generate_version
+
+    usual = (configuration.run.duration if configuration.run is not None else None) or USUAL_LENGTH
+    project = configuration.folder.resolve()
+    cases = [cases_of(scenario, seeds) for scenario in scenarios]
+    with TemporaryDirectory(prefix="asemec-test-") as folder:
+        package, _ = generate_version(system, Path(folder), choice)
+        jobs = [
+            _Job(
+                package,
+                project,
+                activities,
+                scenario.scripts[part[0].script],
+                part,
+                _end(scenario, part, usual),
+            )
+            for scenario, mine in zip(scenarios, cases, strict=True)
+            for part in (_parts(mine) if scenario.refused is None else ())
+        ]
+        needed = -(-sum(map(len, cases)) // MANY)
+        done = count(1)
+        found = iter(
+            spread(
+                _play,
+                jobs,
+                max(1, min(processes, needed)),
+                lambda: told(f"{next(done)} of {len(jobs)} parts played"),
+            )
+        )
+        runs = [
+            [run for _ in _parts(mine) for run in next(found)] if scenario.refused is None else []
+            for scenario, mine in zip(scenarios, cases, strict=True)
+        ]
+    return tuple(map(verdict_of, scenarios, cases, runs))
+
+
+def _end(scenario: Scenario, part: Sequence[Case], usual: int) -> int:
+    until = scenario.scripts[part[0].script].until
+    return usual if until is None else until
+
+
+def _parts(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
+    """Cases of one script each, and not too many."""
+    begin = 0
+    for place in range(1, len(cases) + 1):
+        is_last = place == len(cases) or cases[place].script != cases[begin].script
+        if is_last or place - begin == MANY:
+            yield tuple(cases[begin:place])
+            begin = place
+
+
+def _play(job: _Job) -> list[Played | NotRun]:
+    """The runs of a job; what they leave in the project's modules is not there for the next."""
+    from aseme_dsl.runtime.version.loading import LoadError, activities_in, forgetting, importing
+
+    found: list[Played | NotRun] = []
+    try:
+        loaded = _loaded(job.package, job.project)
+    except LoadError as problem:
+        return [NotRun(str(problem)) for _ in job.cases]
+    for case in job.cases:
+        with forgetting(job.project), importing([job.project, *loaded.path]):
+            try:
+                real = activities_in(job.activities)
+                found.append(play(loaded, job.script, case.seed, case.inputs, real, job.until))
+            except NotPlayable as problem:
+                found.append(NotRun(str(problem)))
+    return found
+
+
+@lru_cache(maxsize=4)
+def _loaded(package: Path, project: Path) -> Loaded:
+    from aseme_dsl.backends.backend import AGENTS
+    from aseme_dsl.runtime.version.loading import RoleBackends, load_system
+
+    return load_system(package, path=[project], mixture=RoleBackends(names=AGENTS))
+
+
+__all__ = ["play_scenarios"]

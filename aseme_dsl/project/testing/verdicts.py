@@ -1,0 +1,156 @@
+"""Verdicts: what the runs of a scenario have shown."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import assert_never
+
+from aseme_dsl.play.run import Played
+from aseme_dsl.play.scenario import Expectation, Failed, Faulty, Scenario, Script
+from aseme_dsl.project.testing.cases import Case
+from aseme_dsl.runtime.monitor.rules import (
+    AfterFirst,
+    Always,
+    At,
+    Before,
+    InOrder,
+    LeadsTo,
+    Never,
+    NotWithin,
+    Sometime,
+    Until,
+)
+from aseme_dsl.runtime.monitor.rules import Verdict as Shown
+from aseme_dsl.runtime.time.clock import shown
+from aseme_dsl.source import Span
+
+
+class Verdict(StrEnum):
+    """The verdicts, of which the first that applies counts."""
+
+    ERROR = "error"
+    FAILED = "failed"
+    VACUOUS = "vacuous"
+    PASSED = "passed"
+
+
+@dataclass(frozen=True, slots=True)
+class ScenarioResult:
+    """The verdict on a scenario, with its first seed, and the time (ns) of the run in question.
+
+    `span` is the place of the reason, `given` are the inputs of the run, `story` is what happened last.
+    """
+
+    name: str
+    verdict: Verdict
+    seed: int
+    time_ns: int
+    reason: str = ""
+    span: Span | None = None
+    given: Mapping[str, object] | None = None
+    story: tuple[str, ...] = ()
+    runs: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class NotRun:
+    """A run that could not be made, and why."""
+
+    reason: str
+
+
+def verdict_of(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played | NotRun]) -> ScenarioResult:
+    """The one verdict on a scenario."""
+    if (refused := scenario.refused) is not None:
+        return _result(scenario, Verdict.ERROR, cases, 0, 0, refused.reason, refused.span)
+    for place, run in enumerate(runs):
+        if isinstance(run, NotRun):
+            return _result(scenario, Verdict.ERROR, cases, place, 0, run.reason, scenario.span)
+    played = [run for run in runs if isinstance(run, Played)]
+    for place, run in enumerate(played):
+        if run.broken is not None:
+            item = scenario.scripts[cases[place].script].expectations[run.broken]
+            reason = _broken(item, scenario.scripts[cases[place].script], run)
+            return _result(
+                scenario, Verdict.FAILED, cases, place, run.end, reason, item.span, run.inputs, run.story
+            )
+    found = _missed_share(scenario, cases, played) or _vacuous(scenario, cases, played)
+    return found or _result(scenario, Verdict.PASSED, cases, 0, played[0].end if played else 0)
+
+
+def _result(
+    scenario: Scenario,
+    verdict: Verdict,
+    cases: Sequence[Case],
+    place: int,
+    time: int,
+    reason: str = "",
+    span: Span | None = None,
+    given: Mapping[str, object] | None = None,
+    story: tuple[str, ...] = (),
+) -> ScenarioResult:
+    seed = cases[place].seed if cases else 0
+    return ScenarioResult(scenario.name, verdict, seed, time, reason, span, given, story, len(cases))
+
+
+def _broken(item: Expectation, script: Script, run: Played) -> str:
+    match item.rule:
+        case Never(condition=condition) if isinstance(script.conditions[condition], Failed):
+            name, why = next(iter(run.failures.items()))
+            return f"{name} has failed at {shown(run.end)}: {why}"
+        case Never(condition=condition) if isinstance(script.conditions[condition], Faulty):
+            return f"a fault at {shown(run.end)}: {run.faults[-1]}"
+        case Sometime() | InOrder() | LeadsTo():
+            return f"has not come by {shown(run.end)}"
+        case Never() | Before() | NotWithin():
+            return f"came at {shown(run.end)}"
+        case At() | AfterFirst() | Always() | Until():
+            return f"not so at {shown(run.end)}"
+        case _:
+            assert_never(item.rule)
+
+
+def _missed_share(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played]) -> ScenarioResult | None:
+    """What holds in too few of the runs."""
+    for number, script in enumerate(scenario.scripts):
+        mine = [place for place, case in enumerate(cases) if case.script == number]
+        for which, item in enumerate(script.expectations):
+            if item.share is None:
+                continue
+            first = [place for place in mine if cases[place].seed <= item.share.seeds]
+            wrong = [place for place in first if runs[place].states[which].verdict is not Shown.KEPT]
+            kept = len(first) - len(wrong)
+            if kept < item.share.least:
+                run = runs[wrong[0]]
+                reason = f"so in {kept} of {len(first)} runs, not in {item.share.least}"
+                return _result(
+                    scenario,
+                    Verdict.FAILED,
+                    cases,
+                    wrong[0],
+                    run.states[which].at,
+                    reason,
+                    item.span,
+                    run.inputs,
+                    run.story,
+                )
+    return None
+
+
+def _vacuous(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played]) -> ScenarioResult | None:
+    """What says nothing, because what it speaks of has happened in no run."""
+    if not scenario.scripts:
+        return None
+    script: Script = scenario.scripts[0]
+    for which, item in enumerate(script.expectations):
+        # The scripts of a table differ in values only: their conditions have the same numbers.
+        if any(all(witness not in run.met for run in runs) for witness in item.witnesses):
+            span = scenario.scripts[0].expectations[which].span
+            reason = "what it speaks of has not happened"
+            return _result(scenario, Verdict.VACUOUS, cases, 0, runs[0].end, reason, span)
+    return None
+
+
+__all__ = ["NotRun", "ScenarioResult", "Verdict", "verdict_of"]

@@ -1,0 +1,94 @@
+"""`asemec test`: what it prints for people and programs, its exit codes, and seeds in several processes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import GOOD, Here
+
+SCENARIOS = """
+scenario "it stands" {
+  one : robot
+  by 1s one in Stand
+}
+scenario "it walks" {
+  one : robot
+  by 3s one in Walk
+}
+scenario "nobody is home" {
+  every one has [eyes.state.Seen.home] leads to two in Stand within 1s
+  for 2s
+}
+scenario "in its world" { world  by 1s one in Stand }
+scenario "it takes its time" {
+  one : robot
+  activity Stand takes 500ms..1500ms
+  by 700ms one in Walk
+}
+"""
+
+
+@pytest.fixture
+def tested(here: Here, folder: Path) -> Here:
+    (folder / "good.aseme").write_text(GOOD + SCENARIOS)
+    return here
+
+
+def test_people_read_verdict_place_and_story(tested: Here) -> None:
+    done = tested("test", "good.aseme", "-k", "it walks")
+    assert done.code == 1
+    assert (
+        done.out
+        == """\
+failed   it walks  seed 1  3 s
+  good.aseme:22:3: has not come by 3 s
+   22 |   by 3s one in Walk
+      |   ^^^^^^^^^^^^^^^^^
+    one  0 s  enters (Walk | Stand)
+    one  3 s  Stand ends
+    one  3 s  Stand -> end of (Walk | Stand)
+    one  3 s  (Walk | Stand) -> (Walk | Stand)
+    one  3 s  enters Stand
+1 scenario: 1 failed
+"""
+    )
+
+
+def test_programs_read_json(tested: Here) -> None:
+    done = tested("test", "good.aseme", "--json", "-j", "1")
+    assert done.code == 1
+    assert done.json["format"] == 1
+    assert [tuple(item.values()) for item in done.json["scenarios"]] == [
+        ("it stands", "passed", 1, 1_000_000_000, ""),
+        ("it walks", "failed", 1, 3_000_000_000, "good.aseme:22:3: has not come by 3 s"),
+        (
+            "nobody is home",
+            "vacuous",
+            1,
+            2_000_000_000,
+            "good.aseme:25:3: what it speaks of has not happened",
+        ),
+        ("in its world", "error", 1, 0, "good.aseme:28:27: `world` is not played yet"),
+        ("it takes its time", "failed", 1, 700_000_000, "good.aseme:32:3: has not come by 0.7 s"),
+    ]
+    assert list(done.json["scenarios"][0]) == ["name", "verdict", "seed", "time_ns", "reason"]
+
+
+def test_the_exit_code_says_whether_all_have_passed(tested: Here, folder: Path) -> None:
+    assert tested("test", "good.aseme", "-k", "stands").code == 0
+    assert tested("test", "good.aseme", "-k", "home").code == 1
+    wrong = tested("test", "good.aseme", "-k", "stand up")
+    assert (wrong.code, "Scenarios: it stands" in wrong.err) == (2, True)
+    assert tested("test", "good.aseme", "--seeds", "0").code == 2
+    assert tested("test", "bad.aseme").code == 1
+    (folder / "good.aseme").write_text(GOOD)
+    none = tested("test", "good.aseme")
+    assert (none.code, none.out) == (0, "0 scenarios\n")
+
+
+def test_the_same_seeds_give_the_same_in_several_processes(tested: Here) -> None:
+    alone = tested("test", "good.aseme", "--seeds", "9", "-j", "1", "--json")
+    beside = tested("test", "good.aseme", "--seeds", "9", "-j", "2", "--json")
+    assert alone.out == beside.out

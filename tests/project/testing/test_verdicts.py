@@ -1,0 +1,246 @@
+"""Scenarios: `.aseme` text in, verdicts out. Each line is a scenario of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.project.building.build import choose
+from aseme_dsl.project.building.project import compile_root
+from aseme_dsl.project.testing.playing import play_scenarios, scenarios_in
+from aseme_dsl.project.testing.verdicts import ScenarioResult
+
+SYSTEM = """system Walk
+enum Mood { CALM ANGRY }
+message Ball { bool visible  double distance  Mood mood }
+message Done { int number }
+message Stop { int number }
+topic eyes { state Ball }
+topic team { signal Done  signal Stop }
+srm walker {
+  var steps : int = 0
+  liveness { walker = Wait . Walk . (Halt | Run) . Rest+ }
+  activities {
+    Wait takes 1s
+    Walk takes 1s ends well, badly writes team.signal.Done, steps
+    Halt takes 1s  Run takes 1s  Rest takes 1s ends warm, cold
+  }
+  control walker {
+    enter Walk : Whistle
+    enter Walk :
+    enter Halt : [eyes.state.Ball.visible]
+    enter Run : else
+    leave Rest : [outcome(Rest) == cold]
+    repeat Rest : else
+  }
+}
+srm hearer {
+  liveness { hearer = Listen . Answer~ }
+  activities { Listen takes 1ms  Answer takes 1s }
+  control hearer { enter Answer : when [team.signal.Done.number > 0] }
+}
+team Walk { a, b : walker  h : hearer }
+"""
+"""A walker waits for 1 s, walks for 1 s, runs (or halts, if it sees the ball) for 1 s and rests for ever."""
+
+SHORT = {
+    "DONE": "activity Walk writes team.signal.Done { number = 1 }",
+    " sees {": " receives eyes.state.Ball {",
+    "BALL": "eyes.state.Ball",
+}
+"""What stands for longer texts in the lines below."""
+
+ALONE = [
+    # At a moment: after its last step.
+    ("passed", "at 500ms a in Wait"),
+    ("passed", "at 1s a in Walk"),
+    ("failed", "at 1s a in Wait"),
+    ("failed", "at 999ms a in Walk"),
+    ("passed", "at 0ms a in Wait"),
+    ("passed", "at 1500ms not a in (Wait or Run)"),
+    # By a moment: at some point up to it, from the last stimulus on.
+    ("passed", "by 1s a in Walk"),
+    ("failed", "by 999ms a in Walk"),
+    ("passed", "by 3s a in Wait"),
+    ("failed", "at 2500ms a sees { visible = true }  by 3s a in Wait"),
+    ("passed", "at 500ms a sees { visible = true }  by 2s a in Halt"),
+    ("failed", "by 2s a in Halt"),
+    ("passed", "at 2s a sees { visible = true }  by 2s a in Halt"),
+    ("failed", "at 2001ms a sees { visible = true }  by 9s a in Halt"),
+    # Events, and what is relative to what happens.
+    ("passed", "at 500ms a raises Whistle  at 999ms a in Walk"),
+    ("passed", "after 500ms in Walk a sees { visible = true }  by 2s a in Halt"),
+    ("failed", "after 1001ms in Walk a sees { visible = true }  by 5s a in Halt"),
+    ("passed", "after 500ms a in Walk : a in Walk  for 3s"),
+    ("failed", "after 1s a in Walk : a in Walk  for 3s"),
+    ("failed", "after 1s a in Walk : a in Run  for 1500ms"),
+    ("vacuous", "after 500ms a in Halt : a in Walk  for 5s"),
+    ("passed", "within 1s of a in Walk  a in Run  for 5s"),
+    ("failed", "within 999ms of a in Walk  a in Run  for 5s"),
+    ("vacuous", "within 1s of a in Halt  a in Run  for 5s"),
+    ("failed", "within 2s of a in Run  a in Halt  for 3s"),
+    # What lasts.
+    ("passed", "always a in (Wait or Walk)  for 1999ms"),
+    ("failed", "always a in (Wait or Walk)  for 2s"),
+    ("passed", "never a in Halt  for 9s"),
+    ("failed", "never a in Run  for 2s"),
+    ("passed", "never a in Run  for 1999ms"),
+    ("passed", "never a in Walk and a in Run  for 5s"),
+    ("vacuous", "never a in Walk and a in Halt  for 5s"),
+    ("passed", "never fault  for 5s"),
+    ("passed", "no a in Walk before 1s"),
+    ("failed", "no a in Walk before 1001ms"),
+    ("failed", "no a in Wait before 1s"),
+    ("passed", "no a in Rest within 1999ms after a in Walk  for 5s"),
+    ("failed", "no a in Rest within 2s after a in Walk  for 5s"),
+    ("vacuous", "no a in Rest within 2s after a in Halt  for 5s"),
+    # Order.
+    ("passed", "in order a in Wait, a in Walk, a in Rest  for 5s"),
+    ("failed", "in order a in Walk, a in Wait  for 5s"),
+    ("failed", "in order a in Rest, a in Rest  for 3500ms"),
+    ("passed", "in order a in Rest, a in Rest  for 4s"),
+    ("passed", "a in Walk before a in Run  for 5s"),
+    ("failed", "a in Run before a in Walk  for 5s"),
+    ("vacuous", "a in Walk before a in Halt  for 5s"),
+    ("passed", "a in Wait until a in Walk  for 5s"),
+    ("failed", "a in Wait until a in Run  for 5s"),
+    ("passed", "a in Wait until a in Run  for 900ms"),
+    # What has to come.
+    ("passed", "eventually a in Run within 2s"),
+    ("failed", "eventually a in Run within 1999ms"),
+    ("failed", "eventually a in Halt  for 5s"),
+    ("passed", "every a in Walk leads to a in Run within 1s  for 5s"),
+    ("failed", "every a in Walk leads to a in Run within 999ms  for 5s"),
+    ("passed", "every a in Rest leads to a in Rest within 1ms  for 5s"),
+    ("failed", "every a in Run leads to a in Halt  for 5s"),
+    ("vacuous", "every a in Halt leads to a in Run within 1s  for 5s"),
+    # What activities do.
+    ("passed", "activity Wait takes 200ms  at 200ms a in Walk"),
+    ("failed", "activity Wait takes 201ms  at 200ms a in Walk"),
+    ("passed", "activity Walk sets steps = 7  at 2s a has [steps == 7]"),
+    ("passed", "activity Walk sets steps = 7  at 1999ms a has [steps == 0]"),
+    ("passed", "table (n) { (1) (7) }  activity Walk sets steps = n + 1  at 2s a has [steps == n + 1]"),
+    ("passed", "activity Rest ends warm, warm, cold  at 5s a in Rest  at 6s not a in Rest"),
+    ("failed", "activity Rest ends warm, warm, cold  at 6s a in Rest"),
+    ("passed", "activity Rest fails at 4500ms  a fails by 4500ms"),
+    ("failed", "activity Rest fails at 4500ms  for 5s"),
+    ("passed", "activity Rest fails at 4500ms  for 4s"),
+    ("failed", "a fails by 4500ms"),
+    # Values.
+    ("passed", "at 1s a sees { distance = 3 }  at 1s a has [BALL.distance == 3]"),
+    ("failed", "at 1s a has [BALL.distance == 0]"),
+    ("passed", "at 1s a sees { distance = 3 }  every BALL.distance == 3 leads to a in Run within 1s  for 5s"),
+    ("failed", "at 1s not a has [!has(BALL)]"),
+    ("passed", "at 0ms a sees { }  at 300ms age(BALL) == 300ms and a in Wait"),
+    ("passed", "at 0ms a sees { }  in order age(BALL) >= 1300ms and a in Walk, a in Run  for 3s"),
+    ("failed", "at 0ms a sees { }  never age(BALL) > 1300ms and a in Walk  for 3s"),
+    ("passed", "at 0ms a sees { mood = Mood.ANGRY }  at 0ms a has [BALL.mood == Mood.ANGRY]"),
+    ("failed", "at 0ms a sees { }  at 0ms a has [BALL.mood == Mood.ANGRY]"),
+    ("passed", "given d in 0..300  at 0ms a sees { distance = d }  at 1s a has [BALL.distance <= 300]"),
+    ("failed", "given d in 0..300  at 0ms a sees { distance = d }  at 1s a has [BALL.distance < 300]"),
+    ("passed", "table (s, x) { (true, Halt) (false, Run) }  at 0ms a sees { visible = s }  by 2s a in x"),
+    ("failed", "table (s, x) { (true, Halt) (true, Run) }  at 0ms a sees { visible = s }  by 2s a in x"),
+    # Crashes.
+    ("passed", "crash a at 500ms  at 1500ms not a in (Wait or Walk)"),
+    ("failed", "crash a at 500ms  by 3s a in Walk"),
+    ("passed", "crash a at 500ms  restart a at 2s  at 2999ms a in Wait  at 3s a in Walk"),
+    # Chance.
+    ("passed", "activity Wait takes 500ms..1500ms  by 1s a in Walk in 25% of 10 seeds"),
+    ("failed", "activity Wait takes 500ms..1500ms  by 1s a in Walk in 90% of 10 seeds"),
+    ("failed", "activity Wait takes normal(1s, 100ms)  by 1s a in Walk in 100% of 10 seeds"),
+    # What is not played says so.
+    ("error", "world  at 1s a in Walk"),
+    ("error", "assume Wait takes 1s..2s  at 1s a in Walk"),
+    ("error", "at 1s a has [in(Walk)]"),
+]  # fmt: skip
+"""Of scenarios in which only `a` takes part."""
+
+TOGETHER = [
+    ("passed", "never two of walker in Halt  at 0ms a sees { visible = true }  for 3s"),
+    ("failed", "never two of walker in Run  for 3s"),
+    ("vacuous", "never two of walker in Halt  for 3s"),
+    ("passed", "at most 2 of walker in Run  for 3s"),
+    ("failed", "at most one of walker in Run  for 3s"),
+    ("passed", "DONE  by 2s h in Answer"),
+    ("failed", "activity Walk writes team.signal.Done { number = 0 }  by 9s h in Answer"),
+    ("passed", "DONE  network delay 300ms  at 2300ms h in Answer"),
+    ("failed", "DONE  network delay 300ms  at 2299ms h in Answer"),
+    ("failed", "DONE  from 0s to 5s h loses radio  by 4s h in Answer"),
+    ("passed", "DONE  from 0s for 5s h loses radio  by 6s h in Answer"),
+    ("passed", "DONE  from 0s to 5s partition { a, b } | { h }  by 6s h in Answer"),
+    ("passed", "DONE  in order sent Done by a, received Done by h, h in Answer  for 3s"),
+    ("failed", "in order sent Done by a, received Done by h  for 3s"),
+    ("passed", "no message team.signal.Done before 3s"),
+    ("failed", "DONE  no message team.signal.Done before 3s"),
+    ("passed", "DONE  every sent Done d by b [d.number == 1] leads to h in Answer within 1ms  for 3s"),
+    ("vacuous", "DONE  every sent Done d [d.number == 2] leads to h in Answer within 1ms  for 3s"),
+    ("passed", "at 1s h receives team.signal.Done { number = 1 }  by 1s h in Answer"),
+    ("passed", "crash a at 500ms  at 1s b in Walk  at 1s not a in Walk"),
+    ("passed", "every a in Walk leads to h in Listen within 1s  for 3s"),
+    ("error", "at 1s walker in Walk"),
+    ("passed", "at 1s every walker in Walk  at 1s some walker in Walk"),
+    ("passed", "at 1s h sees { distance = 3 }  at 1s h has [BALL.distance == 3]"),  # which it never reads
+    ("passed", "crash a at 500ms  at 1s some walker in Walk"),
+    ("failed", "crash a at 500ms  at 1s every walker in Walk"),
+    ("error", "at 1s any walker in Walk"),
+    ("failed", "at 0ms a sees { }  at 1s every walker has [has(BALL)]"),
+    ("passed", "at 0ms a sees { }  at 1s some walker has [has(BALL)]"),
+    ("passed", "DONE  eventually sent Done by some walker within 2s"),
+    ("error", "always BALL.visible"),
+]  # fmt: skip
+"""Of scenarios of the whole team."""
+
+
+def written(line: str) -> str:
+    for short, long in SHORT.items():
+        line = line.replace(short, long)
+    return line
+
+
+@pytest.fixture(scope="module")
+def tested(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, ScenarioResult]:
+    """The verdicts on all of them, by their texts."""
+    scenarios = [
+        *(f'scenario "{line}" {{\n  a : walker\n  {written(line)}\n}}' for _, line in ALONE),
+        *(f'scenario "{line}" {{\n  {written(line)}\n}}' for _, line in TOGETHER),
+    ]
+    path = tmp_path_factory.mktemp("walk") / "walk.aseme"
+    path.write_text(SYSTEM + "\n".join(scenarios))
+    return {item.name: item for item in play(path)}
+
+
+def play(path: Path, seeds: tuple[int, ...] = (1,)) -> tuple[ScenarioResult, ...]:
+    """The verdicts on the scenarios of a file."""
+    compiled = compile_root(path)
+    assert compiled.system is not None, [str(item) for item in compiled.diagnostics if item.code[0] == "E"]
+    choice = choose(compiled.configuration)
+    found = scenarios_in(compiled)
+    return play_scenarios(
+        compiled.system, found, seeds, compiled.configuration, choice, path.parent / "activities", 1
+    )
+
+
+@pytest.mark.parametrize(("verdict", "line"), [*ALONE, *TOGETHER])
+def test_verdicts(verdict: str, line: str, tested: Mapping[str, ScenarioResult]) -> None:
+    found = tested[line]
+    assert found.verdict == verdict, (found.reason, str(found.span), found.story)
+
+
+PROPERTIES = [
+    ("passed", "never a in Halt"),
+    ("failed", "never a in Run"),
+    ("passed", "every a in Halt leads to a in Run within 1s"),  # says nothing of this run
+    ("passed", "never b in Run"),  # b does not take part
+    ("failed", "some walker in Walk before some walker in Wait"),
+    ("passed", "assume Wait takes 5s..6s  a in Wait before a in Walk"),
+]
+
+
+@pytest.mark.parametrize(("verdict", "line"), PROPERTIES)
+def test_properties_are_checked_in_each_scenario(verdict: str, line: str, tmp_path: Path) -> None:
+    path = tmp_path / "walk.aseme"
+    path.write_text(f'{SYSTEM}property "p" {{ {line} }}\nscenario "s" {{ a : walker  for 5s }}\n')
+    (found,) = play(path)
+    assert found.verdict == verdict, (found.reason, str(found.span), found.story)
