@@ -207,3 +207,13 @@ def signals_from(trace: list[dict[str, Any]], sender: str) -> list[int]:
         for r in trace
         if r["kind"] == "arrived" and r["channel"] == "team.signal.Tick" and r["message"]["who"] == sender
     ]
+
+
+def gone(processes: list[psutil.Process]) -> bool:
+    def is_gone(process: psutil.Process) -> bool:
+        try:
+            return not process.is_running() or process.status() == psutil.STATUS_ZOMBIE
+        except psutil.NoSuchProcess:  # since it was asked whether it runs
+            return True
+
+    return wait_until(lambda: all(map(is_gone, processes)), pause=0.02)

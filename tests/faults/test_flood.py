@@ -7,12 +7,11 @@ import threading
 from pathlib import Path
 from typing import Any
 
-import psutil
 import pytest
 
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
-from tests.faults.team import NAME, project, signals_from, started
+from tests.faults.team import NAME, gone, project, signals_from, started
 from tests.support.waiting import LONG, wait_until
 
 zenoh = pytest.importorskip("zenoh")
@@ -46,7 +45,7 @@ def test_a_signal_ends_a_robot_under_a_flood_of_duplicates(tmp_path: Path, numbe
             run.wait_for(lambda: len(signals_from(run.trace("robot1"), "robot2")) > before + 10)
             robot = run.robots()["robot1"]
             robot.send_signal(number)
-            wait_until(lambda: not robot.is_running() or robot.status() == psutil.STATUS_ZOMBIE)
+            assert gone([robot])
         finally:
             over.set()
             for thread in threads:

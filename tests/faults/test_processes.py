@@ -5,25 +5,14 @@ from __future__ import annotations
 import signal
 from pathlib import Path
 
-import psutil
 import pytest
 
 from tests.cli.support import asemec
-from tests.faults.team import NAME, Started, project, signals_from, started
+from tests.faults.team import NAME, Started, gone, project, signals_from, started
 from tests.runtime.playing import check_line
-from tests.support.waiting import LONG, long_enough, wait_until
+from tests.support.waiting import LONG, long_enough
 
 pytest.importorskip("zenoh")
-
-
-def gone(processes: list[psutil.Process]) -> bool:
-    def is_gone(process: psutil.Process) -> bool:
-        try:
-            return not process.is_running() or process.status() == psutil.STATUS_ZOMBIE
-        except psutil.NoSuchProcess:  # since it was asked whether it runs
-            return True
-
-    return wait_until(lambda: all(map(is_gone, processes)), pause=0.02)
 
 
 def in_order(numbers: list[int]) -> bool:
