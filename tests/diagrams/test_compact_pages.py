@@ -98,6 +98,28 @@ def test_pages_have_what_the_whole_has() -> None:
     assert places == list(range(len(chart().transitions)))
 
 
+def test_a_closed_part_that_is_repeated_has_room_for_what_is_said_of_it() -> None:
+    part = "A . (B . C)+ . D"
+    control = "repeat part : after(5s) / n = n + 1; n = n + 2; n = n + 3 leave part : [n > 7]"
+    chart = compiled(
+        f"system S\nsrm r {{ var n : int = 0  liveness {{ r = part+ . E  part = {part} }}\n"
+        f"control r {{ {control.replace(' leave', chr(10) + ' leave')} }} }}"
+    ).iacs[0]
+    (drawing,) = draw_statechart(chart, Options(layout=Layout.COMPACT, depth=1))
+    assert drawing.note == ""
+    (folded,) = draw_statechart(chart, Options(layout=Layout.COMPACT, page=PageSize.A4))
+    assert folded.note == ""
+
+
+@pytest.mark.parametrize("size", list(PageSize))
+def test_the_protocols_of_the_library_are_divided_by_participants(size: PageSize) -> None:
+    file = Path(__file__).parents[2] / "examples" / "hospital" / "hospital.aseme"
+    system = aseme_dsl.compile(file)
+    chart = next(item for item in system.eacs if item.name == "resource")
+    first, *others = draw_statechart(chart, Options(layout=Layout.COMPACT, page=size), system.activities)
+    assert first.note == "" and others
+
+
 def test_compact_drawings_are_written_in_all_formats() -> None:
     (drawing,) = drawn()
     assert render(drawing, "png").startswith(b"\x89PNG")

@@ -76,7 +76,9 @@ class Nodes:
         )
         return room.placed(pen(x + wide))
 
-    def closed(self, block: Closed, line: Pen | None, x: float, signs: Link = ()) -> Placed:
+    def closed(
+        self, block: Closed, line: Pen | None, x: float, signs: Link = (), least: float = 0.0
+    ) -> Placed:
         """A composite without what is inside: how much that is, and why it is closed if it must be."""
         chart = self._chart
         states = inside(chart, block.label)
@@ -89,7 +91,7 @@ class Nodes:
         )
         if block.reason:
             rows.append((f"not drawn: {block.reason}", Look.SMALL))
-        wide = max(width(*row) for row in rows) + 2 * PAD + 8
+        wide = max(max(width(*row) for row in rows) + 2 * PAD + 8, least)
         marks = (*transitions_in(chart, block.label), *signs)
         room = Room()
         if line is not None:

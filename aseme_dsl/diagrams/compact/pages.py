@@ -89,7 +89,7 @@ def _formulas(chart: Statechart, top: str) -> Iterator[tuple[str, int]]:
         assert state.parent is not None
         outer = chart.node(state.parent)
         named = state.type is StateType.OR and state.name != label and state.name.isidentifier()
-        again = outer.name == state.name
+        again = outer.name == state.name and not chart.is_region(outer.label)
         level[label] = level[state.parent] + (named and not again)
         if named and not again and not chart.is_region(label):
             yield label, level[label]

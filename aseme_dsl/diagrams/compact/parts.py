@@ -364,7 +364,7 @@ class Placer:
             case Activity():
                 return self._nodes.activity(block, line, "", rim.least, rim.exits, rim.signs)
             case Closed():
-                placed = self._nodes.closed(block, line, line.at + GAP, rim.signs)
+                placed = self._nodes.closed(block, line, line.at + GAP, rim.signs, rim.least)
                 return replace(placed, pen=None) if rim.stops else placed
             case Parallel():
                 return self._parallel(block, line, rim)
