@@ -170,6 +170,12 @@ def test_the_other_lines_of_a_statement_with_a_mistake_are_not_read() -> None:
     assert problems(body) == [("E117", "robot1"), ("E229", "Rim")]
 
 
+@pytest.mark.parametrize("depth", [99, 110, 5000])
+def test_conditions_may_be_nested_up_to_a_limit(depth: int) -> None:
+    found = problems("always " + "(" * depth + "robot1 in Search" + ")" * depth, "property")
+    assert [code for code, _ in found] == ([] if depth < 100 else ["E103"])
+
+
 def test_what_could_not_be_read_is_not_missing() -> None:
     """A formula that cannot be read has no states; that is no reason to report a scenario."""
     text = MODEL.replace("(decide . (center | striker))~", "(decide . . (center | striker))~")

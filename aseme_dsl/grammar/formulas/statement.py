@@ -14,7 +14,7 @@ from aseme_dsl.diagnostics import Diagnostic, closest
 from aseme_dsl.diagnostics.problems.scenarios import statements as problems
 from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
 from aseme_dsl.grammar.formulas.expression import BINDING, operation, read_path, read_text, value
-from aseme_dsl.grammar.formulas.reader import Reader, is_word
+from aseme_dsl.grammar.formulas.reader import DEEPEST, Reader, is_word
 from aseme_dsl.grammar.formulas.words import Malformed
 from aseme_dsl.grammar.text import statements as nodes
 from aseme_dsl.grammar.text import tree
@@ -26,8 +26,8 @@ from aseme_dsl.source import Source, Span
 _COMPARISON = 3
 """How tightly comparisons bind: what binds less joins conditions."""
 _NUMBERS = {"one": 1, "two": 2, "three": 3}
-_AND = {"and": "and", "&&": "and"}
-_OR = {"or": "or", "||": "or"}
+_AND = ("and", "&&")
+_OR = ("or", "||")
 _NETWORK = ("delay", "loss", "reorder")
 _ANY = ("any", "some", "every")
 _HEARD = ("sent", "received", "message")
@@ -262,21 +262,21 @@ def _share(reader: Reader) -> nodes.Share | None:
 
 
 def _condition(reader: Reader) -> nodes.Condition:
-    return _joined(reader, "or", _OR, lambda inner: _joined(inner, "and", _AND, _negated))
+    """Conditions between `and` and `or`; `and` binds more tightly."""
+    alternatives: list[nodes.Condition] = []
+    parts = [_negated(reader)]
+    while reader.next in _AND or reader.next in _OR:
+        if reader.take() in _OR:
+            alternatives.append(_joined("and", parts))
+            parts = []
+        parts.append(_negated(reader))
+    return _joined("or", [*alternatives, _joined("and", parts)])
 
 
-def _joined(
-    reader: Reader, operator: str, words: dict[str, str], one: Callable[[Reader], nodes.Condition]
-) -> nodes.Condition:
-    parts = [one(reader)]
-    while reader.next in words:
-        reader.take()
-        parts.append(one(reader))
-    return (
-        parts[0]
-        if len(parts) == 1
-        else nodes.Joined(operator, tuple(parts), parts[0].span.to(parts[-1].span))
-    )
+def _joined(operator: str, parts: Sequence[nodes.Condition]) -> nodes.Condition:
+    if len(parts) == 1:
+        return parts[0]
+    return nodes.Joined(operator, tuple(parts), parts[0].span.to(parts[-1].span))
 
 
 def _negated(reader: Reader) -> nodes.Condition:
@@ -331,16 +331,20 @@ def _is_other_in(reader: Reader) -> bool:
 
 def _grouped(reader: Reader) -> nodes.Condition:
     """What stands in parentheses: conditions, or the beginning of an expression as `(a + b) < 3`."""
-    begin, opener = reader.index, reader.take()
+    begin, opener, depth = reader.index, reader.take(), reader.depth
+    reader.depth += 1
+    if reader.depth > DEEPEST + 1:
+        raise reader.too_deep(opener)
     try:
         inner = _condition(reader)
         _close(reader, ")", opener)
+        reader.depth = depth
         if BINDING.get(reader.next, 0) < _COMPARISON:
             return inner
         farthest, problem = begin, None
     except Malformed as raised:
         farthest, problem = reader.index, raised
-    reader.index = begin
+    reader.index, reader.depth = begin, depth
     try:
         expression = operation(reader, _COMPARISON)
     except Malformed:
