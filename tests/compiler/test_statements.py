@@ -219,3 +219,12 @@ def test_names_behind_an_alias() -> None:
     found = analyse(Source("home.aseme", home), sources={"away.aseme": away}).diagnostics
     assert [(item.code, item.span.text) for item in found if item.code[0] == "E"] == [("E229", "Steel")]
     assert has_errors(found)
+
+
+def test_a_title_stands_for_one_scenario() -> None:
+    """A property may have the title of a scenario."""
+    text = f'{MODEL}scenario "s" {{ }}\nproperty "s" {{ always robot1 in player }}\nscenario "s" {{ }}\n'
+    found = [item for item in analyse(Source("pitch.aseme", text)).diagnostics if item.code == "E201"]
+    assert [(item.message, item.span.start) for item in found] == [
+        ("the scenario `s` is declared twice", text.rindex('"s"'))
+    ]

@@ -23,8 +23,9 @@ from aseme_dsl.compiler.read.names import unknown, unknown_performative
 from aseme_dsl.compiler.types.content import fill
 from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.compiler.types.typecheck import type_value
-from aseme_dsl.diagnostics import Diagnostic, Problem
+from aseme_dsl.diagnostics import Diagnostic, Problem, Related
 from aseme_dsl.diagnostics.problems.absences import Absent
+from aseme_dsl.diagnostics.problems.names import DeclaredTwice
 from aseme_dsl.diagnostics.problems.scenarios import statements as problems
 from aseme_dsl.grammar.formulas.statement import read_statements
 from aseme_dsl.grammar.text import statements as nodes
@@ -148,8 +149,21 @@ def check_statements(files: Sequence[tree.File], known: Known, is_damaged: Damag
         for statement in statements:
             check.statement(statement)
         found += _each_cause(check.found, wrong)
+    for file in files:
+        found += _titled_twice(file)
     found += _not_watched(files)
     return tuple(dict.fromkeys(found))
+
+
+def _titled_twice(file: tree.File) -> Iterator[Diagnostic]:
+    """Verdicts name a scenario by its title, and so does who wants to play it alone."""
+    first: dict[tuple[type[object], str], Span] = {}
+    for item in _blocks(file):
+        kind = "property" if isinstance(item, tree.Property) else "scenario"
+        place = first.setdefault((type(item), item.title.text), item.title.span)
+        if place != item.title.span:
+            problem = DeclaredTwice(kind, item.title.text)
+            yield Diagnostic(problem, item.title.span, (Related(place, "first declared here"),))
 
 
 def _not_watched(files: Sequence[tree.File]) -> Iterator[Diagnostic]:
