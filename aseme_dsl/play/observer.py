@@ -167,6 +167,7 @@ class Observer:
         self.look()
 
     def restarted(self, agent: str) -> None:
+        self.look()
         self._note(agent, "starts again")
 
     def _step(self, record: Record) -> None:

@@ -228,3 +228,7 @@ def test_a_title_stands_for_one_scenario() -> None:
     assert [(item.message, item.span.start) for item in found] == [
         ("the scenario `s` is declared twice", text.rindex('"s"'))
     ]
+
+
+def test_a_word_of_a_rule_before_a_rule_is_a_condition_that_is_not_there() -> None:
+    assert problems("robot1 : player  never in order Walk, Run  for 2s") == [("E229", "in")]

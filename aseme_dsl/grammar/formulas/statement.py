@@ -402,7 +402,8 @@ def _heard(reader: Reader) -> nodes.Heard:
 def _statement(reader: Reader, in_property: bool) -> nodes.Statement:
     first = reader.tokens[reader.index]
     following = _ahead(reader)
-    if first in _RULES and following not in (":", "in", "has", "@"):
+    is_name = following in (":", "in", "has", "@") and _ahead(reader, 2) != "order"
+    if first in _RULES and not is_name:
         return _RULES[first](reader)
     if first == "in" or (first == "at" and following == "most"):
         return _order(reader) if first == "in" else _at_most(reader)

@@ -244,3 +244,12 @@ def test_properties_are_checked_in_each_scenario(verdict: str, line: str, tmp_pa
     path.write_text(f'{SYSTEM}property "p" {{ {line} }}\nscenario "s" {{ a : walker  for 5s }}\n')
     (found,) = play(path)
     assert found.verdict == verdict, (found.reason, str(found.span), found.story)
+
+
+def test_a_story_says_when_an_agent_starts_again(tmp_path: Path) -> None:
+    path = tmp_path / "walk.aseme"
+    body = "a : walker  crash a at 500ms  restart a at 2s  by 3s a in Halt"
+    path.write_text(f'{SYSTEM}scenario "s" {{ {body} }}\n')
+    (found,) = play(path)
+    told = [line.split("  ") for line in map(str, found.story) if "crashes" in line or "again" in line]
+    assert told == [["a", "0.5 s", "crashes"], ["a", "2 s", "starts again"]], found.story
