@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import click
 
 from aseme_dsl.cli.progress import Progress
+from aseme_dsl.cli.report import form_of
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
     activities_option,
     colour_option,
-    json_option,
     one_system,
     plural,
     print_json,
@@ -22,7 +22,7 @@ from aseme_dsl.cli.shared import (
     target_argument,
     wants_colour,
 )
-from aseme_dsl.diagnostics import closest, has_errors
+from aseme_dsl.diagnostics import Severity, closest, has_errors
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -49,7 +49,13 @@ if TYPE_CHECKING:
     "-j", "--jobs", type=click.IntRange(1), metavar="N", help="Number of processes.  [default: one a CPU]"
 )
 @activities_option
-@json_option
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["text", "json", "junit", "github"]),
+    help="Output format; github: workflow commands.  [default: text]",
+)
+@click.option("--json", "as_json", is_flag=True, help="Short for --format json.")
 @colour_option
 def command(
     target: str,
@@ -57,6 +63,7 @@ def command(
     seeds: int | None,
     jobs: int | None,
     activities: Path | None,
+    form: str | None,
     as_json: bool,
     colour: str,
 ) -> int:
@@ -65,14 +72,16 @@ def command(
     from aseme_dsl.project.settings.configuration import OUTPUT
     from aseme_dsl.project.testing.playing import play_scenarios, scenarios_in
 
+    form = form_of(form, as_json, None)
     compiled = one_system(target, activities)
-    if compiled.system is None or has_errors(compiled.diagnostics):
-        return refuse(compiled.diagnostics, as_json, colour)
+    wrong = [item for item in compiled.diagnostics if item.severity is not Severity.NOTE]
+    if compiled.system is None or has_errors(wrong):
+        return refuse(wrong, form == "json", colour)
     scenarios = _chosen(scenarios_in(compiled), name)
     configuration = compiled.configuration
     choice = choose(configuration, activities=activities)
     project_seed = configuration.run.seed if configuration.run is not None else None
-    progress = Progress(as_json)
+    progress = Progress(form != "text")
     try:
         tested = play_scenarios(
             compiled.system,
@@ -86,11 +95,7 @@ def command(
         )
     finally:
         progress.end()
-    if as_json:
-        print_json({"scenarios": [_data(item) for item in tested]})
-    else:
-        for line in _lines(tested, wants_colour(colour, sys.stdout)):
-            click.echo(line)
+    _print(tested, form, str(compiled.root if isinstance(compiled.root, Path) else target), colour)
     return int(any(item.verdict != "passed" for item in tested))
 
 
@@ -103,6 +108,21 @@ def _chosen(scenarios: Sequence[Scenario], name: str | None) -> list[Scenario]:
         hint = f"Did you mean {near!r}?" if near else f"Scenarios: {', '.join(names) or 'none'}."
         raise click.UsageError(f"No scenario has {name!r} in its name. {hint}")
     return found
+
+
+def _print(results: Sequence[ScenarioResult], form: str, file: str, colour: str) -> None:
+    from aseme_dsl.project.testing.reports import github, junit
+
+    match form:
+        case "json":
+            print_json({"scenarios": [_data(item) for item in results]})
+        case "junit":
+            click.echo(junit(results, file), nl=False)
+        case "github":
+            click.echo(github(results), nl=False)
+        case _:
+            for line in _lines(results, wants_colour(colour, sys.stdout)):
+                click.echo(line)
 
 
 def _data(item: ScenarioResult) -> dict[str, object]:

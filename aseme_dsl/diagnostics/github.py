@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from aseme_dsl.diagnostics.model import Diagnostic, Severity
+from aseme_dsl.source import Span
 
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}
 
@@ -18,19 +19,24 @@ def github(diagnostics: Iterable[Diagnostic]) -> str:
 
 
 def _command(item: Diagnostic) -> str:
+    text = item.message if item.hint is None else f"{item.message}\n{item.hint}"
+    return command(_COMMANDS[item.severity], item.span, item.path, item.code, text)
+
+
+def command(word: str, span: Span | None, path: str | None, title: str, text: str) -> str:
+    """A workflow command at a place, or at a file alone."""
     properties: dict[str, str | int] = {}
-    if item.span is not None:
-        line, column = item.span.source.position(item.span.start)
-        end_line, end_column = item.span.source.position(item.span.end)
-        properties = {"file": item.span.source.path, "line": line, "endLine": end_line}
+    if span is not None:
+        line, column = span.source.position(span.start)
+        end_line, end_column = span.source.position(span.end)
+        properties = {"file": span.source.path, "line": line, "endLine": end_line}
         if line == end_line:
             properties |= {"col": column, "endColumn": end_column}
-    elif item.path is not None:
-        properties["file"] = item.path
-    properties["title"] = item.code
-    text = item.message if item.hint is None else f"{item.message}\n{item.hint}"
+    elif path is not None:
+        properties["file"] = path
+    properties["title"] = title
     said = ",".join(f"{name}={_property(str(value))}" for name, value in properties.items())
-    return f"::{_COMMANDS[item.severity]} {said}::{_data(text)}"
+    return f"::{word} {said}::{_data(text)}"
 
 
 def _data(text: str) -> str:
@@ -43,4 +49,4 @@ def _property(text: str) -> str:
     return _data(text).replace(":", "%3A").replace(",", "%2C")
 
 
-__all__ = ["github"]
+__all__ = ["command", "github"]

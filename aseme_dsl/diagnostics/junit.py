@@ -34,14 +34,16 @@ def junit(
     bad = {Severity.ERROR, Severity.WARNING} if strict else {Severity.ERROR}
     root = Element("testsuites", {"name": name, **_counts(suites, bad)})
     for path, found in suites.items():
-        suite = SubElement(root, "testsuite", {"name": _text(path), **_counts({path: found}, bad)})
+        suite = SubElement(root, "testsuite", {"name": printable(path), **_counts({path: found}, bad)})
         if not found:
-            SubElement(suite, "testcase", {"name": "nothing to report", "classname": _text(path)})
+            SubElement(suite, "testcase", {"name": "nothing to report", "classname": printable(path)})
         for item in found:
-            case = SubElement(suite, "testcase", {"name": _text(_name(item)), "classname": _text(path)})
-            text = _text(render_text([item]))
+            case = SubElement(
+                suite, "testcase", {"name": printable(_name(item)), "classname": printable(path)}
+            )
+            text = printable(render_text([item]))
             if item.severity in bad:
-                attributes = {"type": item.code, "message": _text(item.message)}
+                attributes = {"type": item.code, "message": printable(item.message)}
                 SubElement(case, "failure", attributes).text = text
             else:
                 SubElement(case, "system-out").text = text
@@ -60,8 +62,9 @@ def _name(item: Diagnostic) -> str:
     return f"{item.severity}[{item.code}]{place} {item.message}"
 
 
-def _text(text: str) -> str:
+def printable(text: str) -> str:
+    """The text without what XML cannot hold."""
     return _NO_XML.sub("\ufffd", text)
 
 
-__all__ = ["junit"]
+__all__ = ["junit", "printable"]

@@ -88,8 +88,10 @@ def finder(
         item.activity: _stand_in(item, inputs, messages) for item in script.activities if not item.real
     }
 
+    coded = {item.activity for item in script.activities if item.real}
+
     def find(activity: str) -> type[Executable] | None:
-        return stand_ins[activity] if activity in stand_ins else real(activity)
+        return real(activity) if activity in coded else stand_ins.get(activity)
 
     return find
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -74,6 +75,23 @@ def test_programs_read_json(tested: Here) -> None:
         ("it takes its time", "failed", 1, 700_000_000, "good.aseme:32:3: has not come by 0.7 s"),
     ]
     assert list(done.json["scenarios"][0]) == ["name", "verdict", "seed", "time_ns", "reason"]
+
+
+def test_ci_services_read_junit_and_commands(tested: Here) -> None:
+    suites = ElementTree.fromstring(tested("test", "good.aseme", "--format", "junit", "-j", "1").out)
+    assert suites.attrib == {"name": "asemec test", "tests": "5", "failures": "3", "errors": "1"}
+    cases = {case.attrib["name"]: [(part.tag, part.attrib["type"]) for part in case] for case in suites[0]}
+    assert cases == {
+        "it stands": [],
+        "it walks": [("failure", "failed")],
+        "nobody is home": [("failure", "vacuous")],
+        "in its world": [("error", "error")],
+        "it takes its time": [("failure", "failed")],
+    }
+    done = tested("test", "good.aseme", "--format", "github", "-k", "walks")
+    place = "file=good.aseme,line=22,endLine=22,col=3,endColumn=20"
+    assert (done.code, done.out) == (1, f"::error {place},title=it walks::has not come by 3 s\n")
+    assert tested("test", "good.aseme", "--format", "junit", "--json").code == 2
 
 
 def test_the_exit_code_says_whether_all_have_passed(tested: Here, folder: Path) -> None:

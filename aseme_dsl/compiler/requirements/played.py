@@ -5,7 +5,7 @@ It takes files without errors: what the statements name is there, and of the rig
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import NoReturn, assert_never
@@ -15,6 +15,7 @@ from aseme_dsl.amola.messages import BOOL, DOUBLE, Channel, ChannelKind
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.read.blocks import Blocks
 from aseme_dsl.compiler.read.constants import fold
+from aseme_dsl.compiler.requirements.places import Places
 from aseme_dsl.compiler.requirements.statements import (
     Check,
     Known,
@@ -53,7 +54,7 @@ def played(
     files: Iterable[tree.File], known: Known, charts: Mapping[str, Statechart], blocks: Blocks
 ) -> tuple[play.Scenario, ...]:
     """The scenarios of files without errors, as they are played."""
-    places = _Places(charts, blocks)
+    places = Places(charts, blocks)
     always = properties(files)
     return tuple(
         _scenario(item, statements, always, check, places)
@@ -66,7 +67,7 @@ def _scenario(
     statements: Sequence[nodes.Statement],
     always: Sequence[nodes.Statement],
     check: Check,
-    places: _Places,
+    places: Places,
 ) -> play.Scenario:
     name, title = item.title.text, item.title.span
     try:
@@ -88,62 +89,6 @@ def _scenario(
     return play.Scenario(name, title, scripts)
 
 
-# ---- places -----------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True, slots=True)
-class _Places:
-    """Which states of the roles' statecharts a name means."""
-
-    charts: Mapping[str, Statechart]
-    blocks: Blocks
-
-    def labels(self, role: str, name: str, participant: str | None) -> frozenset[str]:
-        """The labels of the states of a role that have the name (in the participant's branches)."""
-        chart = self.charts[role]
-        if participant is None:
-            names = {name}
-        else:
-            names = {name, *self._bound(role, name, participant)}
-        inside = [
-            node.label
-            for node in chart.states
-            if participant is not None
-            and chart.is_branch(node)
-            and participant in (node.origin.name, node.name)
-        ]
-        found = [
-            node
-            for node in chart.states
-            if participant is None or any(f"{node.label}.".startswith(f"{label}.") for label in inside)
-        ]
-        own = {node.label for node in found if names & {_short(node.name), node.name, node.activity}}
-        own |= {node.label for node in found if chart.is_branch(node) and node.origin.name in names}
-        if name == chart.name:
-            own.add(chart.states[0].label)
-        return frozenset(own or _outermost(node.label for node in found if node.origin.name in names))
-
-    def _bound(self, role: str, name: str, participant: str) -> Iterator[str]:
-        """What the role puts in the place of an abstract activity of the participant."""
-        for item in self.blocks.srms:
-            for part in item.plays if item.name.text == role else ():
-                alias = part.alias.text if part.alias is not None else ""
-                if participant in (part.participant.text, alias):
-                    for binding in part.bindings:
-                        if binding.abstract.text == name and binding.own is not None:
-                            yield binding.own.text
-
-
-def _short(name: str) -> str:
-    """The name without the alias of its file."""
-    return name.partition("_")[2]
-
-
-def _outermost(labels: Iterable[str]) -> set[str]:
-    found = set(labels)
-    return {label for label in found if label.rpartition(".")[0] not in found}
-
-
 # ---- one way to play a scenario ---------------------------------------------------------------------
 
 
@@ -152,7 +97,7 @@ class _Lowering:
     """Makes the script of a scenario; `row` is what its table gives the columns this time."""
 
     check: Check
-    places: _Places
+    places: Places
     title: Span
     row: Mapping[str, tree.Expression]
     conditions: list[play.Condition] = field(default_factory=list)

@@ -228,6 +228,17 @@ def test_verdicts(verdict: str, line: str, tested: Mapping[str, ScenarioResult])
     assert found.verdict == verdict, (found.reason, str(found.span), found.story)
 
 
+def test_only_real_activities_need_their_code(tmp_path: Path) -> None:
+    path = tmp_path / "walk.aseme"
+    scenarios = [f'scenario "{line}" {{ a : walker  {line} }}\n' for line in ("for 3s", "activity Wait real")]
+    path.write_text(SYSTEM + "".join(scenarios))
+    (tmp_path / "activities").mkdir()
+    (tmp_path / "activities" / "wait.py").write_text("import nothing_there\nclass Wait: pass\n")
+    simulated, real = play(path)
+    assert simulated.verdict == "passed"
+    assert (real.verdict, "nothing_there" in real.reason) == ("error", True)
+
+
 PROPERTIES = [
     ("passed", "never a in Halt"),
     ("failed", "never a in Run"),

@@ -1,0 +1,65 @@
+"""Places: which states of the roles' statecharts scenarios and properties mean by a name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.compiler.read.blocks import Blocks
+
+
+@dataclass(frozen=True, slots=True)
+class Places:
+    """Which states of the roles' statecharts a name means."""
+
+    charts: Mapping[str, Statechart]
+    blocks: Blocks
+
+    def labels(self, role: str, name: str, participant: str | None) -> frozenset[str]:
+        """The labels of the states of a role that have the name (in the participant's branches)."""
+        chart = self.charts[role]
+        if participant is None:
+            names = {name}
+        else:
+            names = {name, *self._bound(role, name, participant)}
+        inside = [
+            node.label
+            for node in chart.states
+            if participant is not None
+            and chart.is_branch(node)
+            and participant in (node.origin.name, node.name)
+        ]
+        found = [
+            node
+            for node in chart.states
+            if participant is None or any(f"{node.label}.".startswith(f"{label}.") for label in inside)
+        ]
+        own = {node.label for node in found if names & {_short(node.name), node.name, node.activity}}
+        own |= {node.label for node in found if chart.is_branch(node) and node.origin.name in names}
+        if name == chart.name:
+            own.add(chart.states[0].label)
+        return frozenset(own or _outermost(node.label for node in found if node.origin.name in names))
+
+    def _bound(self, role: str, name: str, participant: str) -> Iterator[str]:
+        """What the role puts in the place of an abstract activity of the participant."""
+        for item in self.blocks.srms:
+            for part in item.plays if item.name.text == role else ():
+                alias = part.alias.text if part.alias is not None else ""
+                if participant in (part.participant.text, alias):
+                    for binding in part.bindings:
+                        if binding.abstract.text == name and binding.own is not None:
+                            yield binding.own.text
+
+
+def _short(name: str) -> str:
+    """The name without the alias of its file."""
+    return name.partition("_")[2]
+
+
+def _outermost(labels: Iterable[str]) -> set[str]:
+    found = set(labels)
+    return {label for label in found if label.rpartition(".")[0] not in found}
+
+
+__all__ = ["Places"]

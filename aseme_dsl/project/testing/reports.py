@@ -1,0 +1,42 @@
+"""Reports: the verdicts on scenarios for CI services."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from aseme_dsl.diagnostics.github import command
+from aseme_dsl.diagnostics.junit import printable
+from aseme_dsl.project.testing.verdicts import ScenarioResult, Verdict
+
+
+def github(results: Sequence[ScenarioResult]) -> str:
+    """One workflow command for each scenario that has not passed."""
+    return "".join(
+        f"{command('error', item.span, None, item.name, item.reason)}\n"
+        for item in results
+        if item.verdict is not Verdict.PASSED
+    )
+
+
+def junit(results: Sequence[ScenarioResult], file: str) -> str:
+    """JUnit XML: one suite, the file, with a case for each scenario. A vacuous one is a failure, too."""
+    from xml.etree.ElementTree import Element, SubElement, indent, tostring
+
+    errors = sum(item.verdict is Verdict.ERROR for item in results)
+    failures = sum(item.verdict in (Verdict.FAILED, Verdict.VACUOUS) for item in results)
+    counts = {"tests": str(len(results)), "failures": str(failures), "errors": str(errors)}
+    root = Element("testsuites", {"name": "asemec test", **counts})
+    suite = SubElement(root, "testsuite", {"name": printable(file), **counts})
+    for item in results:
+        names = {"name": printable(item.name), "classname": printable(file)}
+        case = SubElement(suite, "testcase", {**names, "time": f"{item.time_ns / 1e9:.3f}"})
+        if item.verdict is not Verdict.PASSED:
+            word = "error" if item.verdict is Verdict.ERROR else "failure"
+            attributes = {"type": str(item.verdict), "message": printable(item.reason)}
+            text = "\n".join((f"{item.span}: {item.reason}, seed {item.seed}", *item.story))
+            SubElement(case, word, attributes).text = printable(text)
+    indent(root)
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{tostring(root, encoding="unicode")}\n'
+
+
+__all__ = ["github", "junit"]
