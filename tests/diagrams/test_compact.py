@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
@@ -20,6 +21,8 @@ from aseme_dsl.diagrams.compact.check import faults
 from aseme_dsl.diagrams.compact.elements import Form, Line, Picture, Shape, Text
 from aseme_dsl.diagrams.compact.ink.svg import svg
 from aseme_dsl.diagrams.compact.layout import layout
+from aseme_dsl.diagrams.compact.pages import divided, whole
+from aseme_dsl.diagrams.compact.words import ICONS
 from aseme_dsl.diagrams.look.labels import text_width
 from tests.diagrams.drawn_svg import elements_of
 from tests.diagrams.texts import TEAM, compiled
@@ -124,13 +127,16 @@ def test_planted_faults_are_noticed_in_finished_drawings() -> None:
     assert len(missed) <= count / 100, missed
 
 
-@pytest.mark.parametrize("seed", range(int(os.environ.get("COMPACT_CHARTS", "12"))))
+@pytest.mark.parametrize("seed", range(int(os.environ.get("COMPACT_CHARTS", "8"))))
 def test_random_charts_are_drawn_rightly_or_with_a_reason(seed: int) -> None:
     system = compiled(text(Choices(seed)))
     for chart in system.statecharts:
         with contextlib.suppress(NotCompact):
-            picture = layout(chart, system.activities)
-            assert faults(chart, picture, system.activities) == []
+            pages = [whole(chart, system.activities, chart.root.label, depth) for depth in (None, 1)]
+            pages += divided(chart, system.activities, chart.root.label, (600, 400))
+            for page in pages:
+                assert faults(chart, page.picture, system.activities) == []
+                assert not re.search(f".[{ICONS}]", said(page.picture)), "a sign is drawn only in front"
 
 
 def test_the_svg_shows_each_transition_once_and_no_text_on_another() -> None:

@@ -303,7 +303,8 @@ class Placer:
             labels,
             signs if inside else (),
             silent,
-            self._back_width(links.back if loops else links.again) + 16 * bool(links.back),
+            max(self._back_width(link) for link in (links.back, () if loops else links.again))
+            + 16 * bool(links.back),
             bool(links.events or links.back or part.cuts or labels),
             not links.onward and not links.again,
         )

@@ -117,9 +117,7 @@ class Words:
         """A transition as one paragraph; a long one is cut."""
         self._used.add(place)
         said = self.text(place) or "done"
-        sign = said[:2] if said[:1] in ICONS else ""
-        said = said.removeprefix(sign)
-        said = f"{before}{said}" if before else f"{sign}{said}"
+        said = f"{before}{_without_sign(said)}" if before else said
         if len(said) > _LONG_PARAGRAPH:
             said = f"{said[: _LONG_PARAGRAPH - 10].rpartition(' ')[0]} {self._note(place)}"
         return tuple((line, look) for line in balanced(said, max(12, int(wide / _CHARACTER))))
@@ -279,7 +277,7 @@ class Words:
         note = self._note(place) if said.long else ""
         head = said.head
         if mark:
-            head = f"{mark} {head.lstrip('✉◷ ')}"
+            head = f"{mark} {_without_sign(head)}"
         above = tuple((line, look) for line in balanced(_cut(head, note), characters)) if head else ()
         actions = [_cut(text, note) for text in said.actions[:_MOST]]
         if len(said.actions) > _MOST:
@@ -314,6 +312,13 @@ def balanced(text: str, characters: int) -> tuple[str, ...]:
             break
         lines = shorter
     return lines
+
+
+def _without_sign(text: str) -> str:
+    """The text behind another sign: what is resumed says so in a word."""
+    if text[:1] == "Ⓗ":
+        return f"resume{text[1:]}"
+    return text[1:].lstrip() if text[:1] in ICONS else text
 
 
 def _waits(item: Transition) -> bool:
