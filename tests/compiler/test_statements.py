@@ -143,6 +143,7 @@ def test_properties() -> None:
         ("by 3s robot1 Search", "E117", "robot1"),
         ("by 3s robot1 robot1 in Search", "E117", "robot1"),
         ("at 3s 3s robot1 raises Whistle", "E500", "3s"),
+        ("no vision.state.Ball before 1s", "E117", "vision.state.Ball"),
         ("allways robot1 in Search", "E117", "allways"),
         ("every Search leads Kick", "E117", "Kick"),
         ("never two of playr in center", "E229", "playr"),
@@ -154,8 +155,10 @@ def test_properties() -> None:
         ("from 8s to 9s robot1 in Search", "E117", "robot1 in Search"),
         ("crash robot9 at 3s", "E229", "robot9"),
         ("always fault", "E230", "fault"),
-        ("always robot1 in Search &&", "E117", "never"),
-        ("always (robot1 in Search", "E117", "never"),
+        ("always robot1 in Search &&", "E117", "&&"),
+        ("always (robot1 in Search", "E117", "Search"),
+        ("crash robot1", "E117", "robot1"),
+        ("every robot1 in Search leads to Kick in 3s", "E117", "in"),
     ],
 )
 def test_one_mistake_is_one_message(line: str, code: str, place: str) -> None:
@@ -186,6 +189,11 @@ def test_what_could_not_be_read_is_not_missing() -> None:
 def test_a_property_has_no_moments() -> None:
     assert problems("at 2s robot1 in Search", "property") == [("E117", "at")]
     assert problems("always robot3 in Search", "property") == [("E229", "robot3")]
+
+
+def test_the_role_of_an_agent_in_a_property_is_that_of_the_team() -> None:
+    wrong = 'by 1s robot1 in Run\nrobot1 : playr\n}\nproperty "p" {\nalways robot1 has [tries < 3]'
+    assert problems(wrong) == [("E229", "playr")]
 
 
 def test_agents_of_a_scenario_are_those_that_it_lists() -> None:

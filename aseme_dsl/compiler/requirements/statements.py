@@ -139,7 +139,7 @@ def check_statements(files: Sequence[tree.File], known: Known, is_damaged: Damag
     # A property speaks of every run: also of the agents that some scenario introduces.
     introduced: dict[str, str] = {}
     for statements, _, _ in read:
-        introduced.update(_introduced(statements))
+        introduced |= {name: role for name, role in _introduced(statements).items() if role in known.states}
     found: list[Diagnostic] = []
     for (statements, wrong, is_property), (item, _) in zip(read, blocks, strict=True):
         own = introduced if is_property else _introduced(statements)
@@ -614,6 +614,10 @@ class Check:
         return any(states is not None and name in states for states in self.known.states.values())
 
     def _truth(self, written: tree.Expression, role: str | None) -> None:
+        segments = written.segments if isinstance(written, tree.Path) else ()
+        if len(segments) == 3 and self.known.top.symbols.topic(segments[0].text) is not None:
+            self._report(problems.MessageAlone(written.span.text), written)
+            return
         self.value(written, role, BOOL)
 
     def value(
@@ -769,7 +773,9 @@ class Check:
             self.found.append(unknown(problem, name, others, *values))
 
     def _report(
-        self, problem: Problem, at: tree.Name | nodes.Statement | nodes.Condition | nodes.Share
+        self,
+        problem: Problem,
+        at: tree.Name | tree.Expression | nodes.Statement | nodes.Condition | nodes.Share,
     ) -> None:
         self.found.append(Diagnostic(problem, at.span))
 

@@ -103,15 +103,21 @@ def _ahead(reader: Reader, steps: int = 1) -> str:
 
 
 def _wrong(reader: Reader, *wanted: Wanted | str) -> Malformed:
-    """Something else stands here than what is wanted."""
+    """Something else stands here than what is wanted; a word on the next line is another statement."""
     previous = reader.tokens[reader.index - 1] if reader.index else None
-    if reader.index == len(reader.tokens):
-        last = reader.tokens[-1]
-        return Malformed(Diagnostic(problems.UnexpectedInStatement(wanted, last, None), reader.span(last)))
-    found = reader.tokens[reader.index]
+    found = reader.tokens[reader.index] if reader.index < len(reader.tokens) else None
+    is_other = found is None or (is_word(found) and _is_on_next_line(reader, previous, found))
+    if previous is not None and is_other:
+        problem = problems.UnexpectedInStatement(wanted, previous, None)
+        return Malformed(Diagnostic(problem, reader.span(previous)))
+    assert found is not None  # there is a first word
     near = closest(found, [word for word in wanted if isinstance(word, str)]) if is_word(found) else None
     problem = problems.UnexpectedInStatement(wanted, previous, found, near)
     return Malformed(Diagnostic(problem, reader.span(found), fix=near))
+
+
+def _is_on_next_line(reader: Reader, previous: Token | None, found: Token) -> bool:
+    return previous is not None and "\n" in reader.source.text[previous.end : found.start]
 
 
 def _need(reader: Reader, *words: str) -> Token:
@@ -251,6 +257,9 @@ def _share(reader: Reader) -> nodes.Share | None:
         return None
     begin = reader.take().start
     percent = value(reader)
+    if isinstance(percent, tree.Duration):
+        reader.index -= 2  # `in 3s`, as `within 3s` says
+        raise _wrong(reader, "within")
     _need(reader, "%")
     _need(reader, "of")
     seeds = value(reader)

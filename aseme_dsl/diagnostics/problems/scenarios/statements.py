@@ -72,6 +72,19 @@ class AgentAlone(Problem):
         return f"write `{self.agent} in`, and a state"
 
 
+class MessageAlone(Problem):
+    code = "E117"
+    channel: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.channel}` is a message, not a condition"
+
+    @property
+    def hint(self) -> str:
+        return f"write `message {self.channel}`, or ask for a member"
+
+
 class OnlyInScenario(Problem):
     code = "E117"
     word: str
