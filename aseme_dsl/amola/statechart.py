@@ -132,8 +132,9 @@ def transition_text(transition: Transition) -> str:
     The word is `[>` for an interrupt, `on` or `exit` if the state stays active or for an exit action, and
     `resume` if the target is resumed. What does nothing in a state `ignores` the signals that it takes.
     """
-    if transition.kind is TransitionKind.ON and not transition.expression.actions:
-        ignored = transition.expression.condition
+    expression = transition.expression
+    if transition.kind is TransitionKind.ON and not (expression.actions or expression.events):
+        ignored = expression.condition
         parts = ignored.operands if isinstance(ignored, Logic) else (ignored,)
         names = [value_text(part.message) for part in parts if isinstance(part, Has)]
         if names:
@@ -141,7 +142,7 @@ def transition_text(transition: Transition) -> str:
     word = "[>" if transition.first else "" if transition.changes_state else transition.kind.value
     word = "on abandon" if transition.kind is TransitionKind.ABANDON else word
     verb = "resume" if transition.resume else "reactive" if transition.reactive else ""
-    return " ".join(filter(None, (word, verb, expression_text(transition.expression))))
+    return " ".join(filter(None, (word, verb, expression_text(expression))))
 
 
 @dataclass(frozen=True, slots=True)

@@ -628,7 +628,8 @@ class Words:
         text = ""
         if verb == "on" and self.is_participant and pick.one_in(4):
             text, words = self._taking()
-            return f"{text} / " + "; ".join(words._action() for _ in range(pick.number(1, 3)))
+            actions = "; ".join(words._action() for _ in range(pick.number(1, 3)))
+            return f"{text} / {actions}" if len(actions) % 4 else text
         if verb == "on":
             match pick.weighted(nothing=1, condition=3, event=4, when=6):
                 case "condition":
