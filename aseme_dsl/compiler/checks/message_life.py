@@ -134,8 +134,8 @@ def _unwritten(
     that says `from` whom it comes is not asked after; nor is anything in a system that says of no activity
     what it writes.
     """
-    silent: dict[str, Span] = {}
-    told = False
+    silent, told = False, False
+    coded: dict[str, None] = {}  # of the silent ones
     for chart in roles:
         for node in chart.states:
             if node.type is StateType.BASIC and node.activity is not None:
@@ -143,11 +143,13 @@ def _unwritten(
                 if said is None or not (
                     said.reads or said.writes or said.reads_variables or said.writes_variables
                 ):
-                    silent.setdefault(node.activity, node.span if said is None else said.span)
+                    silent = True
+                    if said is None or said.has_code:
+                        coded.setdefault(node.activity)
                 else:
                     told = told or bool(said.writes)
     if silent and not told:
-        yield from _awaited_in_vain(roles, writers, topics, home, silent)
+        yield from _awaited_in_vain(roles, writers, topics, home, coded)
         return
     doubtful: list[Use] = []
     for channel, found in readers.items():
@@ -165,7 +167,7 @@ def _unwritten(
         )
     if doubtful:
         yield Diagnostic(
-            PublishersNotDeclared(tuple(str(use.channel) for use in doubtful), tuple(silent)),
+            PublishersNotDeclared(tuple(str(use.channel) for use in doubtful), tuple(coded)),
             doubtful[0].span,
             tuple(Related(use.span, f"`{use.channel}` is read here") for use in doubtful[1 : _SHOWN + 1]),
         )

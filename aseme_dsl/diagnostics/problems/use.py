@@ -5,6 +5,7 @@ A channel is written `topic.kind.Message`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 from aseme_dsl.diagnostics.problem import Problem
@@ -148,10 +149,7 @@ class MessageNotPublished(Problem):
 
     @property
     def hint(self) -> str:
-        return (
-            f"let the activity that does say `writes {self.channel}`; for what comes from outside, name its "
-            f"source: `{_carried(self.channel)} from …` with a `role … : external`"
-        )
+        return _from_outside(self.channel, ())
 
 
 class WindowTooShort(Problem):
@@ -264,7 +262,7 @@ class ChangesUnseen(Problem):
 
 
 class PublishersNotDeclared(Problem):
-    """`silent` are the activities of whose messages nothing is said."""
+    """`silent` are the activities with code of whose messages nothing is said."""
 
     code = "N722"
     channels: tuple[str, ...]
@@ -277,13 +275,11 @@ class PublishersNotDeclared(Problem):
 
     @property
     def hint(self) -> str:
-        return "say it of the activity that does: `writes …`; nothing is said of the messages of " + first_of(
-            self.silent, _SHOWN
-        )
+        return _from_outside(self.channels[0], self.silent)
 
 
 class ExitWaitsForUndeclared(Problem):
-    """`silent` are the activities of whose messages nothing is said."""
+    """`silent` are the activities with code of whose messages nothing is said."""
 
     code = "N722"
     channel: str
@@ -297,11 +293,7 @@ class ExitWaitsForUndeclared(Problem):
 
     @property
     def hint(self) -> str:
-        return (
-            f"let the activity that does say `writes {self.channel}` (nothing is said of the messages of "
-            f"{first_of(self.silent, _SHOWN)}); for what comes from outside, name its source: "
-            f"`{_carried(self.channel)} from …`"
-        )
+        return _from_outside(self.channel, self.silent)
 
 
 class PublishedBySeveral(Problem):
@@ -402,6 +394,16 @@ class RoleWithoutAgent(Problem):
     @property
     def hint(self) -> str:
         return f"give it to one in a `team`: `name : {self.role}`"
+
+
+def _from_outside(channel: str, silent: Sequence[str]) -> str:
+    """What to write where a message comes from outside, or else from one of these activities."""
+    these = f" ({first_of(silent, _SHOWN)})" if silent else ""
+    return (
+        f"for what comes from outside, write `{_carried(channel)} from outside` and "
+        "`suc { role outside : external }`; "
+        f"an activity that publishes it{these} says `writes {channel}`"
+    )
 
 
 def _carried(channel: str) -> str:

@@ -90,3 +90,40 @@ def test_another_files_topic_may_be_written_by_those_who_share_it() -> None:
 
 def test_it_is_a_note() -> None:
     assert codes(_role("enter B : [vision.state.Ball.visible]")) == []
+
+
+def test_the_hint_says_what_to_write_for_an_input_from_outside_and_that_works() -> None:
+    text = _role("enter B : [vision.state.Ball.visible]", said="simulated").replace("B takes 1s", "B waits")
+    (problem,) = analysis(text).diagnostics
+    assert problem.hint == (
+        "for what comes from outside, write `state Ball from outside` and `suc { role outside : external }`; "
+        "an activity that publishes it says `writes vision.state.Ball`"
+    )
+    declared = text.replace("state Ball", "state Ball from outside").replace(
+        "srm r", "suc { role outside : external } srm r"
+    )
+    assert analysis(declared).diagnostics == ()
+
+
+def test_the_hint_names_only_activities_that_can_publish() -> None:
+    text = _role("enter B : [vision.state.Ball.visible]", formula="A . B . C").replace(
+        "B takes 1s", "B waits  C simulated takes 1s"
+    )
+    (problem,) = (item for item in analysis(text).diagnostics if item.code == "N722")
+    assert problem.hint is not None
+    assert problem.hint.endswith("; an activity that publishes it (`A`) says `writes vision.state.Ball`")
+
+
+def test_the_hint_for_what_is_read_says_the_same() -> None:
+    text = """system S message Ball { bool visible } topic vision { state Ball } topic memory { state Ball }
+    srm r {
+      liveness { r = (Look~ || Note~) || (Wait . Walk) }
+      activities { Look takes 1s  Note takes 1s writes memory.state.Ball  Wait waits  Walk waits }
+      control r { enter Walk : when [vision.state.Ball.visible] }
+    }"""
+    (problem,) = (item for item in analysis(text).diagnostics if item.code == "N722")
+    assert (
+        problem.hint is not None
+        and "(`Look`)" in problem.hint
+        and "`suc { role outside : external }`" in problem.hint
+    )
