@@ -139,7 +139,7 @@ def test_what_is_wrong_with_an_alias(old: str, new: str, told: list[tuple[str, s
         ),
         ("both", "", "", "read one agent's: `x.alice.mates.state.alice.Near`; "),
         ("both", "", "", "`state alice.Near from "),
-        ("both", "", "", "of `alice.Search`, `alice.Ask`"),
+        ("both", "", "", "it (`alice.Search`, `alice.Ask`"),
         ("alice", "&& mates.state.Near.side", "&& mates.state.Nea.side", "did you mean `Near`?"),
         ("alice", "&& mates.state.Near.side", "&& mats.state.Near.side", "did you mean `mates`?"),
         ("alice", "state Near }", "state Nea }", "did you mean `Near`?"),
