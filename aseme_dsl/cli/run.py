@@ -174,7 +174,7 @@ class _Prepared:
 @colour_option
 @gathered(_Options)
 def command(options: _Options) -> int:
-    """Run; 1 if the file has errors, it cannot be run, or an agent fails or is in a deadlock."""
+    """Run; 1 if the file has errors, it cannot be run, or an agent fails, is idle or in a deadlock."""
     _check_usage(options)
     if code := refuse_options(_without_effect(options), options.target, options.as_json, options.colour):
         return code

@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.team.team import RunResult
 
 WAITING = "waiting"
-"""What `--allow` accepts: agents in a deadlock are not a failure of the run."""
+"""What `--allow` accepts: agents that nothing pending can wake are not a failure of the run."""
 
 
 def allow_option(command: CommandT) -> CommandT:
     """`--allow waiting`."""
-    text = "Exit with 0 even if agents are in a deadlock."
+    text = "Exit with 0 even if agents are idle or in a deadlock."
     return click.option("--allow", "allowed", type=click.Choice([WAITING]), multiple=True, help=text)(command)
 
 
@@ -38,6 +38,7 @@ def end_data(result: RunResult) -> dict[str, object]:
     return {
         "idle_since": result.idle_since,
         "stuck": list(result.stuck),
+        "idle": [agent.name for agent in result.agents if agent.idle],
         "conversations": [asdict(item) for item in result.conversations],
         "unread": [asdict(item) for item in result.unread],
         "fault_kinds": [asdict(item) for item in result.faults],

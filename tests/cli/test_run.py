@@ -544,19 +544,27 @@ class TestTheEnd:
     def test_an_agent_that_waits_for_ever_is_named_and_the_code_is_1(self, here: Here) -> None:
         done = here("run", "stuck.aseme", "--quiet")
         assert done.code == 1
-        assert "deadlock since 1 s: no input, timer or activity is pending that could wake r" in done.out
+        assert "idle since 1 s: r waits for input from outside" in done.out
+        assert "deadlock" not in done.out
         assert "r (r) waits after A (stuck.aseme:5) for [has(t.signal.Go)] (stuck.aseme:8)" in done.out
 
     def test_it_may_be_allowed(self, here: Here) -> None:
         done = here("run", "stuck.aseme", "--quiet", "--allow", "waiting")
         assert done.code == 0
-        assert "deadlock since 1 s" in done.out
+        assert "idle since 1 s" in done.out
+
+    def test_what_no_input_can_end_is_a_deadlock(self, here: Here, folder: Path) -> None:
+        text = STUCK.replace("liveness", "var n : int = 0  liveness").replace("has(t.signal.Go)", "n > 0")
+        (folder / "locked.aseme").write_text(text)
+        done = here("run", "locked.aseme", "--quiet")
+        assert done.code == 1
+        assert "deadlock since 1 s: no input, timer or activity is pending that could wake r" in done.out
 
     def test_as_json(self, here: Here) -> None:
         done = here("run", "stuck.aseme", "--json")
         result = done.json["result"]
         assert done.code == 1
-        assert (result["stuck"], result["idle_since"]) == (["r"], 1_000_000_000)
+        assert (result["stuck"], result["idle"], result["idle_since"]) == (["r"], ["r"], 1_000_000_000)
         assert result["agents"][0]["waits"][0]["awaits"][0]["what"] == "[has(t.signal.Go)]"
 
     def test_the_end_of_the_time_is_no_deadlock(self, here: Here) -> None:

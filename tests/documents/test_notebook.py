@@ -118,8 +118,8 @@ def test_a_result_shows_how_each_agent_ended_and_what_is_open(tmp_path: Path) ->
     html = result._repr_html_()
     assert html is not None
     assert re.findall(r"<td>(.*?)</td>", html) == ["paula", "cook", "after Look"]
-    assert "deadlock since 1 s" in html
-    assert "deadlock since 1 s" in printed(result)
+    assert "idle since 1 s: paula waits for input from outside" in html
+    assert "idle since 1 s: paula waits for input from outside" in printed(result)
 
 
 def test_an_analysis_is_a_short_table() -> None:

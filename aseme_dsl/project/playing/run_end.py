@@ -1,4 +1,4 @@
-"""The end of a run in words: deadlock, agents that wait, open conversations, unread messages, faults."""
+"""The end of a run in words: idle agents, deadlock, waits, open conversations, unread messages, faults."""
 
 from __future__ import annotations
 
@@ -19,11 +19,15 @@ _LONG = 60
 def end_lines(result: RunResult) -> Iterator[str]:
     """What to say about the end of a run besides its time; nothing about one that left nothing open."""
     if result.stuck and result.idle_since is not None:
-        names = _few(list(result.stuck), 8, ", ")
-        yield (
-            f"deadlock since {result.idle_since / 1e9:g} s: no input, timer or activity is pending that could"
-            f" wake {names}"
-        )
+        since = f"{result.idle_since / 1e9:g} s"
+        idle = [agent.name for agent in result.agents if agent.idle]
+        locked = [name for name in result.stuck if name not in idle]
+        if idle:
+            verb = "waits" if len(idle) == 1 else "wait"
+            yield f"idle since {since}: {_few(idle, 8, ', ')} {verb} for input from outside"
+        if locked:
+            names = _few(locked, 8, ", ")
+            yield f"deadlock since {since}: no input, timer or activity is pending that could wake {names}"
     yield from _clipped(_waiting_lines(result.agents), "waiting state")
     yield from _clipped(_conversation_lines(result), "line")
     yield from _clipped([_unread_line(item) for item in result.unread], "unread message")

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.chart.plan import Plan, State, Transition
+from aseme_dsl.runtime.team.outside import Need, need_of, wait_for_input
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.agent.agent import Agent
@@ -86,18 +87,31 @@ class Unread:
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """What is open at one moment: what each agent waits for, by its name, and the conversations."""
+    """What is open at one moment: what each agent waits for, by its name, and the conversations.
+
+    `idle` are the agents that only need an input from outside, directly or through other agents.
+    """
 
     waits: dict[str, tuple[Waiting, ...]]
     conversations: tuple[OpenConversation, ...] = ()
     unread: tuple[Unread, ...] = ()
+    idle: frozenset[str] = frozenset()
 
 
 NOTHING = Picture({})
 
 
-def picture(waits: dict[str, tuple[Waiting, ...]], conversations: Conversations) -> Picture:
-    """What is open now, from what the agents wait for and the conversations in which they take part."""
+def picture(
+    found_waits: dict[str, tuple[tuple[Waiting, Need], ...]],
+    conversations: Conversations,
+    writers: Mapping[str, Collection[str]],
+) -> Picture:
+    """What is open now, from what the agents wait for and the conversations in which they take part.
+
+    `writers` are the agents that may publish on a channel.
+    """
+    waits = {name: tuple(item for item, _ in own) for name, own in found_waits.items()}
+    needs = {name: [need for item, need in own if not item.free] for name, own in found_waits.items()}
     found = tuple(
         OpenConversation(
             name,
@@ -119,7 +133,8 @@ def picture(waits: dict[str, tuple[Waiting, ...]], conversations: Conversations)
         )
         for name, protocol, members in conversations.open()
     )
-    return Picture(waits, found, tuple(Unread(*item) for item in conversations.unread()))
+    unread = tuple(Unread(*item) for item in conversations.unread())
+    return Picture(waits, found, unread, wait_for_input(needs, writers))
 
 
 def is_stuck(waits: Iterable[Waiting]) -> bool:
@@ -130,8 +145,8 @@ def is_stuck(waits: Iterable[Waiting]) -> bool:
 # ---- one agent -----------------------------------------------------------------------------------
 
 
-def waits_of(agent: Agent) -> tuple[Waiting, ...]:
-    """What an agent waits for: one entry for each active leaf. Called while it is guarded.
+def waits_of(agent: Agent) -> tuple[tuple[Waiting, Need], ...]:
+    """What an agent waits for and needs: one entry for each active leaf. Called while it is guarded.
 
     A state that is complete, since its END or those of its regions are active, has an entry in the place of
     these. A region that is complete beside one that is not has none. The first entry has the transitions of
@@ -163,7 +178,7 @@ def waits_of(agent: Agent) -> tuple[Waiting, ...]:
     return tuple(found)
 
 
-def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str], since: int) -> Waiting:
+def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str], since: int) -> tuple[Waiting, Need]:
     """The entry of a leaf, or of a state around that is complete, which came to rest `since` at least."""
     waits = _waits(plan, leaf)
     running = _runs(agent, leaf) and not waits
@@ -199,7 +214,7 @@ def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str], since: int) 
         awaits.insert(0, Awaited("activity", leaf.activity or leaf.name, leaf.at))
     begins = is_entered and conversation is None and not running and any(may_begin)
     free = begins or agent.listens  # a behaviour may raise what it waits for
-    return Waiting(
+    waiting = Waiting(
         leaf.label,
         named.name,
         where,
@@ -210,6 +225,7 @@ def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str], since: int) 
         since,
         timed,
     )
+    return waiting, need_of(plan, leaf.label, conversation, complete=complete)
 
 
 def _runs(agent: Agent, leaf: State) -> bool:

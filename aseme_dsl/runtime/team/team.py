@@ -37,6 +37,7 @@ from aseme_dsl.runtime.team.ending import (
 )
 from aseme_dsl.runtime.team.faults import Faults, Links
 from aseme_dsl.runtime.team.network import words_of
+from aseme_dsl.runtime.team.outside import Need
 from aseme_dsl.runtime.team.radio import Radio
 from aseme_dsl.runtime.team.role_switches import RoleSwitches
 from aseme_dsl.runtime.team.swap import WITHIN, Swap, Version, WaitingSwaps, activity_errors, version_of
@@ -69,6 +70,8 @@ class AgentResult:
     """What it waited for when the run ended; nothing if it had ended before."""
     stuck: bool = False
     """Whether nothing pending could have woken it, though it does not wait for a conversation to begin."""
+    idle: bool = False
+    """Whether an input from outside could have woken it, or an agent that it waits for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -422,14 +425,18 @@ class Team:
 
     def _note_open(self) -> None:
         """What is open, before everything is stopped."""
-        waits: dict[str, tuple[Waiting, ...]] = {}
+        waits: dict[str, tuple[tuple[Waiting, Need], ...]] = {}
+        writers: dict[str, set[str]] = {}
 
         def note(agent: Agent) -> None:
             waits[agent.name] = waits_of(agent)
 
         for agent in self.agents:
             self.driver.look(agent, partial(note, agent))
-        self._open = picture(waits, self.conversations)
+            for region in agent.plan.regions:
+                for channel in region.writes:
+                    writers.setdefault(channel, set()).add(agent.name)
+        self._open = picture(waits, self.conversations, writers)
 
     def _idle_since(self) -> int | None:
         return self.driver.idle_since if self.world is None else None
@@ -530,6 +537,7 @@ class Team:
     def _result(self, agent: Agent) -> AgentResult:
         chart = agent.chart
         waits = self._open.waits.get(agent.name, ())
+        stuck = self._idle_since() is not None and is_stuck(waits)
         return AgentResult(
             agent.name,
             agent.role,
@@ -539,7 +547,8 @@ class Team:
             chart.configuration() if chart.started else (),
             agent.steps,
             waits,
-            self._idle_since() is not None and is_stuck(waits),
+            stuck,
+            stuck and agent.name in self._open.idle,
         )
 
 
