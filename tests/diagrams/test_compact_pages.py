@@ -102,9 +102,10 @@ def test_pages_have_what_the_whole_has() -> None:
 
 
 def test_a_closed_part_that_is_repeated_has_room_for_what_is_said_of_it() -> None:
-    control = "repeat part : after(5s) / rounds_of_all = rounds_of_all + 1\n leave part : [rounds_of_all > 7]"
+    name = "rounds_of_all_players"
+    control = f"repeat part : after(5s) / {name} = {name} + 1\n leave part : [{name} > 7]"
     chart = compiled(
-        "system S\nsrm r { var rounds_of_all : int = 0\n liveness { r = part+ . E  part = A . B . D }\n"
+        f"system S\nsrm r {{ var {name} : int = 0\n liveness {{ r = part+ . E  part = A . B . D }}\n"
         f"control r {{ {control} }} }}"
     ).iacs[0]
     picture = whole(chart, (), chart.root.label, 0).picture

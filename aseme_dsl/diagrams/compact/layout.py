@@ -22,6 +22,8 @@ _MARGIN = 14
 _WIDTHS = (152, 190, 132, 116, 100)
 """How wide labels are; the next is tried for an outermost region that is wider than wanted."""
 
+_GAIN = 0.9
+
 _LEAST = 560
 """How wide a page is at least, so that the texts below have room."""
 
@@ -59,12 +61,16 @@ def layout(chart: Statechart, activities: Iterable[Activity] = (), wanted: Wante
 
 
 def _best(label: str, measured: Sequence[tuple[float, Mapping[str, float]]], limit: float) -> float:
-    """How wide the labels of a region are: as they are first within the limit, else as it is narrowest.
+    """How wide the labels of a region are: as they are first within the limit.
 
-    Nothing outside the region counts, so that a change there leaves it as it is.
+    If they never are, as the region is narrowest, or as usual if that gains little. Nothing outside the
+    region counts, so that a change there leaves it as it is.
     """
-    first = (wide for wide, widths in measured if widths[label] <= limit)
-    return next(first, min(measured, key=lambda item: item[1][label])[0])
+    for wide, widths in measured:
+        if widths[label] <= limit:
+            return wide
+    usual, narrowest = measured[0], min(measured, key=lambda item: item[1][label])
+    return narrowest[0] if narrowest[1][label] < _GAIN * usual[1][label] else usual[0]
 
 
 def scale(picture: Picture, size: tuple[float, float]) -> float:

@@ -304,9 +304,10 @@ def _users(channels: Iterable[Channel], name: str) -> int:
 
 
 def balanced(text: str, characters: int) -> tuple[str, ...]:
-    """The text in as few lines as fit, each as short as that allows."""
+    """The text in as few lines as fit, each as short as that allows without breaking words."""
     lines = wrapped(text, characters)
-    while len(lines) > 1:
+    longest = max(map(len, text.split()), default=0)
+    while len(lines) > 1 and max(map(len, lines)) > longest:
         shorter = wrapped(text, max(map(len, lines)) - 1)
         if len(shorter) > len(lines) or max(map(len, shorter)) >= max(map(len, lines)):
             break
