@@ -194,3 +194,28 @@ def test_progress_is_shown_on_a_terminal_alone(
     monkeypatch.setenv("CI", "")
     said = here(*arguments).err
     assert "drawing 1 of 2: iac.robot" in said and said.endswith("\r\x1b[K")
+
+
+def test_the_compact_layout(here: Here, folder: Path) -> None:
+    assert here("diagram", "good.aseme", "iac", "--layout", "compact", "-o", "one.svg").code == 0
+    assert 'class="aseme-compact"' in (folder / "one.svg").read_text("utf-8")
+    assert here("diagram", "good.aseme", "iac", "--layout", "compact", "-o", "one.png").code == 0
+    done = here("diagram", "good.aseme", "iac", "--layout", "compact", "--page", "a4", "-o", "pages")
+    assert (done.code, stems(folder / "pages")) == (0, {"iac.robot"})
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--page", "a4"], "--page is for --layout compact"),
+        (["--page", "a4", "--layout", "compact", "--depth", "1"], "without --depth"),
+        (["--layout", "compact", "--expressions", "none"], "leave out --expressions"),
+        (["--layout", "compact", "--at", "9"], "no statechart of"),
+    ],
+)
+def test_what_the_compact_layout_does_not_take(
+    here: Here, folder: Path, options: list[str], said: str
+) -> None:
+    done = here("diagram", "good.aseme", "iac", *options)
+    assert done.code == 2
+    assert said in done.err
