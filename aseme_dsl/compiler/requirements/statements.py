@@ -49,6 +49,8 @@ class Known:
     performed: Mapping[str, frozenset[str]]
     activities: Mapping[str, Activity]
     outcomes: tuple[str, ...]
+    variables: Mapping[str, Mapping[str, Type]]
+    """Those of each role, and of the participants that it plays."""
 
     @property
     def agents(self) -> dict[str, str]:
@@ -86,7 +88,12 @@ def known_by(
         {name: frozenset(roles) for name, roles in performed.items()},
         activities,
         tuple(text for aip in aips for text in aip.outcomes),
+        {role: _variables(chart) for role, chart in iacs.items() if chart is not None},
     )
+
+
+def _variables(chart: Statechart) -> dict[str, Type]:
+    return {item.name.partition("@")[0]: item.type for item in chart.variables}
 
 
 def _states(chart: Statechart, aliases: Iterable[str]) -> frozenset[str]:
@@ -499,12 +506,9 @@ class Check:
         for message in (*(message for message, _ in item.writes), *item.sends):
             self._filled(message)
         roles = self.known.performed.get(name, frozenset())
-        variables = {
-            variable.name: variable.type
-            for role in sorted(roles)
-            if role in self.known.scopes
-            for variable in self.known.scopes[role].variables
-        }
+        variables: dict[str, Type] = {}
+        for role in sorted(roles):
+            variables |= self.known.variables.get(role, {})
         for variable, value in item.sets:
             if variable.text not in variables:
                 self._unknown(problems.NoVariableToSet, variable, variables, name)

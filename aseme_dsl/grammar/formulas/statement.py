@@ -20,6 +20,7 @@ from aseme_dsl.grammar.text import statements as nodes
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.network_words import NetworkWordsError, read_network
 from aseme_dsl.grammar.text.token import Token, token
+from aseme_dsl.runtime.message.acl import PERFORMATIVES
 from aseme_dsl.runtime.team.network import Network
 from aseme_dsl.source import Source, Span
 
@@ -383,7 +384,8 @@ def _heard(reader: Reader) -> nodes.Heard:
     if "." not in reader.next and is_word(following) and "." not in following:
         # A type of message begins with a capital letter by custom, a performative never does.
         begins = _ahead(reader, 2) in (":", ",", "has", "fails")  # the next statement
-        if reader.next[0].islower() and following[0].isupper() and not begins:
+        is_unknown = reader.next[0].islower() and following[0].isupper() and not begins
+        if reader.next in PERFORMATIVES or is_unknown:
             performative = _name(reader, Wanted.PERFORMATIVE)
     what = _path(reader, Wanted.MESSAGE)
     called = None

@@ -81,6 +81,11 @@ class PlanCode:
             )
         return self._coded[branch]
 
+    def is_simulated(self, branch: str) -> bool:
+        """Whether the activities of a protocol branch are declared to have no code."""
+        inside = self._agent.plan.activities_inside.get(branch, ())
+        return all(self._info(item.activity or "").simulated for item in inside)
+
     def in_threads(self) -> int:
         """How many of the plan's activities can run in threads at once."""
         threads: dict[str, bool] = {}

@@ -228,6 +228,51 @@ def test_verdicts(verdict: str, line: str, tested: Mapping[str, ScenarioResult])
     assert found.verdict == verdict, (found.reason, str(found.span), found.story)
 
 
+TALK = """system Talk
+message Job { int size }
+aip ask {
+  participant boss { sends request Job  receives agree Job, refuse Job  process = Ask . (Wait | GiveUp) }
+  participant hand {
+    var free : bool = false
+    receives request Job  sends agree Job, refuse Job
+    process = Hear . (Work | Leave)
+  }
+  outcome "Somebody works, or nobody."
+  control boss {
+    enter Ask    : / send request Job { size = 3 } to hand
+    enter Wait   : agree Job from hand
+    enter GiveUp : refuse Job from hand or after(3s)
+  }
+  control hand {
+    enter Hear  : request Job from boss
+    enter Work  : [free] / send agree Job { size = 3 } to boss
+    enter Leave : else / send refuse Job { size = 0 } to boss
+  }
+}
+srm chief { plays ask.boss  liveness { chief = Think . boss }  activities { Think takes 1s } }
+srm clerk { plays ask.hand with Work = Dig  liveness { clerk = hand~ }  activities { Dig takes 1s } }
+team Talk { ann : chief  bob : clerk }
+"""
+
+
+def test_agent_messages_and_places_of_participants(tmp_path: Path) -> None:
+    """Also what a role binds has the protocol's name; `free` stays false, which is no fault here."""
+    lines = [
+        (
+            "passed",
+            "in order sent request Job, received request Job by bob, sent refuse Job, ann in GiveUp@boss",
+        ),
+        ("passed", "every sent request Job j [j.size == 3] leads to Hear@hand within 0ms  for 5s"),
+        ("passed", "activity Hear sets free = true  in order sent request Job, Work@hand, Wait@boss"),
+        ("passed", "activity Hear sets free = true  eventually bob in Dig"),
+        ("failed", "eventually sent agree Job"),
+        ("passed", "never fault  for 5s"),
+    ]
+    path = tmp_path / "talk.aseme"
+    path.write_text(TALK + "".join(f'scenario "{line}" {{ {line} }}\n' for _, line in lines))
+    assert [(item.verdict, item.name) for item in play(path)] == lines
+
+
 def test_only_real_activities_need_their_code(tmp_path: Path) -> None:
     path = tmp_path / "walk.aseme"
     scenarios = [f'scenario "{line}" {{ a : walker  {line} }}\n' for line in ("for 3s", "activity Wait real")]
