@@ -23,6 +23,7 @@ _WIDTHS = (152, 190, 132, 116, 100)
 """How wide labels are; the next is tried for an outermost region that is wider than wanted."""
 
 _GAIN = 0.9
+"""Narrow labels are worth it where a region is at most so much of its usual width."""
 
 _LEAST = 560
 """How wide a page is at least, so that the texts below have room."""
