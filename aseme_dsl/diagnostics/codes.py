@@ -216,6 +216,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W522": ("warning", "message never published"),
     "W523": ("warning", "averaging window shorter than the period"),
     "W524": ("warning", "unmatched agent message"),
+    "W525": ("warning", "signal taken late"),
     # Content and answers of agent messages (E57x, E58x, W58x, N76x)
     "E575": ("error", "answers counted outside a condition"),
     "E576": ("error", "answers of a participant without messages"),

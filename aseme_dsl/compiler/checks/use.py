@@ -13,6 +13,7 @@ from aseme_dsl.compiler.checks.message_life import check_life
 from aseme_dsl.compiler.checks.message_use import message_use
 from aseme_dsl.compiler.checks.presence import check_presence
 from aseme_dsl.compiler.checks.signal_readers import check_signals
+from aseme_dsl.compiler.checks.stale_signals import check_stale
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
@@ -40,6 +41,8 @@ def check_use(
     activities = {**activities, **modules}
     found = [*(yield from check_life(roles, use, activities, symbols, memory))]
     left_out = _left_out(*played)
+    for problems in (yield from memory.each_in_pieces(check_stale, zip(roles), use, activities, symbols)):
+        found += problems
     for problems in (yield from memory.each_in_pieces(_in_chart, zip(roles), activities, symbols, left_out)):
         found += problems
     return tuple(found)

@@ -139,6 +139,28 @@ class SignalConsumedBeforeActivity(Problem):
         return f"let `{self.activity}` raise an event for this, or stand in a region of its own"
 
 
+class SignalTakenLate(Problem):
+    """`states` cannot take the signal."""
+
+    code = "W525"
+    channel: str
+    states: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return (
+            f"a signal `{self.channel}` that comes in {listed(self.states)} is taken here afterwards, "
+            "however old it is"
+        )
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"let it expire (`{_carried(self.channel)} expires 2s` on its topic), or drop it: "
+            f"`on {self.states[0]} : ignores {self.channel}`"
+        )
+
+
 class MessageNotPublished(Problem):
     code = "W522"
     channel: str
