@@ -168,6 +168,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W436": ("warning", "livelock of concurrent regions"),
     "W438": ("warning", "wait that may never end"),
     "W439": ("warning", "loop without a pause"),
+    "W440": ("warning", "list that two parallel parts change"),
     # Types (E5xx)
     "E500": ("error", "type mismatch"),
     "E501": ("error", "unknown field"),

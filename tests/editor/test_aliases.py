@@ -39,6 +39,14 @@ def test_a_name_behind_an_alias_is_renamed_in_both_files() -> None:
     assert "srm striker {" in alice and "one : striker" in alice
 
 
+def test_what_an_alias_stands_for_is_shown() -> None:
+    _, view = opened(BOTH)
+    for place in (BOTH.index("alice.attacker") + 2, BOTH.index("as alice") + 3):
+        found = hover(view, place)
+        assert found is not None and found.span.text == "alice"
+        assert 'import "alice.aseme" as alice' in found.text and "behind `alice.`" in found.text
+
+
 @pytest.mark.parametrize(
     ("old", "new", "offered"),
     [

@@ -36,7 +36,7 @@ srm robot {
     walk  = [Step] . Rest+ . Talk* [> Halt
   }
   control robot {
-    enter (walk || Look) : [low && tries * 2 > 1] / tries = tries + 1; start_timer(pace, 1s)
+    enter (walk || Look) : [low && tries * 2 > 1] / tries = tries + 1; tries += index; start_timer(pace, 1s)
     enter Wait           : else
     finish walk          : when [expired(pace)] or after(5s)
   }
@@ -90,10 +90,12 @@ def test_no_row_is_lost() -> None:
         ("number ^<= 3", "<=\n`a < b`"),
         ("tries ^* 2", "*\n`a * b` `a / b` `a % b`: product"),
         ("tries ^+ 1", "+\n`a + b`"),
+        ("tries ^+= index", "+=\n`tries += 1` `tries -= 1` `tries *= 2`: adding"),
+        ("+= ^index", "index\n`index`: which agent"),
         ("^control robot {", "control\n`control work { … }`"),
         ("^enter Wait", "enter\n"),
         ("1] ^/ tries", "/\n`enter T : event [c] / a; b`: an event"),
-        ("+ 1^; start", ";\n`enter T : event [c] / a; b`: an event"),
+        ("+ 1^; tries", ";\n`enter T : event [c] / a; b`: an event"),
         ("^else", "else\n`else`: nothing else is open"),
         ("^after(5s)", "after\n"),
         ("^liveness {", "liveness\n"),

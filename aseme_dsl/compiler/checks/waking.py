@@ -2,7 +2,8 @@
 
 What is looked at is what surely happens: the first entry of an AND, with the initial values of the variables,
 at one instant. The regions are run as the semantics says. Where something takes part that is not known here
-(a message, a timer, a function), nothing is said, and the bound of the runtime stays.
+(a message, a timer, a function), nothing is said, and the bound of the runtime stays. Regions that change one
+list are reported wherever they do.
 """
 
 from __future__ import annotations
@@ -10,13 +11,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from aseme_dsl.amola.expression import After, Assign, Failed, Value, VariableValue, walk
+from aseme_dsl.amola.expression import After, Assign, Changed, Failed, Value, VariableValue, walk
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Related
-from aseme_dsl.diagnostics.problems.control import RegionsWakeEachOther
+from aseme_dsl.diagnostics.problems.control import ListOfTwoRegions, RegionsWakeEachOther
 from aseme_dsl.proofs.evaluate import value_of
 from aseme_dsl.proofs.unknowns import VARIABLE, Vocabulary
+from aseme_dsl.source import Span
 
 _ROUNDS = 1000
 """So many rounds without rest are for ever, as they are for the runtime."""
@@ -39,6 +41,29 @@ def check_waking(chart: Statechart, written: frozenset[str], vocabulary: Vocabul
             found = _Regions(chart, node, written, vocabulary).cycle()
             if found:
                 yield _wake_each_other(chart, found)
+
+
+def check_lists(chart: Statechart) -> Iterator[Diagnostic]:
+    """W440: two regions of one AND change the same list, of which one change is lost in a common step."""
+    changes: dict[str, list[tuple[str, Span]]] = {}
+    for transition in chart.transitions:
+        for action in transition.expression.actions:
+            if isinstance(action, Assign) and isinstance(action.value, Changed):
+                place = (transition.source, action.span)
+                changes.setdefault(action.value.list.name, []).append(place)
+    for node in chart.states:
+        if node.type is not StateType.AND:
+            continue
+        regions = [child.label for child in chart.children(node.label)]
+        for name, places in changes.items():
+            first = [
+                next((span for source, span in places if _is_inside(source, region)), None)
+                for region in regions
+            ]
+            found = [span for span in first if span is not None]
+            if len(found) > 1:
+                problem = ListOfTwoRegions(name.partition("@")[0])
+                yield Diagnostic(problem, found[1], (Related(found[0], "and here"),))
 
 
 def _wake_each_other(chart: Statechart, found: Sequence[Transition]) -> Diagnostic:
@@ -247,4 +272,4 @@ def _is_there_at_once(event: object) -> bool:
     return isinstance(event, Failed) or (isinstance(event, After) and event.duration == 0)
 
 
-__all__ = ["check_waking"]
+__all__ = ["check_lists", "check_waking"]

@@ -49,7 +49,9 @@ def list_variable(written: tree.Var, element: Type) -> tuple[Type, int, tuple[Di
     if not 1 <= length <= LONGEST and written.length is not None:
         found.append(Diagnostic(problems.LengthOfList(LONGEST), written.length.span))
     if written.bounds is not None:
-        found.append(Diagnostic(problems.BoundsOfOther(str(kind)), written.bounds.span))
+        found.append(
+            Diagnostic(problems.BoundsOfElements(written.name.text, str(element)), written.bounds.span)
+        )
     initial = written.initial
     if initial is not None and not (isinstance(initial, tree.List) and not initial.elements):
         found.append(Diagnostic(problems.ListNotEmpty(written.name.text), initial.span))

@@ -18,7 +18,7 @@ from aseme_dsl.compiler.checks.talk.races import check_races
 from aseme_dsl.compiler.checks.unused import check_agents, check_exchange, check_unused
 from aseme_dsl.compiler.checks.unwritten import check_unwritten
 from aseme_dsl.compiler.checks.use import check_use
-from aseme_dsl.compiler.checks.waking import check_waking
+from aseme_dsl.compiler.checks.waking import check_lists, check_waking
 from aseme_dsl.compiler.names.inclusion import Inclusion
 from aseme_dsl.compiler.read.blocks import Blocks
 from aseme_dsl.compiler.read.memory import Memory
@@ -97,7 +97,7 @@ def _wakes(
     performed = [activities[name] for node in chart.states if (name := node.activity or "") in activities]
     for activity in (*performed, *(module.statement for module in chart.modules)):
         written.update(activity.writes_variables)
-    return tuple(check_waking(chart, frozenset(written), prover.vocabulary))
+    return (*check_waking(chart, frozenset(written), prover.vocabulary), *check_lists(chart))
 
 
 def _still(chart: Statechart, activities: Mapping[str, Activity], prover: Prover) -> tuple[Diagnostic, ...]:

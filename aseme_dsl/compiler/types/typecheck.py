@@ -36,10 +36,16 @@ from aseme_dsl.compiler.types.outcome_values import NAMED_RESULTS, alone, compar
 from aseme_dsl.compiler.types.round_values import round_value
 from aseme_dsl.compiler.types.state_values import state_value
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
+from aseme_dsl.diagnostics.problems.control import IgnoredNoSignal
 from aseme_dsl.diagnostics.problems.expressions import paths as problems
 from aseme_dsl.diagnostics.problems.expressions import values
 from aseme_dsl.diagnostics.problems.expressions.absences import NoAction
-from aseme_dsl.diagnostics.problems.expressions.arguments import DurationNotComputed, TimerAsValue
+from aseme_dsl.diagnostics.problems.expressions.arguments import (
+    DurationNotComputed,
+    OtherKind,
+    PartOfMessage,
+    TimerAsValue,
+)
 from aseme_dsl.diagnostics.problems.talk import EventWithoutMessage
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
@@ -71,6 +77,8 @@ def type_expression(
     condition = None
     if written.condition is not None:
         value = _condition(checker, written.condition)
+        if written.ignores is not None:
+            _name_signals(checker)
         if is_condition(checker, value, None) and _is_decided(checker, value):
             condition = value
     elif written.when:
@@ -108,6 +116,15 @@ def _condition(checker: Checker, written: tree.Expression) -> Value | None:
         if isinstance(item.problem, values.RandomInLogic):
             checker.diagnostics[place] = replace(item, problem=values.RandomInCondition())
     return value
+
+
+def _name_signals(checker: Checker) -> None:
+    """Behind `ignores` stand signals, not what `has` takes (E435)."""
+    for place, item in enumerate(checker.diagnostics):
+        if isinstance(item.problem, PartOfMessage | OtherKind) and item.span is not None:
+            whole = item.problem.whole if isinstance(item.problem, PartOfMessage) else None
+            problem = IgnoredNoSignal(item.span.text, whole)
+            checker.diagnostics[place] = replace(item, problem=problem, fix=whole)
 
 
 def _is_decided(checker: Checker, value: Value | None) -> bool:

@@ -358,16 +358,19 @@ class IgnoresMisplaced(Problem):
 
 
 class IgnoredNoSignal(Problem):
-    """What is ignored is a message of another kind, or a part of one."""
+    """What is ignored is a message of another kind, or a part of the message `whole`."""
 
     code = "E435"
     name: str
+    whole: str | None = None
 
     @property
     def message(self) -> str:
         return f"`{self.name}` is not a signal"
 
-    hint = "name a whole signal: `ignores topic.signal.Message`"
+    @property
+    def hint(self) -> str:
+        return f"name a whole signal: `ignores {self.whole or 'topic.signal.Message'}`"
 
 
 class PeriodOutsideLoop(Problem):
@@ -558,6 +561,17 @@ class RegionsWakeEachOther(Problem):
         return f"these concurrent parts wake each other without end: {names}"
 
     hint = "let one of them wait for the completion of an activity, for an event, or for a timer"
+
+
+class ListOfTwoRegions(Problem):
+    code = "W440"
+    name: str
+
+    @property
+    def message(self) -> str:
+        return f"two parallel parts change the list `{self.name}`: if both do in one step, a change is lost"
+
+    hint = "let one part change it, and the other one ask for that by an event, a message or another variable"
 
 
 class LeftByTimeOnly(Problem):

@@ -98,7 +98,7 @@ def meanings(token: str, sections: Sequence[str]) -> tuple[Construct, ...]:
     token = OTHER_SPELLINGS.get(token, token)
     if token[:1] in _PUNCTUATION and token not in ("==",):
         return ()
-    if (token[:1].isalnum() or token[:1] in '_"') and token not in words() | {ABANDON}:
+    if (token[:1].isalnum() or token[:1] in '_"') and token not in words() | {ABANDON, "index"}:
         return ()
     found = _by_token().get(token, [])
     for section in sections:

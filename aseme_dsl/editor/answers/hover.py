@@ -59,6 +59,8 @@ def hover(view: View, offset: int) -> Hover | None:
     if code is not None:
         return code
     found = view.occurrence_at(offset)
+    if found is None and (alias := _alias_at(view, offset)) is not None:
+        return alias
     if (
         found is None or _is_abandon(view, found) or view.whole(found.span).end == offset
     ):  # a sign behind a name is pointed at itself
@@ -67,6 +69,26 @@ def hover(view: View, offset: int) -> Hover | None:
             return construct
     parts = [*_about(view.program, found)]
     return Hover(view.whole(found.span), "\n\n".join(part for part in parts if part)) if parts else None
+
+
+_IMPORT = re.compile(r'import\s+"[^"\n]*"\s+as\s+(\w+)', re.ASCII)
+_WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+
+
+def _alias_at(view: View, offset: int) -> Hover | None:
+    """What the name of an import stands for, at `alice` of `alice.attacker`."""
+    text = view.source.text
+    start = offset
+    while start > 0 and (text[start - 1].isalnum() or text[start - 1] == "_"):
+        start -= 1
+    word = _WORD.match(text, start)
+    if word is None or any(span.start <= offset < span.end for span in _comments(view, offset)):
+        return None
+    said = next((found for found in _IMPORT.finditer(text) if found[1] == word[0]), None)
+    if said is None or not (text[word.end() :].lstrip()[:1] == "." or said.start(1) == start):
+        return None
+    means = f"What the file declares stands behind `{word[0]}.`"
+    return Hover(Span(view.source, start, word.end()), f"{_fence(said[0])}\n\n{means}")
 
 
 def _is_abandon(view: View, found: Occurrence) -> bool:

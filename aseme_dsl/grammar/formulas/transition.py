@@ -191,6 +191,8 @@ def _event(reader: Reader) -> tree.Event:
     ):
         if first == "if" and reader.tokens[reader.index : reader.index + 2][1:] != ["from"]:
             raise condition_with_if(reader, first)
+        if first == "weight":
+            raise reader.error(problems.WeightNotWhole(), reader.tokens[reader.index])
         if first == "lost":
             return _lost(reader, first)
         reader.index -= 1

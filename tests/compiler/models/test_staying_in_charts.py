@@ -85,6 +85,8 @@ def test_ignored_signals_come_before_the_other_lines() -> None:
         ("exit 0.2 : ignores panel.signal.Ring", "E424"),
         ("0.2 -> 0.3 : ignores panel.signal.Ring", "E435"),
         ("on 0.2 : ignores panel.state.Button", "E435"),
+        ("on 0.2 : ignores panel.signal.Ring.FIELD", "E435"),
+        ("on 0.2 : ignores n", "E435"),
         ("on 0.2 : ignores panel.signal.Ring, panel.state.Button", "E435"),
         ("on 0.2 : ignores panel.signal.Bell", "E502"),
         ("on 0.2 : ignores panel.signal.Ring [n == 1]", "E102"),

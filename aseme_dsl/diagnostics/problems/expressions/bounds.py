@@ -40,6 +40,22 @@ class BoundsOfOther(Problem):
     hint = "remove them: only an int or a double is bounded"
 
 
+class BoundsOfElements(Problem):
+    """`var xs : list of int 0..9`"""
+
+    code = "E518"
+    name: str
+    type: str
+
+    @property
+    def message(self) -> str:
+        return f"the elements of the list `{self.name}` have no bounds"
+
+    @property
+    def hint(self) -> str:
+        return f"remove them; how many elements it has is limited so: `{self.name} : list[10] of {self.type}`"
+
+
 class FractionAsBound(Problem):
     code = "E518"
     name: str
@@ -71,9 +87,9 @@ class LengthOfList(Problem):
 
     @property
     def message(self) -> str:
-        return f"a list has from 1 to {self.most} elements at most"
+        return f"the length of a list is a number from 1 to {self.most}"
 
-    hint = "write a number in this range, or leave it out: a list then has at most 1000 elements"
+    hint = "write such a number, or leave it out: a list then has at most 1000 elements"
 
 
 class ListOfAgents(Problem):
