@@ -8,7 +8,7 @@ from aseme_dsl.amola.statechart import Statechart, transition_text
 from tests.support.compiling import analysis, codes, printed, system
 
 LAMP = """system S
-message Button {{ bool pressed }}  message Ring {{}}
+message Button {{ bool pressed }}  message Ring {{ int times }}
 topic panel {{ state Button  signal Ring }}
 statechart lamp {{
   var n : int = 0
@@ -85,7 +85,7 @@ def test_ignored_signals_come_before_the_other_lines() -> None:
         ("exit 0.2 : ignores panel.signal.Ring", "E424"),
         ("0.2 -> 0.3 : ignores panel.signal.Ring", "E435"),
         ("on 0.2 : ignores panel.state.Button", "E435"),
-        ("on 0.2 : ignores panel.signal.Ring.FIELD", "E435"),
+        ("on 0.2 : ignores panel.signal.Ring.times", "E435"),
         ("on 0.2 : ignores n", "E435"),
         ("on 0.2 : ignores panel.signal.Ring, panel.state.Button", "E435"),
         ("on 0.2 : ignores panel.signal.Bell", "E502"),
