@@ -15,6 +15,7 @@ from operator import add
 from random import Random
 from typing import Any
 
+from aseme_dsl.amola.statechart import label_key
 from aseme_dsl.runtime.chart.inputs import (
     Addressed,
     AgentMessage,
@@ -35,6 +36,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Sample,
     Sending,
     Settled,
+    SignalExpired,
     Start,
     Suspended,
     Written,
@@ -499,10 +501,12 @@ class Reference:
     def drop_expired(self) -> None:
         """ "A signal that is not taken is gone once it is so old as its topic says with `expires`." """
         longest = {c.name: c.expires for c in self.plan.channels if c.expires is not None}
-        for region in self.regions.values():
-            for channel, signals in region.signals.items():
-                if channel in longest:
-                    region.signals[channel] = [s for s in signals if self.now - s.time < longest[channel]]
+        for region in sorted(self.regions.values(), key=lambda region: label_key(region.label)):
+            for channel, signals in sorted(region.signals.items()):
+                for signal in signals if channel in longest else ():
+                    if self.now - signal.time >= longest[channel]:
+                        region.signals[channel] = [s for s in region.signals[channel] if s is not signal]
+                        self.outcome.effects.append(SignalExpired(region.label, channel, signal.identity))
 
     def queued(self, channel: str) -> bool:
         return any(c.name == channel and c.queued for c in self.plan.channels)

@@ -12,8 +12,9 @@ from aseme_dsl.runtime.activity.activities import Executable
 from aseme_dsl.runtime.activity.returning import as_outcome
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.input_queue import Errand
-from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Sample, Start
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Sample, SignalExpired, Start
 from aseme_dsl.runtime.chart.plan import ActivityInfo
+from aseme_dsl.runtime.chart.stepping import expired_signals
 from aseme_dsl.runtime.conversation.conversation import Conversations
 from aseme_dsl.runtime.conversation.directory import Directory, Offer, Withdraw
 from aseme_dsl.runtime.conversation.moves import Sent
@@ -22,6 +23,12 @@ from aseme_dsl.runtime.ports import Driver, Stepping
 from aseme_dsl.runtime.time.timers import Timer
 from aseme_dsl.runtime.trace.trace import Trace
 from aseme_dsl.runtime.world.body import AnyBody
+
+
+def tell_expired(trace: Trace, now: int, agent: str, item: SignalExpired) -> None:
+    """Let the trace tell of a signal that an agent has dropped."""
+    identity = list(item.identity)
+    trace.write("expired", now, agent=agent, input=identity, region=item.region, channel=item.channel)
 
 
 class Drafts(Protocol):
@@ -236,7 +243,7 @@ class Execution:
         access.check_read(self.info, channel)
         agent = self.owner.agent
         with agent.driver.guard(agent):
-            self.board.expire(self.now())
+            self._drop_expired()
             return self.board.newest(channel, host)
 
     def history(self, channel: str, host: str | None) -> tuple[Sample, ...]:
@@ -255,7 +262,7 @@ class Execution:
         access.check_read(self.info, channel)
         agent = self.owner.agent
         with agent.driver.guard(agent):
-            self.board.expire(self.now())
+            self._drop_expired()
             item = self.board.take(channel, host)
             if item is not None:
                 agent.trace.write(
@@ -268,6 +275,12 @@ class Execution:
                     token=self.start.token,
                 )
             return item
+
+    def _drop_expired(self) -> None:
+        """Drop the signals that are too old. Called while the agent is guarded."""
+        agent, now = self.owner.agent, self.now()
+        for item in expired_signals(agent.chart, now):
+            tell_expired(agent.trace, now, agent.name, item)
 
     def variable(self, name: str) -> object:
         agent = self.owner.agent

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import TypeVar, cast
 
-from aseme_dsl.runtime.activity.execution import Host
+from aseme_dsl.runtime.activity.execution import Host, tell_expired
 from aseme_dsl.runtime.activity.executions import Executions
 from aseme_dsl.runtime.agent.overload import Overload
 from aseme_dsl.runtime.agent.requests import Requests
@@ -22,6 +22,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Publication,
     Resumed,
     Sending,
+    SignalExpired,
     Start,
     Suspended,
 )
@@ -57,6 +58,7 @@ class Effects:
                 _of(Resumed, lambda effect: self._conversations.resumed(agent, effect.branch)),
                 _of(FunctionResult, _nothing),
                 _of(Fault, self._count_fault),
+                _of(SignalExpired, self._tell_expired),
                 _of(LeftOut, lambda effect: overload.inside(effect.region, effect.channel)),
             )
         )
@@ -70,6 +72,10 @@ class Effects:
         agent = self._agent
         at = agent.plan.transitions[effect.transition].at
         agent.trace.count_fault(agent.driver.clock.now(), agent.name, effect.reason, at)
+
+    def _tell_expired(self, effect: SignalExpired) -> None:
+        agent = self._agent
+        tell_expired(agent.trace, agent.driver.clock.now(), agent.name, effect)
 
     def _take_mail(self, effect: MailTaken) -> None:
         mail = self._conversations.taken(self._agent, effect.branch, effect.identity)

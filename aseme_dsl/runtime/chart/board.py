@@ -182,13 +182,16 @@ class Board:
                 return True
         return False
 
-    def expire(self, now: int) -> None:
-        """Drop the signals that are too old."""
+    def expire(self, now: int) -> list[Sample]:
+        """Drop the signals that are too old; the result is these."""
+        dropped: list[Sample] = []
         for channel, longest in self.EXPIRES.items():
             waiting = self._signals.get(channel)
             if waiting and any(now - item.time >= longest for item in waiting):
+                dropped += [item for item in waiting if now - item.time >= longest]
                 waiting[:] = [item for item in waiting if now - item.time < longest]
                 self._refresh(channel)
+        return dropped
 
     def end_step(self) -> tuple[str, ...]:
         """Drop the signals that were looked at; the channels of those that were still there."""

@@ -37,7 +37,7 @@ from aseme_dsl.runtime.chart.stepping import (
     RECEIVE,
     count_waiting,
     end_step,
-    expire_signals,
+    expired_signals,
     fail_for_breach,
     fail_late_activities,
     livelock,
@@ -86,7 +86,7 @@ class Chart(ChartState):
         for item in inputs:
             RECEIVE[type(item)](self, item)
         if self.EXPIRING:
-            expire_signals(self)
+            self.effects += expired_signals(self, now)
         if self.WITHIN:
             fail_late_activities(self)
         if not self.started:

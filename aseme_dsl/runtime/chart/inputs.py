@@ -255,6 +255,15 @@ class Fault:
 
 
 @made_often
+class SignalExpired:
+    """A signal was dropped in a region that had not taken it, at the age that its topic says."""
+
+    region: str
+    channel: str
+    identity: Identity
+
+
+@made_often
 class LeftOut:
     """A signal of a queued channel was left out in a region, where too many wait already."""
 
@@ -274,6 +283,7 @@ Effect = (
     | Resumed
     | FunctionResult
     | Fault
+    | SignalExpired
     | LeftOut
 )
 

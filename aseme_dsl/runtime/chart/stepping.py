@@ -19,6 +19,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Outcome,
     Sample,
     Settled,
+    SignalExpired,
     Written,
 )
 from aseme_dsl.runtime.chart.plan import is_in
@@ -78,11 +79,14 @@ def put(chart: ChartState, region: int, board: Board, item: Sample) -> None:
         board.put(item, chart.now)
 
 
-def expire_signals(chart: ChartState) -> None:
+def expired_signals(chart: ChartState, now: int) -> list[SignalExpired]:
     """Drop the signals that are too old for their topics."""
-    for board in chart.boards():
-        if board is not None and board.EXPIRES:
-            board.expire(chart.now)
+    return [
+        SignalExpired(region, item.channel, item.identity)
+        for region, board in zip(chart.REGIONS, chart.boards(), strict=True)
+        if board is not None and board.EXPIRES
+        for item in board.expire(now)
+    ]
 
 
 def fail_late_activities(chart: ChartState) -> None:
