@@ -299,6 +299,7 @@ class Reference:
             self.enter(self.root())
 
         # "1. Inputs, in the order given"
+        self.drop_expired()
         for item in inputs:
             self.take_in(item)
         self.drop_expired()

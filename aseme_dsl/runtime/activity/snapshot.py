@@ -31,10 +31,11 @@ if TYPE_CHECKING:
 class BoardCopy(Board):
     """Some channels of a blackboard, as they were."""
 
-    __slots__ = ()
+    __slots__ = ("_ages",)
 
     def __init__(self, board: Board, channels: Iterable[str]) -> None:
         super().__init__()
+        self._ages = dict(board.EXPIRES)
         for channel in channels:
             if channel in board._states:
                 self._states[channel] = dict(board._states[channel])
@@ -42,6 +43,9 @@ class BoardCopy(Board):
                 self._data[channel] = board._data[channel].copy()
             if channel in board._signals:
                 self._signals[channel] = list(board._signals[channel])
+
+    def expire(self, now: int) -> list[Sample]:
+        return self.drop_older(now, self._ages)
 
 
 @dataclass(frozen=True, slots=True)

@@ -184,8 +184,12 @@ class Board:
 
     def expire(self, now: int) -> list[Sample]:
         """Drop the signals that are too old; the result is these."""
+        return self.drop_older(now, self.EXPIRES)
+
+    def drop_older(self, now: int, ages: Mapping[str, int]) -> list[Sample]:
+        """Drop the signals of these channels that have these ages; the result is these."""
         dropped: list[Sample] = []
-        for channel, longest in self.EXPIRES.items():
+        for channel, longest in ages.items():
             waiting = self._signals.get(channel)
             if waiting and any(now - item.time >= longest for item in waiting):
                 dropped += [item for item in waiting if now - item.time >= longest]

@@ -83,6 +83,8 @@ class Chart(ChartState):
             outcome.finished, outcome.failure = self.finished, self.failure
             return outcome
         self.now = now
+        if self.EXPIRING:  # before a newer one of the same sender replaces it
+            self.effects += expired_signals(self, now)
         for item in inputs:
             RECEIVE[type(item)](self, item)
         if self.EXPIRING:

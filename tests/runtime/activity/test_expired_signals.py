@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from aseme_dsl.runtime import Context
+from aseme_dsl.runtime import Context, activities_in
 from tests.runtime.playing import SECOND, Played, play
 from tests.support.generated import generate
 
@@ -69,3 +71,28 @@ def test_it_tells_of_one_that_a_step_drops() -> None:
     )
     [record] = run.of("expired")
     assert (record["time"], record["region"]) == (SECOND, "0")
+
+
+HEAR = """
+class Hear:
+    kind = "process"
+    def execute(self, context):
+        context.log(str(context.latest_message("t.signal.M") is not None))
+        context.wait(0.2)
+        context.log(str(context.consume("t.signal.M")))
+"""
+
+
+def test_an_activity_in_a_process_of_its_own_is_not_given_one(tmp_path: Path) -> None:
+    text = """
+        system S
+        message M { int n }
+        topic t { signal M expires 200ms }
+        srm R { liveness { R = A . Hear } activities { A takes 100ms  Hear reads t.signal.M } }
+        team T { ann : R }
+    """
+    script = [{"at": "50ms", "channel": "t.signal.M", "message": {"n": 1}}]
+    (tmp_path / "hear.py").write_text(HEAR)
+    run = play(text, activities_in(tmp_path), script=script, path=[tmp_path])
+    assert [record["text"] for record in run.of("log")] == ["True", "None"]
+    assert [record["region"] for record in run.of("expired")] == ["0"]
