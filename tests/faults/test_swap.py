@@ -411,3 +411,34 @@ def script_for(choices: Choices, made: Generated) -> list[dict[str, Any]]:
         message = {"x": choices.number(0, 3), "on": choices.one_in(2)} if channel.endswith("M") else {"n": 1}
         lines.append({"at": at, "channel": channel, "message": message})
     return lines
+
+
+ORDERS = """\
+system S
+message Place { int x }
+message Order { int id  Place place }
+srm clerk {
+  var now   : Order
+  var spare : Order
+  var queue : list[3] of Order
+  liveness { clerk = Sell . Wait . Rest }
+  activities { Sell takes 100ms  Wait takes 300ms  Rest takes 100ms }
+  control clerk {
+    enter Wait : / now = Order { id = 7, place.x = 2 }; append(queue, now); append(queue, Order { id = 8, ..now })
+    enter Rest : [now.id == 7 && queue[1].place.x == 2 && !has(spare)] / spare = queue[1]
+  }
+}
+team S { a : clerk }
+"""
+
+
+def test_variables_with_messages_go_on() -> None:
+    """Their members follow by name and type; a member that is new has its default."""
+    changed = ORDERS.replace("int id  Place place", "Place place  int id  string item").replace(
+        "Order { id = 7, place.x = 2 }", "Order { .. }"
+    )
+    changed = changed.replace("now.id == 7 &&", 'now.id == 7 && now.item == "" &&')
+    records = played(ORDERS, lambda team: team.swap(version(changed), at=200 * MS))
+    [swap] = swaps(records)
+    assert not swap.get("lost")
+    assert "400 Rest" in starts(records, 0)
