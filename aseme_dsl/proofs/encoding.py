@@ -32,6 +32,7 @@ from aseme_dsl.proofs.unknowns import (
     Unknown,
     Vocabulary,
     identity,
+    is_of_messages,
     is_unknown_function,
     presences,
     signature,
@@ -284,6 +285,10 @@ class Encoder:
             case e.Size() | e.Contains() | e.Element() | e.ListValue() | e.NewMessage():
                 faults = [self._compute(part)[1] for part in e.operands(value)]
                 return True if _whole(value) else self.symbols[identity(value)], self.terms.or_(*faults)
+            case e.Compare(operator=operator) if is_of_messages(value):
+                faults = [self._compute(part)[1] for part in e.operands(value)]
+                same = self.symbols[identity(value)]
+                return same if operator == "==" else self.terms.not_(same), self.terms.or_(*faults)
             case e.Compare(operator=operator):
                 (left, one), (right, two) = self._compute(value.left), self._compute(value.right)
                 return self.terms.compared(operator, left, right), self.terms.or_(one, two)

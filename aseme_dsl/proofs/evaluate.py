@@ -12,7 +12,16 @@ from typing import cast
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Kind
-from aseme_dsl.proofs.unknowns import RAISES, THERE, Key, Vocabulary, identity, presences, written_size
+from aseme_dsl.proofs.unknowns import (
+    RAISES,
+    THERE,
+    Key,
+    Vocabulary,
+    identity,
+    is_of_messages,
+    presences,
+    written_size,
+)
 
 Values = Mapping[Key, object]
 """What is known: booleans for presences, an enum's number, ns for a duration, else the value itself."""
@@ -208,6 +217,9 @@ def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> object:
             return values.get(key, _UNKNOWN)
         case e.Size() if (count := written_size(value)) is not None:
             return count
+        case e.Compare(operator=word) if is_of_messages(value):
+            same = values.get(identity(value), _UNKNOWN)
+            return same if same is _UNKNOWN else bool(same) is (word == "==")
         case e.Compare(operator=word):
             left = _value(value.left, values, vocabulary)
             right = _value(value.right, values, vocabulary)

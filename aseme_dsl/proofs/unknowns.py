@@ -16,7 +16,7 @@ Key = tuple[object, ...]
 HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "expired", "age"
 OUTCOME, STATE, INDEX = "outcome", "state", "index"
 TAKEN, SENDER, REASON = "taken", "sender", "reason"
-LIST, ELEMENT, SIZE, CONTAINS, NEW = "list", "element", "size", "contains", "new"
+LIST, ELEMENT, SIZE, CONTAINS, NEW, SAME = "list", "element", "size", "contains", "new", "same"
 AT, MEAN, CALL, RAISES, THERE = "at", "mean", "call", "raises", "there"
 PRESENCES = (HAS, SET, THERE)
 
@@ -30,7 +30,8 @@ class Unknown:
     - `has`: a message is there;
     - `set`: an optional member is there, or an agent in its variable;
     - `there`: a history has a value;
-    - `raises`: a function raises an exception.
+    - `raises`: a function raises an exception;
+    - `same`: two messages are equal.
     """
 
     key: Key
@@ -122,6 +123,8 @@ def identity(value: e.Value) -> Key:
             raise AssertionError("no condition changes a list")
         case e.Logic(operator=operator, operands=operands):
             return (operator, *(identity(operand) for operand in operands))
+        case e.Compare(left=left, right=right) if is_of_messages(value):
+            return (SAME, *sorted((identity(left), identity(right)), key=repr))
         case e.Compare(operator=operator, left=left, right=right):
             return (operator, identity(left), identity(right))
         case e.Arithmetic(operator=operator, left=left, right=right):
@@ -192,6 +195,11 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 yield Unknown(there, e.value_text(part), BOOL)
                 if part.type.kind not in WHOLE:
                     yield Unknown(identity(part), e.value_text(part), part.type, (there,))
+            case e.Compare() if is_of_messages(part):
+                read = list(_needs(part, vocabulary))
+                yield from read
+                text = e.value_text(replace(part, operator="=="))
+                yield Unknown(identity(part), text, BOOL, tuple(dict.fromkeys(item.key for item in read)))
             case e.Size() | e.Contains() | e.Element():
                 read = list(_needs(part, vocabulary))
                 yield from read
@@ -224,6 +232,11 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
 
 WHOLE = (Kind.MESSAGE, Kind.LIST)
 """What has no value of its own here: it is there or not."""
+
+
+def is_of_messages(value: e.Compare) -> bool:
+    """Whether it compares messages, of which nothing is known but whether they are equal."""
+    return value.left.type.kind is Kind.MESSAGE
 
 
 def written_size(value: e.Size) -> int | None:

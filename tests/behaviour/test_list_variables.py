@@ -162,6 +162,32 @@ def test_a_message_is_made(play: Play, actions: str, condition: str) -> None:
     assert (run.active, [line for line in run.did if line.startswith("fault")]) == (["C"], [])
 
 
+@pytest.mark.parametrize(
+    ("actions", "condition"),
+    [
+        ("m = t.state.M; o = M { ..m }", "m == o && m == t.state.M && !(m != o)"),
+        ("m = t.state.M; o = M { x = 4, ..m }", "m != o && !(m == o) && o == M { x = 4, ..m }"),
+        (
+            "append(q, M { x = 1, .. }); append(q, t.state.M)",
+            "contains(q, t.state.M) && !contains(q, M { .. })",
+        ),
+        (
+            "append(q, M { x = 1, .. }); append(q, t.state.M); remove(q, t.state.M)",
+            "size(q) == 1 && q[0].x == 1",
+        ),
+        ("b = Big { many = [1], .. }", "b == Big { many = [1], .. } && b != Big { many = [1, 2], .. }"),
+        ("m = n > 3 ? t.state.M : o; o = n > 9 ? o : m", "o.x == 3 && m == o"),
+    ],
+)
+def test_messages_are_compared_member_by_member(play: Play, actions: str, condition: str) -> None:
+    run = with_messages(play, actions, condition)
+    assert (run.active, [line for line in run.did if line.startswith("fault")]) == (["C"], [])
+
+
+def test_what_is_absent_is_neither_equal_nor_different(play: Play) -> None:
+    assert with_messages(play, "m = t.state.M", "m == o || m != o || o == o").active == ["B"]
+
+
 def test_no_message_is_made_of_what_is_absent(play: Play) -> None:
     run = with_messages(play, "o = M { x = m.x, .. }; o = M { x = 1, ..m }; n = 1")
     assert (run.variable("o"), run.variable("n")) == (None, 1)

@@ -424,7 +424,8 @@ srm clerk {
   liveness { clerk = Sell . Wait . Rest }
   activities { Sell takes 100ms  Wait takes 300ms  Rest takes 100ms }
   control clerk {
-    enter Wait : / now = Order { id = 7, place.x = 2 }; append(queue, now); append(queue, Order { id = 8, ..now })
+    enter Wait : / now = Order { id = 7, place.x = 2 }; append(queue, now);
+                   append(queue, Order { id = 8, ..now })
     enter Rest : [now.id == 7 && queue[1].place.x == 2 && !has(spare)] / spare = queue[1]
   }
 }

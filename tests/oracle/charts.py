@@ -589,7 +589,10 @@ class Words:
                 if name in BOUNDS:
                     lists = ("size(line)", "size(kept.many)", "notes[1].x")
                     read = pick.one_of((*lists, "kept.x", "kept.inner.z"))
-                return f"{read} {pick.one_of(('==', '>', '!='))} {pick.number(0, 3)}"
+                operator, number = pick.one_of(("==", ">", "!=")), pick.number(0, 3)
+                if read == "notes[1].x" and number:
+                    return "contains(notes, kept)" if operator == ">" else f"kept {operator} notes[0]"
+                return f"{read} {operator} {number}"
         return f"{name} {pick.one_of(('==', '!='))} {self._plain(self.variables[name], 0)}"
 
     def _counting(self) -> str:

@@ -15,8 +15,8 @@ from aseme_dsl.compiler.types.calls import assignable, fits, is_given
 from aseme_dsl.compiler.types.operators import arithmetic
 from aseme_dsl.diagnostics import Related
 from aseme_dsl.diagnostics.problems.expressions import values as problems
-from aseme_dsl.diagnostics.problems.expressions.arguments import ListOfMessages, OtherKind, OtherThanElements
-from aseme_dsl.diagnostics.problems.expressions.bounds import ChangeOfOther, RemovedMessage
+from aseme_dsl.diagnostics.problems.expressions.arguments import OtherKind, OtherThanElements
+from aseme_dsl.diagnostics.problems.expressions.bounds import ChangeOfOther
 from aseme_dsl.diagnostics.problems.expressions.paths import MemberOfVariable
 from aseme_dsl.diagnostics.wording import a
 from aseme_dsl.grammar.text import tree
@@ -94,10 +94,6 @@ def contains(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -
     whole, wanted = arguments
     kind: Type | None = whole.type.element
     assert kind is not None
-    if kind.kind is Kind.MESSAGE:
-        of_messages = ListOfMessages("contains", FORMS["contains"], str(kind))
-        checker.report(of_messages, wanted.span)
-        return None
     if not fits(wanted.type, kind):
         other = OtherThanElements("contains", FORMS["contains"], str(kind), str(wanted.type))
         checker.report(other, wanted.span)
@@ -120,9 +116,6 @@ def change(checker: Checker, written: tree.Call, typed: Typed) -> amola.Assign |
         return None
     target = _variable(checker, word, arguments[0])
     if target is None or target.type.element is None:
-        return None
-    if word == "remove" and target.type.element.kind is Kind.MESSAGE:
-        checker.report(RemovedMessage(target.span.text, str(target.type.element)), arguments[1].span)
         return None
     value = _given(checker, arguments[1], target.type.element, typed)
     if value is None:

@@ -14,14 +14,15 @@ COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
 
 
 def compare(checker: Checker, written: tree.Binary, left: Value, right: Value) -> Value | None:
-    """`== !=` on values of one kind, the others on numbers, durations and strings (E509)."""
+    """`== !=` on values of one kind, the others on numbers, durations and strings (E509).
+
+    Messages are equal if all their members are.
+    """
     first, second = left.type, right.type
     operator = written.operator
     problem: Problem | None = None
     if first != second and not (is_number(first) and is_number(second)):
         problem = problems.NotComparable((str(first), str(second)), (str(first.kind), str(second.kind)))
-    elif first.kind is Kind.MESSAGE:
-        problem = problems.MessagesCompared(str(first))
     elif first.kind is Kind.LIST:
         problem = problems.ListsCompared()
     elif operator not in ("==", "!=") and not (is_number(first) or first in (DURATION, STRING)):
@@ -58,8 +59,8 @@ def _result(operator: str, left: Type, right: Type) -> Type | None:
 
 
 def common_type(first: Type, second: Type) -> Type | None:
-    """The type of a value that is one of two: an int may be a double. Whole messages and lists are none."""
-    if first.kind in (Kind.MESSAGE, Kind.LIST) or second.kind in (Kind.MESSAGE, Kind.LIST):
+    """The type of a value that is one of two: an int may be a double. Lists are none."""
+    if Kind.LIST in (first.kind, second.kind):
         return None
     if first == second:
         return first

@@ -132,6 +132,9 @@ def with_messages(action: str = "m = t.state.Order; append(q, m)", condition: st
             'm = Order { id = 1, place = Place { x = 2 }, names = ["a"], note = "b" };'
             " o = Order { place = m.place, place.x = 3, .. }; m = Order { id = 1, ..t.state.Order }"
         ),
+        with_messages(
+            "remove(q, m); m = has(m) ? m : o", "m == o && q[0] != m && contains(q, Order { id = 1, .. })"
+        ),
         with_messages(condition='has(m) && has(m.note) && m.place.x == 1 && contains(m.names, "a")'),
         with_messages(condition='q[0].names[1] == "a" && size(q[1].names) > 0 && q[0].place.x < m.place.x'),
     ],
@@ -151,7 +154,6 @@ def test_variables_hold_messages(written: str) -> None:
         ),
         (with_messages("m.id = 3"), "E507", "m.id", "the message in `m` does not change"),
         (with_messages("q[0].id = 3"), "E507", "q", "the message in `q[0]` does not change"),
-        (with_messages("remove(q, m)"), "E535", "m", "`remove` does not look for an Order"),
         (
             with_messages("write_messages.t.state.Other { ..m }"),
             "E500",
@@ -200,7 +202,13 @@ def test_variables_hold_messages(written: str) -> None:
         ),
         (with_messages("append(q, { id = 1 })"), "E102", ", {", "no message stands before '{'"),
         (with_messages("append(q, Order { id: 1 })"), "E102", ", Order {", "a member is filled with '='"),
-        (with_messages(condition="m == o"), "E509", "m == o", "two messages (Order) cannot be compared"),
+        (with_messages(condition="m < o"), "E509", "m < o", "`<` does not order values of type Order"),
+        (
+            with_messages(condition="m == q"),
+            "E509",
+            "m == q",
+            "an Order and a list of Order cannot be compared",
+        ),
         (with_messages(condition="m.age > 3"), "E501", "age", "`Order` has no member `age`"),
         (with_messages(condition="has(q[0])"), "E504", "q[0]", "`has` wants a message, not an Order"),
     ],

@@ -203,14 +203,6 @@ class SenderOfOther(_OfForm):
         return f"`{self.form}` wants the agent message that the transition takes"
 
 
-class ListOfMessages(_OfForm):
-    type: str
-
-    @property
-    def message(self) -> str:
-        return f"the list holds messages (`{self.type}`), which cannot be compared"
-
-
 class OtherThanElements(_OfForm):
     type: str
     wanted: str

@@ -125,20 +125,6 @@ class ChangeOfOther(Problem):
     hint = "declare a list: `var names : list of string`"
 
 
-class RemovedMessage(Problem):
-    code = "E535"
-    list: str
-    type: str
-
-    @property
-    def message(self) -> str:
-        return f"`remove` does not look for {a(self.type)}"
-
-    @property
-    def hint(self) -> str:
-        return f"say which element: `remove({self.list}[0])`"
-
-
 class ResultWithOtherBounds(Problem):
     """`bounds` and `own` are those of the result and of the variable, empty where it has none."""
 

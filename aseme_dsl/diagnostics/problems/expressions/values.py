@@ -161,17 +161,6 @@ class NotComparable(Problem):
         return "a bool is a condition as it stands: `x` or `!x`" if "bool" in of_kind else None
 
 
-class MessagesCompared(Problem):
-    code = "E509"
-    type: str
-
-    @property
-    def message(self) -> str:
-        return f"two messages ({self.type}) cannot be compared"
-
-    hint = "compare their members"
-
-
 class ListsCompared(Problem):
     code = "E509"
     message = "two lists cannot be compared"
