@@ -53,7 +53,11 @@ _FORM = "the .aseme file or project directory of a team"
 @duration_option(
     "Time limit of a match, such as 30s.  [default: none on the football field, else 1min]", may_be_zero=False
 )
-@folder_option("-o", "--output", text="Directory of a picture (SVG) of each match.  [default: none]")
+@folder_option(
+    "-o",
+    "--output",
+    text="Directory of the traces of both teams and a picture (SVG) of each match.  [default: none]",
+)
 @click.option("-q", "--quiet", is_flag=True, help="Suppress progress output.")
 @json_option
 @colour_option
@@ -85,7 +89,7 @@ def command(
         if any(item is None for item in teams):
             return 1
         first, second = (item for item in teams if item is not None)
-        plan = Plan(first, second, world or FIELD, duration, output is not None)
+        plan = Plan(first, second, world or FIELD, duration, None if output is None else output.absolute())
         progress = Progress(quiet or as_json)
         done = 0
 

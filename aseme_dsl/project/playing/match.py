@@ -59,13 +59,16 @@ class Contestant:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What is played: who against whom, in which world, and for how long at most (ns)."""
+    """What is played: who against whom, in which world, and for how long at most (ns).
+
+    `output` is where the trace of each team goes, if anywhere; with it, a match is drawn, too.
+    """
 
     home: Contestant
     away: Contestant
     world: str = FIELD
     length: int | None = None
-    with_picture: bool = False
+    output: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,10 +140,10 @@ def play_match(plan: Plan, seed: int) -> Played:
         for agent in contestant.lineup.roles:
             if seat_of(side, agent) not in world.bodies:
                 raise PlayError(problems.NoBodyInMatch(plan.world, seat_of(side, agent)))
-    with _seated(contestants, world, seed) as seats:
+    with _seated(contestants, world, seed, plan.output) as seats:
         over = _referee(plan.world, world, seats, length)
         home, away = (seat.ended() for seat in seats)
-        picture = getattr(world, "picture", None) if plan.with_picture else None
+        picture = getattr(world, "picture", None) if plan.output is not None else None
         story = getattr(world, "story", ())
         return Played(
             seed,
@@ -157,7 +160,9 @@ def play_match(plan: Plan, seed: int) -> Played:
 class _Seat:
     """A team in the match, as the referee sees it."""
 
-    def __init__(self, side: str, contestant: Contestant, world: AnyWorld, seed: int) -> None:
+    def __init__(
+        self, side: str, contestant: Contestant, world: AnyWorld, seed: int, output: Path | None
+    ) -> None:
         self.side = side
         self.waits_for: int | None = None
         """The moment up to which it has done everything; None while it has its turn."""
@@ -170,7 +175,8 @@ class _Seat:
         spawned = get_context("spawn")
         ours, theirs = spawned.Pipe()
         self._connection: Connection[object, object] = ours
-        where = Side(contestant.package, contestant.activities, contestant.folder, seed)
+        trace = None if output is None else output / f"match-{seed}.{side}.jsonl"
+        where = Side(contestant.package, contestant.activities, contestant.folder, seed, trace)
         self._process: SpawnProcess = spawned.Process(
             target=run_team, args=(theirs, where), name=f"aseme {side}", daemon=True
         )
@@ -280,11 +286,13 @@ class _Seat:
 
 
 @contextmanager
-def _seated(contestants: Mapping[str, Contestant], world: AnyWorld, seed: int) -> Iterator[list[_Seat]]:
+def _seated(
+    contestants: Mapping[str, Contestant], world: AnyWorld, seed: int, output: Path | None
+) -> Iterator[list[_Seat]]:
     seats: list[_Seat] = []
     try:
         for side, contestant in contestants.items():
-            seats.append(_Seat(side, contestant, world, seed))
+            seats.append(_Seat(side, contestant, world, seed, output))
         yield seats
     finally:
         for seat in seats:

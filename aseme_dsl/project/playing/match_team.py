@@ -26,12 +26,13 @@ MOST_FAULTS = 20
 
 @dataclass(frozen=True, slots=True)
 class Side:
-    """What a team's process needs: where its code is. `folder` is that of its project."""
+    """What a team's process needs: where its code is, and where its trace goes. `folder` is its project's."""
 
     package: Path
     activities: Path
     folder: Path
     seed: int
+    trace: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -213,6 +214,8 @@ def _run(connection: Connection[object, object], side: Side) -> TeamEnd | Broken
         folders = [side.folder, *loaded.path]
         with importing(folders):
             connection.send(Given(None))  # ready
+            if side.trace is not None:
+                side.trace.parent.mkdir(parents=True, exist_ok=True)
             world = LentWorld(cast(Start, connection.recv()), connection)
             team = make_team(
                 loaded,
@@ -223,17 +226,23 @@ def _run(connection: Connection[object, object], side: Side) -> TeamEnd | Broken
                 stop=lambda team: "the world is over" if world.over else None,
                 listeners=(faults,),
                 path=folders,
+                trace=side.trace,
             )
             with users_mistakes(side.package):
                 result = team.run()
     except (LoadError, TeamError, ActivityError, PlayError) as problem:
         return Broken(str(problem))
+    except OSError as problem:
+        if side.trace is None:
+            raise
+        return Broken(f"its trace cannot be written: {problem}")
     failures = tuple(
         f"{agent.name}: {agent.failure}{f' ({agent.at})' if agent.at else ''}"
         for agent in result.agents
         if agent.failure
     )
-    return TeamEnd(result.reason, result.end_ns, failures, tuple(faults.reasons))
+    reasons = [*faults.reasons, *([f"the trace: {result.trace_error}"] if result.trace_error else [])]
+    return TeamEnd(result.reason, result.end_ns, failures, tuple(reasons))
 
 
 class _Faults:
