@@ -42,6 +42,7 @@ from aseme_dsl.diagnostics.problems.control import (
     CycleNeverRests,
     LoopNeverLeft,
     LoopNeverRepeats,
+    NeverCompletes,
 )
 from aseme_dsl.diagnostics.problems.expressions.absences import NoBeginning, NoMessageOfTopic, NotCarried
 from aseme_dsl.diagnostics.problems.expressions.arguments import (
@@ -254,6 +255,15 @@ def _in_a_topic(nothing: list[Span], item: Diagnostic) -> bool:
     )
 
 
+_WAY = re.compile(r"\s*(?:enter|skip|repeat|leave|start|finish)\b")
+"""A line that says when a transition is taken, at its begin."""
+
+
+def _line_of(span: Span) -> str:
+    """The line on which a place begins."""
+    return span.source.text[span.source.text.rfind("\n", 0, span.start) + 1 :].partition("\n")[0]
+
+
 def _goes_on(item: Diagnostic) -> bool:
     """Whether what is wrong at the end of a line may be what stands on the next."""
     span = item.span
@@ -385,6 +395,8 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
             return any(_is_before_in_block(place, span) for place in unread)
         if isinstance(problem, ControlMissing):
             return problem.formula in controls
+        if isinstance(problem, NeverCompletes):
+            return any(place.source is span.source and _WAY.match(_line_of(place)) for place in unread)
         if isinstance(problem, AlmostNamedLike):
             return any(span.start == place.start and span.source is place.source for place in given) or (
                 bool(item.related) and item.related[0].span in unused

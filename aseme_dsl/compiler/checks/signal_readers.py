@@ -128,7 +128,7 @@ _SHOWN = 3
 """How many states are named at most."""
 
 _RESTING = (StateType.BASIC, StateType.AND)
-"""Where time passes, whatever the transitions say."""
+"""Where time passes, also if no transition waits."""
 
 Way = tuple[Transition | None, str]
 """How a state is left or entered, and what is active next."""
@@ -167,7 +167,7 @@ def _waited_for(chart: Statechart, region: str, symbols: Symbols) -> list[Channe
 
 
 def _comes_at_any_time(chart: Statechart, region: str, channel: Channel, use: MessageUse) -> bool:
-    """Whether somebody publishes a signal who does not wait for this role."""
+    """Whether an agent or the environment publishes a signal without waiting for this role."""
     writers = [item for item in use.writes if item.channel == channel]
     modules = {module.name for module in chart.modules}
 
