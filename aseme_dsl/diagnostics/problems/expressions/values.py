@@ -62,7 +62,7 @@ class DifferentBranches(Problem):
     @property
     def message(self) -> str:
         if self.first == self.second:
-            return f"`?` gives a number, a text or an enum constant, and this is a whole {self.first}"
+            return f"`?` gives one of two values, and this is a whole {self.first}"
         return f"`?` gives values of one type: this is {self.second}, and before the ':' stands {self.first}"
 
     hint = "write two values of the same type, or two numbers"
