@@ -40,6 +40,18 @@ def test_a_timer_that_is_asked_twice_and_never_started() -> None:
     assert [place.message for place in item.related] == ["also here"]
 
 
+@pytest.mark.parametrize("line", ["repeat A : go / n = new M { a = 1 }", "leave A : stop / n ="])
+def test_a_line_that_cannot_be_read_may_say_how_a_state_is_left(line: str) -> None:
+    lines = {"repeat A": "repeat A : go / n = 1", "leave A": "leave A : stop / n = 2"}
+    lines[line.partition(" :")[0]] = line
+    text = "\n".join(lines.values())
+    [item] = found(
+        "system S srm r { var n : int = 0  liveness { r = A+ }  activities { A waits }\n"
+        f"control r {{\n{text}\n}} }}"
+    )
+    assert item.code == "E102"
+
+
 FORMULAS = """system S
 topic t { state M }
 message M { bool a }
