@@ -371,6 +371,8 @@ class _Explanation:
         tokens = self.tokens
         if found.isdigit() and self._expects("Duration"):
             return problems.DurationWithoutUnit(wanted, after, found)
+        if wanted == (Wanted.EXPRESSION,) and tokens.word(self.index + 1) == "{":
+            return problems.MessageOutsideControl(wanted, after, found)
         if self.mistake.kind != "JunkDeclaration" or self.index != self.first:
             return problems.UnexpectedInFile(wanted, after, found)
         if tokens.word(self.first - 2) == "import" and found in (".", "/", "-"):

@@ -99,6 +99,12 @@ class DurationWithoutUnit(UnexpectedInFile):
         return f"a duration has a unit: {self.found}ms, {self.found}s or {self.found}min"
 
 
+class MessageOutsideControl(UnexpectedInFile):
+    """`var now : Order = Order { id = 1 }`"""
+
+    hint = "a message is made in a control line: a variable holds none at first, and an action sets it"
+
+
 class PathWithoutQuotes(UnexpectedInFile):
     hint = "a path stands in double quotes"
 
