@@ -141,7 +141,7 @@ def _inspecting(
         known = known_by(
             files, declared.top, scopes, declared.blocks, aips, charts.iacs, described.activities
         )
-        found.add(check_statements(files, known, declared.is_damaged))
+        found.add(check_statements(files, known, declared.is_damaged, found.diagnostics))
         yield
     # What is used but not declared, described but not used, expected but not written.
     uses = found.keep((yield from check_uses(declared, processes, described, charts, memory)))

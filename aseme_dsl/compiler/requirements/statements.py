@@ -133,9 +133,14 @@ def _processes(blocks: Blocks) -> dict[str, frozenset[str]]:
     return {name: frozenset(inside) for name, inside in places.items()}
 
 
-def check_statements(files: Sequence[tree.File], known: Known, is_damaged: Damaged) -> tuple[Diagnostic, ...]:
-    """What is wrong in scenarios and properties: E117, E229, E230, and types as everywhere."""
-    is_read = not any(is_damaged(span) for file in files for span in _between_blocks(file))
+def check_statements(
+    files: Sequence[tree.File], known: Known, is_damaged: Damaged, told: Iterable[Diagnostic]
+) -> tuple[Diagnostic, ...]:
+    """What is wrong in scenarios and properties: E117, E229, E230, and types as everywhere.
+
+    `told` is what is wrong elsewhere: names are not missing where something could not be read.
+    """
+    is_read = not any(_is_elsewhere(item, files) for item in told)
     blocks = [(item, _aliases(file)) for file in files for item in _blocks(file)]
     read = []
     for item, aliases in blocks:
@@ -220,13 +225,16 @@ def _blocks(file: tree.File) -> Iterator[tree.Scenario | tree.Property]:
     return (item for item in file.declarations if isinstance(item, tree.Scenario | tree.Property))
 
 
-def _between_blocks(file: tree.File) -> Iterator[Span]:
-    """The text of a file without its scenarios and properties."""
-    start = 0
-    for item in sorted(_blocks(file), key=lambda block: block.span.start):
-        yield Span(file.source, start, max(start, item.span.start - 1))
-        start = item.span.end + 1
-    yield Span(file.source, start, max(start, len(file.source.text)))
+def _is_elsewhere(found: Diagnostic, files: Iterable[tree.File]) -> bool:
+    """Whether it says that something could not be read outside of scenarios and properties."""
+    span = found.span
+    if found.code[:2] not in ("E0", "E1"):
+        return False
+    return span is None or not any(
+        item.span.source is span.source and item.span.start <= span.start <= item.span.end
+        for file in files
+        for item in _blocks(file)
+    )
 
 
 def _each_cause(named: Sequence[Diagnostic], formed: Iterable[Diagnostic]) -> list[Diagnostic]:
