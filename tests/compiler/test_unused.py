@@ -165,3 +165,20 @@ def test_a_fault_of_the_protocol_is_one_also_where_it_is_played() -> None:
     text = SUPPLIED.replace("var heard", "let mute = !heard && heard\n    var heard")
     text = text.replace("[loud && !heard]", "[mute]")
     assert [item.code for item in found(text) if item.code[0] == "W"] == ["W412"]
+
+
+@pytest.mark.parametrize("block", ["scenario", "property"])
+def test_a_variable_that_a_scenario_or_property_asks_for_is_read(block: str) -> None:
+    text = """
+system S
+srm r {
+  var rounds : int = 0
+  liveness { r = Turn~ }
+  activities { Turn takes 1s simulated }
+  control r { repeat Turn : / rounds += 1 }
+}
+team T { a : r }
+"""
+    assert "N725" in {item.code for item in found(text)}
+    asked = f'{block} "it counts" {{ always [rounds >= 0] }}'
+    assert "N725" not in {item.code for item in found(text + asked)}

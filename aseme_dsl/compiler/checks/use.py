@@ -16,7 +16,8 @@ from aseme_dsl.compiler.checks.signal_readers import check_signals, check_stale
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
-from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics import Diagnostic, Problem
+from aseme_dsl.diagnostics.problems.use import VariableNotRead
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -27,13 +28,14 @@ def check_use(
     played: tuple[Sequence[Aip], Sequence[Srm]],
     activities: Mapping[str, Activity],
     written: Sequence[tree.Activity],
+    asked: frozenset[str],
     symbols: Symbols,
     memory: Memory,
 ) -> InPieces[tuple[Diagnostic, ...]]:
     """Messages, signals, timers and variables over their lifetime, in the charts of the roles.
 
     What protocols read and publish counts as read and published, whether a role plays them or not. `played`
-    are all protocols, and the roles with what they play.
+    are all protocols, and the roles with what they play. `asked` are the words of scenarios and properties.
     """
     use = yield from message_use((*roles, *protocols), activities, written, symbols, memory)
     modules = {item.name: item.statement for chart in roles for item in chart.modules}
@@ -43,8 +45,12 @@ def check_use(
     for problems in (yield from memory.each_in_pieces(check_stale, zip(roles), use, activities, symbols)):
         found += problems
     for problems in (yield from memory.each_in_pieces(_in_chart, zip(roles), activities, symbols, left_out)):
-        found += problems
+        found += (item for item in problems if not _is_asked(item.problem, asked))
     return tuple(found)
+
+
+def _is_asked(problem: Problem, asked: frozenset[str]) -> bool:
+    return isinstance(problem, VariableNotRead) and problem.variable in asked
 
 
 def _in_chart(

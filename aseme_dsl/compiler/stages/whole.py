@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
@@ -51,7 +51,10 @@ def check_whole(
     if symbols.system is not None and charts.are_complete:
         written = list(_statements(declared.blocks))
         played = (processes.aips, fulfilment.srms)
-        use = check_use(charts.of_roles, charts.of_protocols, played, activities, written, symbols, memory)
+        asked = frozenset(_asked(declared.loaded.files))
+        use = check_use(
+            charts.of_roles, charts.of_protocols, played, activities, written, asked, symbols, memory
+        )
         found.add((yield from use))
     yield
     if symbols.system is not None:
@@ -102,6 +105,16 @@ def _wakes(
 
 def _still(chart: Statechart, activities: Mapping[str, Activity], prover: Prover) -> tuple[Diagnostic, ...]:
     return check_standing_still(chart, activities, prover)
+
+
+def _asked(files: Iterable[tree.File]) -> Iterator[str]:
+    """The words of scenarios and properties: variables that these ask for are read."""
+    for file in files:
+        for item in file.declarations:
+            if isinstance(item, tree.Scenario):
+                yield from (word.text for words in item.statements for word in words)
+            elif isinstance(item, tree.Property):
+                yield from (word.text for word in item.tokens)
 
 
 def _statements(blocks: Blocks) -> Iterable[tree.Activity]:
