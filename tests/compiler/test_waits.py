@@ -73,6 +73,15 @@ def test_a_transition_without_a_line_waits_in_vain_too() -> None:
     assert codes(text) == ["W402"]
 
 
+def test_before_a_choice_the_hint_speaks_of_its_lines() -> None:
+    text = """system S srm r {
+      liveness { r = Idle . [Walk] } activities { Idle waits  Walk takes 1s }
+      control r { enter Walk : yes  skip Walk : no }
+    }"""
+    (found,) = (item for item in analysis(text).diagnostics if item.code == "W402")
+    assert found.hint is not None and "let it have `takes` instead of `waits`" in found.hint
+
+
 def test_an_endless_wait_at_the_end_is_meant() -> None:
     text = "system S srm r { liveness { r = Walk . Idle } activities { Idle waits  Walk takes 1s } }"
     assert codes(text) == []

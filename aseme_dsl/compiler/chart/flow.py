@@ -348,7 +348,9 @@ def _endless_wait(chart: Statechart, transition: Transition, target: State) -> D
     elif target.type is StateType.END:
         what = "end"
     related = (Related(source.span, f"`{name}`"),) if source.span != transition.span else ()
-    return Diagnostic(NeverCompletes(name, what, cut(target.name)), transition.span, related)
+    is_before_choice = source.waits and what == "entry" and target.type is StateType.OR
+    problem = NeverCompletes(name, what, cut(target.name), is_before_choice)
+    return Diagnostic(problem, transition.span, related)
 
 
 # ---- cycles --------------------------------------------------------------------------------------

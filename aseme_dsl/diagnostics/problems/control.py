@@ -423,12 +423,16 @@ class ElseBesideTime(Problem):
 
 
 class NeverCompletes(Problem):
-    """A transition to `target` that waits for completion of `state`; `what` never happens."""
+    """A transition to `target` that waits for completion of `state`; `what` never happens.
+
+    `is_before_choice`: the state `waits`, and behind it is a choice with lines of its own.
+    """
 
     code = "W402"
     state: str
     what: NeverHappens
     target: str
+    is_before_choice: bool = False
 
     @property
     def message(self) -> str:
@@ -448,7 +452,14 @@ class NeverCompletes(Problem):
             case _:
                 assert_never(self.what)
 
-    hint = "let the transition have an event, `after(…)` or `when [ … ]`, or let every part of it end"
+    @property
+    def hint(self) -> str:
+        if self.is_before_choice:
+            return (
+                f"the lines of what stands in `{self.target}` come behind the end of `{self.state}`: "
+                "let it have `takes` instead of `waits`, and the choice waits for them"
+            )
+        return "let the transition have an event, `after(…)` or `when [ … ]`, or let every part of it end"
 
 
 class CycleNeverRests(Problem):
