@@ -218,8 +218,10 @@ class Script:
     inputs: tuple[Given, ...]
     values: Mapping[str, object]
     row: Span | None
-    until: int | None
-    """The end of the run; None: that of the project."""
+    until: int
+    """The end of the run (ns)."""
+    is_open: bool
+    """Whether it is that of a run of the project, if that is later."""
 
 
 @dataclass(frozen=True, slots=True)

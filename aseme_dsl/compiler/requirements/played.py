@@ -145,7 +145,7 @@ class _Lowering:
             inputs,
             values,
             row,
-            _end(statements),
+            *_end(statements),
         )
 
     def _constant(self, cell: tree.Expression, column: str) -> object:
@@ -474,11 +474,12 @@ def _share(written: nodes.Share | None) -> play.Share | None:
     return play.Share(-int(-written.percent.value * seeds // 100), seeds)
 
 
-def _end(statements: Sequence[nodes.Statement]) -> int | None:
-    """When the run ends: as the scenario says, else when no statement reaches further, if that is known."""
+def _end(statements: Sequence[nodes.Statement]) -> tuple[int, bool]:
+    """The end of the run: what the scenario says, or its last moment; whether some statement has none."""
     for item in statements:
         if isinstance(item, nodes.Setup) and item.duration is not None:
-            return item.duration.nanoseconds
+            return item.duration.nanoseconds, False
+    is_open = False
     moments: list[int] = []
     delays = [0]
     for item in statements:
@@ -494,10 +495,10 @@ def _end(statements: Sequence[nodes.Statement]) -> int | None:
             case nodes.Rule(word="no within" | "leads to", within=tree.Duration() as within):
                 delays.append(within.nanoseconds)
             case nodes.Rule(word="eventually" | "leads to" | "in order"):
-                return None
+                is_open = True
             case _:
                 pass
-    return max(moments) + max(delays) if moments else None
+    return (max(moments) + max(delays), is_open) if moments else (0, True)
 
 
 __all__ = ["played"]

@@ -100,8 +100,8 @@ def play_scenarios(
 
 
 def _end(scenario: Scenario, part: Sequence[Case], usual: int) -> int:
-    until = scenario.scripts[part[0].script].until
-    return usual if until is None else until
+    script = scenario.scripts[part[0].script]
+    return max(script.until, usual) if script.is_open else script.until
 
 
 def _parts(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:

@@ -53,6 +53,9 @@ SHORT = {
 """What stands for longer texts in the lines below."""
 
 ALONE = [
+    # What has no end of its own does not cut off what has one.
+    ("passed", "in order a in Wait, a in Walk  at 97s a in Rest"),
+    ("failed", "in order a in Wait, a in Walk  at 97s a in Walk"),
     # At a moment: after its last step.
     ("passed", "at 500ms a in Wait"),
     ("passed", "at 1s a in Walk"),
