@@ -72,7 +72,8 @@ def test_it_compiles_without_a_word(program: Program) -> None:
 def test_it_is_laid_out_and_short_enough(program: Program) -> None:
     text = program.path.read_text("utf-8")
     assert format_source(Source(str(program.path), text)).text == text
-    assert len(text.splitlines()) <= program.lines
+    program_itself = text.partition("\nscenario ")[0]
+    assert len(program_itself.splitlines()) <= program.lines
 
 
 def test_every_activity_is_written(program: Program) -> None:
@@ -127,7 +128,7 @@ MISTAKES = (
     Mistake("goalie", "    leave Dive     : error  // it lasted too long\n", "", "W604"),
     Mistake("goalie", "|| in(Dive)]", "|| in(Div)]", "E430"),
     # at half-time, in a hurry
-    Mistake("goalie", "with limit = 90", "with limits = 90", "E611"),
+    Mistake("goalie", "goalie with limit = 90", "goalie with limits = 90", "E611"),
     # whom, what, and how it ended
     Mistake("auction", "} to best;", "} to bets;", "E205"),
     Mistake("auction", "best = sender(c)", "best = c", "E500"),

@@ -33,6 +33,7 @@ TAKEN = frozenset(dir(builtins)) | {
         "leaves_of",
         "logging",
         "names_of",
+        "replace",
         "Sequence",
         "unknown_event",
     ),
