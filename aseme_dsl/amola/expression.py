@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from operator import add, eq, ge, gt, le, lt, mod, mul, ne, sub, truediv
 
 from aseme_dsl.amola.messages import AGENT, BOOL, DOUBLE, DURATION, INT, Bounds, Channel, Function, Kind, Type
 from aseme_dsl.source import Source, Span
@@ -845,6 +846,33 @@ def values_of(expression: TransitionExpression) -> Iterator[Value]:
 def taken_message(expression: TransitionExpression) -> bool:
     """Whether the condition or the actions speak of the agent message that the transition takes."""
     return any(isinstance(value, Bound | Sender | LossReason) for value in values_of(expression))
+
+
+# ---- what operators give -------------------------------------------------------------------------
+
+COMPARE: Mapping[str, Callable[[float, float], bool]] = {
+    "==": eq,
+    "!=": ne,
+    "<": lt,
+    "<=": le,
+    ">": gt,
+    ">=": ge,
+}
+COMPUTE: Mapping[str, Callable[[float, float], float]] = {
+    "+": add,
+    "-": sub,
+    "*": mul,
+    "/": truediv,
+    "%": mod,
+}
+
+
+def computed(value: Arithmetic, left: float, right: float) -> float:
+    """What generated code makes of two numbers. Raises ArithmeticError or ValueError if there is none."""
+    if value.type == DURATION and value.operator == "/" and value.right.type == INT:
+        return left // right
+    found = COMPUTE[value.operator](left, right)
+    return int(found) if value.type == DURATION and DOUBLE in (value.left.type, value.right.type) else found
 
 
 # ---- spelling ----------------------------------------------------------------------------------

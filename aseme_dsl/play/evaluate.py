@@ -6,13 +6,12 @@ so is what is computed of it; logic is that of conditions (`absent || true` is t
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import cast
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Type
+from aseme_dsl.amola.messages import DOUBLE, Type
 
 Told = Mapping[str, object]
 """A message, as the trace tells it."""
@@ -36,21 +35,6 @@ class Known:
     """The content of the message that a condition is about."""
 
 
-_COMPARE: dict[str, Callable[[object, object], object]] = {
-    "==": operator.eq,
-    "!=": operator.ne,
-    "<": cast("Callable[[object, object], object]", operator.lt),
-    "<=": cast("Callable[[object, object], object]", operator.le),
-    ">": cast("Callable[[object, object], object]", operator.gt),
-    ">=": cast("Callable[[object, object], object]", operator.ge),
-}
-_COMPUTE: dict[str, Callable[[float, float], float]] = {
-    "+": operator.add,
-    "-": operator.sub,
-    "*": operator.mul,
-    "/": operator.truediv,
-    "%": operator.mod,
-}
 _BUILT_IN: dict[str, Callable[[Sequence[float]], float]] = {
     "abs": lambda numbers: abs(numbers[0]),
     "min": min,
@@ -166,12 +150,9 @@ def _computed(value: e.Value, parts: Sequence[object]) -> object:
     numbers = cast("Sequence[float]", parts)
     match value:
         case e.Compare(operator=word):
-            return _COMPARE[word](parts[0], parts[1])
-        case e.Arithmetic(operator=word, type=kind, left=left, right=right):
-            if kind == DURATION and word == "/" and right.type == INT:
-                return numbers[0] // numbers[1]
-            found = _COMPUTE[word](*numbers)
-            return int(found) if kind == DURATION and DOUBLE in (left.type, right.type) else found
+            return e.COMPARE[word](*numbers)
+        case e.Arithmetic():
+            return e.computed(value, *numbers)
         case e.Negate():
             return -numbers[0]
         case e.Call(function=function):

@@ -6,12 +6,11 @@ whether that part decides.
 
 from __future__ import annotations
 
-import operator
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from typing import cast
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Kind
+from aseme_dsl.amola.messages import Kind
 from aseme_dsl.proofs.unknowns import (
     RAISES,
     THERE,
@@ -32,22 +31,6 @@ class Fault(Exception):
 
 
 _UNKNOWN = object()
-
-_COMPARE: dict[str, Callable[[float, float], bool]] = {
-    "==": operator.eq,
-    "!=": operator.ne,
-    "<": operator.lt,
-    "<=": operator.le,
-    ">": operator.gt,
-    ">=": operator.ge,
-}
-_COMPUTE: dict[str, Callable[[float, float], float]] = {
-    "+": operator.add,
-    "-": operator.sub,
-    "*": operator.mul,
-    "/": operator.truediv,
-    "%": operator.mod,
-}
 
 
 def holds(condition: e.Value, values: Values, vocabulary: Vocabulary) -> bool | None:
@@ -223,7 +206,7 @@ def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> object:
         case e.Compare(operator=word):
             left = _value(value.left, values, vocabulary)
             right = _value(value.right, values, vocabulary)
-            return _UNKNOWN if _UNKNOWN in (left, right) else _COMPARE[word](_number(left), _number(right))
+            return _UNKNOWN if _UNKNOWN in (left, right) else e.COMPARE[word](_number(left), _number(right))
         case e.Arithmetic():
             return _arithmetic(value, values, vocabulary)
         case e.Conditional():
@@ -253,12 +236,7 @@ def _arithmetic(value: e.Arithmetic, values: Values, vocabulary: Vocabulary) -> 
     if left is _UNKNOWN or right is _UNKNOWN:
         return _UNKNOWN
     try:
-        if value.type == DURATION and value.operator == "/" and value.right.type == INT:
-            return _number(left) // _number(right)
-        found = _COMPUTE[value.operator](_number(left), _number(right))
-        return (
-            int(found) if value.type == DURATION and DOUBLE in (value.left.type, value.right.type) else found
-        )
+        return e.computed(value, _number(left), _number(right))
     except (ArithmeticError, ValueError) as problem:
         raise Fault from problem
 

@@ -1,15 +1,15 @@
 """Asking: what a cycle asks of others and starts for itself, and the conditions that wait for it.
 
-After a `send` no agent has answered yet; a timer that is started has not expired. X
+After a `send` no agent has answered yet; a timer that is started has not expired.
 """
 
 from __future__ import annotations
 
-import operator
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
+    COMPARE,
     Compare,
     Expired,
     Literal,
@@ -22,15 +22,6 @@ from aseme_dsl.amola.expression import (
     Value,
 )
 from aseme_dsl.amola.statechart import Statechart, Transition
-
-_COMPARE: Mapping[str, Callable[[float, float], bool]] = {
-    "<": operator.lt,
-    "<=": operator.le,
-    ">": operator.gt,
-    ">=": operator.ge,
-    "==": operator.eq,
-    "!=": operator.ne,
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +94,7 @@ class _Moment:
                 return True if True in parts else None if None in parts else False
             case Compare(operator=sign, left=left, right=right):
                 one, other = self._count(left), self._count(right)
-                return None if one is None or other is None else _COMPARE[sign](one, other)
+                return None if one is None or other is None else COMPARE[sign](one, other)
             case _:
                 return None
 

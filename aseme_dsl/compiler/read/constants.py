@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from operator import ge, gt, le, lt
 from typing import cast
 
 from aseme_dsl.amola import expression as amola
@@ -51,39 +49,14 @@ def fold(value: Value) -> Constant:
             chosen = fold(yes if fold(condition) else no)
             return float(chosen) if kind == DOUBLE else chosen
         case amola.Compare(operator=operator, left=left, right=right):
-            return _compare(operator, fold(left), fold(right))
+            return amola.COMPARE[operator](cast(float, fold(left)), cast(float, fold(right)))
         case amola.Arithmetic(operator=operator, left=left, right=right, type=kind):
             first, second = fold(left), fold(right)
             assert not isinstance(first, str) and not isinstance(second, str)
-            result = _arithmetic(operator, first, second)
+            result = amola.COMPUTE[operator](first, second)
             if kind == DOUBLE:
                 result = float(result)
             if not (abs(result) <= LARGEST_INT if kind != DOUBLE else math.isfinite(result)):
                 raise OverflowError("it is too large")
             return round(result) if kind == DURATION else result
     raise NotConstant(value)
-
-
-def _compare(operator: str, first: Constant, second: Constant) -> bool:
-    match operator:
-        case "==":
-            return first == second
-        case "!=":
-            return first != second
-    return _ORDERS[operator](cast(float, first), cast(float, second))
-
-
-_ORDERS: dict[str, Callable[[float, float], bool]] = {"<": lt, "<=": le, ">": gt, ">=": ge}
-
-
-def _arithmetic(operator: str, first: float, second: float) -> int | float:
-    match operator:
-        case "+":
-            return first + second
-        case "-":
-            return first - second
-        case "*":
-            return first * second
-        case "/":
-            return first / second
-    return first % second
