@@ -29,7 +29,6 @@ from aseme_dsl.compiler.stages.uses import check_requirements, check_uses, compa
 from aseme_dsl.compiler.stages.whole import check_whole
 from aseme_dsl.compiler.types.scopes import TypedParticipant, TypedRole
 from aseme_dsl.diagnostics import has_errors
-from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source
 
 if TYPE_CHECKING:
@@ -105,10 +104,6 @@ def scenarios_of(inspection: Inspection) -> tuple[Scenario, ...]:
     return played(files, known, charts, found.blocks)
 
 
-def _says(file: tree.File) -> bool:
-    return any(isinstance(item, tree.Scenario | tree.Property) for item in file.declarations)
-
-
 def _inspecting(
     root: Source | Path | str,
     sources: Mapping[str, str] | None,
@@ -133,7 +128,7 @@ def _inspecting(
     yield
     # What scenarios and properties say of all that.
     files = declared.loaded.files
-    if declared.symbols.system is not None and any(map(_says, files)):
+    if declared.symbols.system is not None and any(file.must_hold for file in files):
         # Imported here: most files have none.
         from aseme_dsl.compiler.requirements.statements import check_statements, known_by
 

@@ -16,7 +16,6 @@ from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
-from aseme_dsl.diagrams import compact
 from aseme_dsl.diagrams.look.drawing import (
     DEFAULT,
     Drawing,
@@ -161,6 +160,8 @@ def _role(role: Srm, activities: tuple[Activity | None, ...]) -> list[Drawing]:
 
 def _compact(chart: Statechart, options: Options, activities: Iterable[Activity]) -> list[Drawing]:
     """The compact drawing; the nested one with a note where there is no right compact one."""
+    from aseme_dsl.diagrams import compact  # here: no other drawing needs it
+
     found = compact.drawings(chart, options, activities)
     if isinstance(found, list):
         return found

@@ -36,7 +36,7 @@ def unknown(
     return Diagnostic(found.but(close=closest(name.text, pool)), name.span, fix=surely(name.text, pool))
 
 
-def declared_twice(what: str, name: tree.Name, first: Span) -> Diagnostic:
+def declared_twice(what: str, name: tree.Name | tree.Text, first: Span) -> Diagnostic:
     """`name` has a declaration already, at `first`."""
     return Diagnostic(DeclaredTwice(what, name.text), name.span, (Related(first, "first declared here"),))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
@@ -51,7 +51,10 @@ def check_whole(
     if symbols.system is not None and charts.are_complete:
         written = list(_statements(declared.blocks))
         played = (processes.aips, fulfilment.srms)
-        asked = frozenset(_asked(declared.loaded.files))
+        # Variables that scenarios and properties ask for are read.
+        asked = frozenset(
+            word.text for file in declared.loaded.files for item in file.must_hold for word in item.words
+        )
         use = check_use(
             charts.of_roles, charts.of_protocols, played, activities, written, asked, symbols, memory
         )
@@ -105,16 +108,6 @@ def _wakes(
 
 def _still(chart: Statechart, activities: Mapping[str, Activity], prover: Prover) -> tuple[Diagnostic, ...]:
     return check_standing_still(chart, activities, prover)
-
-
-def _asked(files: Iterable[tree.File]) -> Iterator[str]:
-    """The words of scenarios and properties: variables that these ask for are read."""
-    for file in files:
-        for item in file.declarations:
-            if isinstance(item, tree.Scenario):
-                yield from (word.text for words in item.statements for word in words)
-            elif isinstance(item, tree.Property):
-                yield from (word.text for word in item.tokens)
 
 
 def _statements(blocks: Blocks) -> Iterable[tree.Activity]:

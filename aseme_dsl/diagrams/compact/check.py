@@ -200,7 +200,7 @@ def _joints(
             found = []
         else:
             found = _beginning(line.points[-1], lines, grid)
-        waiting = [item for item in found]
+        waiting = list(found)
         while waiting:
             item = waiting.pop()
             if lines[item].chain:

@@ -83,7 +83,6 @@ class Placer:
         self.widths: dict[str, float] = {}
         self._chart = chart
         self._words = words
-        self._plan = plan
         self._wide = self._usual = wide
         self._chosen = chosen
         self._nodes = Nodes(chart, words, plan)
@@ -105,7 +104,7 @@ class Placer:
         return placed
 
     def _field(self, region: Group, x: float) -> Placed:
-        title = self._plan.title(region)
+        title = self.plan.title(region)
         if title is not None:
             self._bare.add(title)
         room = Room()
@@ -123,9 +122,9 @@ class Placer:
         """The outermost region, with what stays in it."""
         placed = self.field(region, 0.0)
         room = Room()
-        if self._plan.staying(region.label):
+        if self.plan.staying(region.label):
             placed = self._titled(placed, (region,), -PAD)
-            marks = self._plan.staying(region.label)
+            marks = self.plan.staying(region.label)
             room.add(Shape(Form.FIELD, 0, -placed.up - 4, max(placed.right, 40), 0, region.label, marks))
         room.put(placed)
         return room.placed(None)
@@ -134,15 +133,15 @@ class Placer:
         """The frame of an AND with its left border at x, without the line to it."""
         strips: list[tuple[Placed, tuple[Group | Closed, ...]]] = []
         middle = 0
-        for run in self._plan.runs(block):
-            if self._plan.pill(run[0]) is not None:
+        for run in self.plan.runs(block):
+            if self.plan.pill(run[0]) is not None:
                 strips.append(
                     (self._nodes.pills([item for item in run if isinstance(item, Group)], x + PAD), run)
                 )
                 continue
             if len(run) > 1:
                 self.copies.append(tuple(item.label for item in run))
-            if all(self._plan.pill(other[0]) is not None for _, other in strips):
+            if all(self.plan.pill(other[0]) is not None for _, other in strips):
                 middle = len(strips)
             strips.append((self._titled(self.field(run[0], x + PAD), run, x), run))
         room = Room()
@@ -154,7 +153,7 @@ class Placer:
                 axis += strips[number - 1][0].down + 12 + placed.up
             tops.append((axis - placed.up - 6, run))
             room.put(placed, axis)
-        endless_ = self._plan.is_endless(block.label)
+        endless_ = self.plan.is_endless(block.label)
         if endless_:
             room.reach(x + strips[0][0].right - x + 34 if len(strips[0][0].elements) else 0)
         form = Form.PARALLEL
@@ -169,8 +168,8 @@ class Placer:
         if endless_:
             made.add(endless(shape.x + shape.width - 26, shape.y + 12, block.label, rim.signs))
         for number, (top, run) in enumerate(tops):
-            marks = () if isinstance(run[0], Closed) else self._plan.staying(run[0].label)
-            if marks or (number and self._plan.pill(run[0]) is None):
+            marks = () if isinstance(run[0], Closed) else self.plan.staying(run[0].label)
+            if marks or (number and self.plan.pill(run[0]) is None):
                 made.add(
                     Shape(Form.FIELD, x, top if number else shape.y, shape.width, 0, run[0].label, marks)
                 )
@@ -182,8 +181,8 @@ class Placer:
     def _titled(self, placed: Placed, run: tuple[Group | Closed, ...], x: float) -> Placed:
         """A field with its name and what stays in it, above what is inside."""
         label = run[0].label
-        title = self._plan.title(run[0])
-        names = self._plan.heading(title)[0] if title is not None else ""
+        title = self.plan.title(run[0])
+        names = self.plan.heading(title)[0] if title is not None else ""
         if len(run) > 1:
             names = f"{names} × {len(run)}".strip()
         rows = [] if isinstance(run[0], Closed) else self._nodes.rows(label)
@@ -241,7 +240,7 @@ class Placer:
 
     def _ends(self, branch: Branch) -> bool:
         """Whether something follows a branch."""
-        return not branch.parts or self._plan.goes_on(branch.parts[-1])
+        return not branch.parts or self.plan.goes_on(branch.parts[-1])
 
     def _join(self, room: Room, ends: Sequence[Exit]) -> Placed:
         """Lines that meet at a joint on the axis, behind everything."""
@@ -267,9 +266,9 @@ class Placer:
             assert behind is not None
             last = number == len(branch.parts) - 1
             if number > 0:
-                row = (x, room.down) if last and not self._plan.goes_on(part) else None
+                row = (x, room.down) if last and not self.plan.goes_on(part) else None
                 behind = replace(behind, row=row)
-            ends_here = not last and not self._plan.goes_on(part)
+            ends_here = not last and not self.plan.goes_on(part)
             placed = self.part(part, behind, signs if last else (), dotted=ends_here)
             room.put(replace(placed, pen=None))
             behind = placed.pen
@@ -285,7 +284,7 @@ class Placer:
         The formulas `labels` are nothing but this part, and have its frame. If something stands behind it
         that is never reached, it is `dotted` to there.
         """
-        plan, block, links = self._plan, part.block, self._plan.links(part, dotted)
+        plan, block, links = self.plan, part.block, self.plan.links(part, dotted)
         signs = (*signs, *links.never)
         loops = isinstance(block, Group) and bool(links.again or links.back)
         room = Room()
@@ -370,8 +369,8 @@ class Placer:
             case Parallel():
                 return self._parallel(block, line, rim)
             case Group():
-                alone = self._plan.alone(block)
-                framed = self._plan.is_framed(block.label) and block.label not in self._bare
+                alone = self.plan.alone(block)
+                framed = self.plan.is_framed(block.label) and block.label not in self._bare
                 if alone is not None and framed and not rim.leaves:
                     return self._named(block, alone, line, rim.signs)
                 if not rim.leaves and not framed:
@@ -386,10 +385,10 @@ class Placer:
         activity = part.block
         assert isinstance(activity, Activity)
         line, _ = over(line, group.branches[0].enter, self._words, self._wide)
-        name = self._plan.heading(group.label)[0]
-        never = self._plan.never(part.onward)
+        name = self.plan.heading(group.label)[0]
+        never = self.plan.never(part.onward)
         placed = self._nodes.activity(activity, line, name, 0, (), (*signs, *never))
-        onward = self._plan.live(part.onward)
+        onward = self.plan.live(part.onward)
         if not onward or placed.pen is None:
             return replace(placed, pen=None)
         behind, _ = over(placed.pen, onward, self._words, self._wide)
@@ -397,12 +396,12 @@ class Placer:
 
     def _framed(self, group: Group, line: Pen, rim: Rim) -> Placed:
         """An OR with a border; one that is nothing but another frame has that frame."""
-        part = self._plan.merges(group, rim.leaves)
+        part = self.plan.merges(group, rim.leaves)
         if (
             part is not None
             and not rim.exits
             and not rim.least
-            and (not rim.stops or self._plan.is_endless(group.label))
+            and (not rim.stops or self.plan.is_endless(group.label))
         ):
             line, _ = over(line, group.branches[0].enter, self._words, self._wide)
             return self.part(part, line, rim.signs, (*rim.labels, group.label))

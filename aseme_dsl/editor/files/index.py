@@ -593,12 +593,11 @@ def occurrences(declaration: tree.Declaration, world: World) -> tuple[Occurrence
 
 def _tokens(node: tree.Scenario | tree.Property, around: Around) -> Iterator[Occurrence]:
     """What the words of a scenario or property mean, as far as they name what is declared."""
-    words = list(_names_in(node.statements if isinstance(node, tree.Scenario) else node.tokens))
     found: dict[int, Occurrence] = {}
-    statements = read_statements(node.span.source, words, isinstance(node, tree.Property))[0]
+    statements = read_statements(node.span.source, node.words, isinstance(node, tree.Property))[0]
     for item in _stated(statements, around):
         found.setdefault(item.span.start, item)
-    for word in words:
+    for word in node.words:
         if word.span.start not in found:
             yield from _word(word, node, around)
     yield from found.values()

@@ -848,12 +848,22 @@ class Scenario:
     statements: tuple[tuple[Name, ...], ...]
     span: Span
 
+    @property
+    def words(self) -> tuple[Name, ...]:
+        """All its words, in their order."""
+        return tuple(word for line in self.statements for word in line)
+
 
 @dataclass(frozen=True, slots=True)
 class Property:
     title: Text
     tokens: tuple[Name, ...]
     span: Span
+
+    @property
+    def words(self) -> tuple[Name, ...]:
+        """All its words, in their order."""
+        return self.tokens
 
 
 Declaration = (
@@ -883,3 +893,8 @@ class File:
     language: Number | None
     declarations: tuple[Declaration, ...]
     comments: tuple[Comment, ...]
+
+    @property
+    def must_hold(self) -> tuple[Scenario | Property, ...]:
+        """Its scenarios and properties."""
+        return tuple(item for item in self.declarations if isinstance(item, Scenario | Property))

@@ -143,13 +143,11 @@ def _vacuous(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played]) 
     """What says nothing, because what it speaks of has happened in no run."""
     if not scenario.scripts:
         return None
-    script: Script = scenario.scripts[0]
-    for which, item in enumerate(script.expectations):
+    for item in scenario.scripts[0].expectations:
         # The scripts of a table differ in values only: their conditions have the same numbers.
         if any(all(witness not in run.met for run in runs) for witness in item.witnesses):
-            span = scenario.scripts[0].expectations[which].span
             reason = "what it speaks of has not happened"
-            return _result(scenario, Verdict.VACUOUS, cases, 0, runs[0].end, reason, span)
+            return _result(scenario, Verdict.VACUOUS, cases, 0, runs[0].end, reason, item.span)
     return None
 
 

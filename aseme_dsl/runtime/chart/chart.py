@@ -422,8 +422,7 @@ class Chart(ChartState):
 
         Members that are not given are those of `rest` that are `taken`, or have their defaults.
         """
-        given = {name: copy(getattr(rest, name)) for name in taken} if taken else {}
-        content = built(self.MESSAGES[message], members or {}, given)
+        content = self.made(self.MESSAGES[message], (members or {}).items(), rest, taken)
         filled = members is not None
         reply_by = None if reply_within is None else self.now + reply_within
         if to is None and (branch, participant) in self.PLAN.counted:
