@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.statechart import State, Statechart
 from aseme_dsl.compiler.read.blocks import Blocks
 
 
@@ -15,6 +15,7 @@ class Places:
 
     charts: Mapping[str, Statechart]
     blocks: Blocks
+    aliases: frozenset[str]
 
     def labels(self, role: str, name: str, participant: str | None) -> frozenset[str]:
         """The labels of the states of a role that have the name (in the participant's branches)."""
@@ -35,11 +36,14 @@ class Places:
             for node in chart.states
             if participant is None or any(f"{node.label}.".startswith(f"{label}.") for label in inside)
         ]
-        own = {node.label for node in found if names & {_short(node.name), node.name, node.activity}}
+        own = {node.label for node in found if names & self._called(node)}
         own |= {node.label for node in found if chart.is_branch(node) and node.origin.name in names}
         if name == chart.name:
             own.add(chart.states[0].label)
         return frozenset(own or _outermost(node.label for node in found if node.origin.name in names))
+
+    def _called(self, node: State) -> set[str]:
+        return called(node.name, self.aliases) | {node.activity or ""}
 
     def _bound(self, role: str, name: str, participant: str) -> Iterator[str]:
         """What the role puts in the place of an abstract activity of the participant."""
@@ -52,9 +56,15 @@ class Places:
                             yield binding.own.text
 
 
-def _short(name: str) -> str:
-    """The name without the alias of its file."""
-    return name.partition("_")[2]
+def called(name: str, aliases: Iterable[str]) -> set[str]:
+    """The name that something has in the models, also without the aliases of its file."""
+    found: set[str] = set()
+    waiting = [name]
+    while waiting:
+        name = waiting.pop()
+        found.add(name)
+        waiting += (name[len(alias) + 1 :] for alias in aliases if name.startswith(f"{alias}_"))
+    return found
 
 
 def _outermost(labels: Iterable[str]) -> set[str]:
@@ -62,4 +72,4 @@ def _outermost(labels: Iterable[str]) -> set[str]:
     return {label for label in found if label.rpartition(".")[0] not in found}
 
 
-__all__ = ["Places"]
+__all__ = ["Places", "called"]

@@ -54,7 +54,7 @@ def played(
     files: Iterable[tree.File], known: Known, charts: Mapping[str, Statechart], blocks: Blocks
 ) -> tuple[play.Scenario, ...]:
     """The scenarios of files without errors, as they are played."""
-    places = Places(charts, blocks)
+    places = Places(charts, blocks, known.aliases)
     always = properties(files)
     return tuple(
         _scenario(item, statements, always, check, places)

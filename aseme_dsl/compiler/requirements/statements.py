@@ -19,13 +19,13 @@ from aseme_dsl.compiler.read.blocks import Blocks, participants_of
 from aseme_dsl.compiler.read.builtins import COMM_TYPES, PERFORMATIVES
 from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.compiler.read.damage import Damaged
-from aseme_dsl.compiler.read.names import unknown, unknown_performative
+from aseme_dsl.compiler.read.names import declared_twice, unknown, unknown_performative
+from aseme_dsl.compiler.requirements.places import called
 from aseme_dsl.compiler.types.content import fill
 from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.compiler.types.typecheck import type_value
-from aseme_dsl.diagnostics import Diagnostic, Problem, Related
+from aseme_dsl.diagnostics import Diagnostic, Problem
 from aseme_dsl.diagnostics.problems.absences import Absent
-from aseme_dsl.diagnostics.problems.names import DeclaredTwice
 from aseme_dsl.diagnostics.problems.scenarios import statements as problems
 from aseme_dsl.grammar.formulas.statement import read_statements
 from aseme_dsl.grammar.text import statements as nodes
@@ -51,6 +51,8 @@ class Known:
     outcomes: tuple[str, ...]
     variables: Mapping[str, Mapping[str, Type]]
     """Those of each role, and of the participants that it plays."""
+    aliases: frozenset[str]
+    """Those of all files."""
 
     @property
     def agents(self) -> dict[str, str]:
@@ -89,6 +91,7 @@ def known_by(
         activities,
         tuple(text for aip in aips for text in aip.outcomes),
         {role: _variables(chart) for role, chart in iacs.items() if chart is not None},
+        aliases,
     )
 
 
@@ -101,11 +104,7 @@ def _states(chart: Statechart, aliases: Iterable[str]) -> frozenset[str]:
     found = {chart.name}
     for node in chart.states:
         found.update((node.name, node.activity or "", node.origin.name))
-    todo = list(found)
-    while todo:
-        name = todo.pop()
-        found.add(name)
-        todo += (name[len(alias) + 1 :] for alias in aliases if name.startswith(f"{alias}_"))
+    found = {short for name in found for short in called(name, aliases)}
     return frozenset(name for name in found if name.isidentifier())
 
 
@@ -141,7 +140,7 @@ def check_statements(
     `told` is what is wrong elsewhere: names are not missing where something could not be read.
     """
     is_read = not any(_is_elsewhere(item, files) for item in told)
-    blocks = [(item, _aliases(file)) for file in files for item in _blocks(file)]
+    blocks = [(item, _aliases(file)) for file in files for item in file.must_hold]
     read = []
     for item, aliases in blocks:
         is_property = isinstance(item, tree.Property)
@@ -170,17 +169,16 @@ def check_statements(
 def _titled_twice(file: tree.File) -> Iterator[Diagnostic]:
     """Verdicts name a scenario by its title, and so does who wants to play it alone."""
     first: dict[tuple[type[object], str], Span] = {}
-    for item in _blocks(file):
+    for item in file.must_hold:
         kind = "property" if isinstance(item, tree.Property) else "scenario"
         place = first.setdefault((type(item), item.title.text), item.title.span)
         if place != item.title.span:
-            problem = DeclaredTwice(kind, item.title.text)
-            yield Diagnostic(problem, item.title.span, (Related(place, "first declared here"),))
+            yield declared_twice(kind, item.title, place)
 
 
 def _not_watched(files: Sequence[tree.File]) -> Iterator[Diagnostic]:
     """Once, if there are properties, but no scenario that checks them."""
-    blocks = [item for file in files for item in _blocks(file)]
+    blocks = [item for file in files for item in file.must_hold]
     if not any(isinstance(item, tree.Scenario) for item in blocks):
         for item in blocks[:1]:
             yield Diagnostic(problems.PropertyNotWatched(), item.title.span)
@@ -191,7 +189,7 @@ def scenarios(
 ) -> Iterator[tuple[tree.Scenario, tuple[nodes.Statement, ...], Check]]:
     """The scenarios of files without errors, with their statements, and what the names in them mean."""
     for file in files:
-        for item in _blocks(file):
+        for item in file.must_hold:
             if isinstance(item, tree.Scenario):
                 statements, _ = read_statements(item.span.source, _words(item, _aliases(file)))
                 own = _introduced(statements)
@@ -205,24 +203,20 @@ def properties(files: Iterable[tree.File]) -> tuple[nodes.Statement, ...]:
     return tuple(
         statement
         for file in files
-        for item in _blocks(file)
+        for item in file.must_hold
         if isinstance(item, tree.Property)
         for statement in read_statements(item.span.source, _words(item, _aliases(file)), True)[0]
-        if not is_assumption(statement)
+        if not _is_assumption(statement)
     )
 
 
-def is_assumption(item: nodes.Statement) -> bool:
+def _is_assumption(item: nodes.Statement) -> bool:
     """Whether a statement is about the environment, and for proofs only."""
     match item:
         case nodes.Assumed() | nodes.Setup(word="assume") | nodes.Several(word="assume"):
             return True
         case _:
             return False
-
-
-def _blocks(file: tree.File) -> Iterator[tree.Scenario | tree.Property]:
-    return (item for item in file.declarations if isinstance(item, tree.Scenario | tree.Property))
 
 
 def _is_elsewhere(found: Diagnostic, files: Iterable[tree.File]) -> bool:
@@ -233,7 +227,7 @@ def _is_elsewhere(found: Diagnostic, files: Iterable[tree.File]) -> bool:
     return span is None or not any(
         item.span.source is span.source and item.span.start <= span.start <= item.span.end
         for file in files
-        for item in _blocks(file)
+        for item in file.must_hold
     )
 
 
@@ -273,12 +267,9 @@ def model_name(name: tree.Name) -> str:
 
 def _words(item: tree.Scenario | tree.Property, aliases: frozenset[str]) -> list[tree.Name]:
     """The words, of which `alice.attacker` is called as it is in the models, which takes as many letters."""
-    written = (
-        item.tokens if isinstance(item, tree.Property) else [w for line in item.statements for w in line]
-    )
     return [
         tree.Name(word.text.replace(".", "_", 1), word.span) if word.text.split(".")[0] in aliases else word
-        for word in written
+        for word in item.words
     ]
 
 
@@ -512,7 +503,7 @@ class Check:
             if end.text not in ends:
                 self._unknown(problems.NoOutcomeOfActivity, end, ends, name)
         for message in (*(message for message, _ in item.writes), *item.sends):
-            self._filled(message)
+            self.fills(message)
         roles = self.known.performed.get(name, frozenset())
         variables: dict[str, Type] = {}
         for role in sorted(roles):
@@ -546,7 +537,7 @@ class Check:
         match item:
             case nodes.Receives():
                 self._agent(item.agent)
-                self._filled(item.message)
+                self.fills(item.message)
                 if item.sender is not None and not self._is_outside(item.sender):
                     self._agent(item.sender)
             case nodes.Raises():
@@ -708,9 +699,6 @@ class Check:
             self._unknown(problems.NoActivityInScenario, name, self.known.performed)
         return False
 
-    def _filled(self, item: nodes.Filled) -> None:
-        self.fills(item)
-
     def fills(self, item: nodes.Filled) -> list[Fill]:
         """The members of a message that are given."""
         if item.performative is not None and item.performative.text not in PERFORMATIVES:
@@ -726,7 +714,7 @@ class Check:
 
     def carried(self, path: tree.Path) -> str | None:
         """The type of message that a channel carries, or that is named."""
-        if any(one.text in COMM_TYPES for one in path.segments[1:3]) or len(path.segments) > 1:
+        if len(path.segments) > 1:
             return self._channel(path)
         name = path.segments[0]
         symbols = self.known.top.symbols
@@ -792,4 +780,14 @@ class Check:
         self.found.append(Diagnostic(problem, at.span))
 
 
-__all__ = ["Known", "check_statements", "known_by"]
+__all__ = [
+    "Check",
+    "Known",
+    "check_statements",
+    "known_by",
+    "model_name",
+    "only_agent",
+    "properties",
+    "scenarios",
+    "taken_by",
+]

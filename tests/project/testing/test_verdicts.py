@@ -312,3 +312,16 @@ def test_a_story_says_when_an_agent_starts_again(tmp_path: Path) -> None:
     (found,) = play(path)
     told = [line.split("  ") for line in map(str, found.story) if "crashes" in line or "again" in line]
     assert told == [["a", "0.5 s", "crashes"], ["a", "2 s", "starts again"]], found.story
+
+
+def test_a_name_does_not_mean_a_state_whose_name_ends_with_it(tmp_path: Path) -> None:
+    path = tmp_path / "kicker.aseme"
+    path.write_text(
+        """system Kicker
+srm kicker { liveness { kicker = Kick_Ball . Ball } activities { Kick_Ball takes 1s  Ball takes 1s } }
+team One { a : kicker }
+scenario "s" { at 500ms a in Ball }
+"""
+    )
+    (found,) = play(path)
+    assert found.verdict == "failed", found.story
