@@ -9,15 +9,11 @@ from aseme_dsl.editor.typing.ask import Ask
 from aseme_dsl.editor.typing.items import Item, ItemKind
 from aseme_dsl.editor.typing.slots import path_before, value_slot
 from aseme_dsl.editor.typing.values import agents, members, members_to_fill, topics, values
+from aseme_dsl.grammar.formulas.statement import OF_SCENARIO, RULES, SIMULATED
 from aseme_dsl.grammar.text.token import Token
 
-_RULES = ("always", "never", "eventually", "every", "no", "at most", "in order", "assume")
-_SCENARIO = "network activity given table world for points at by after within from crash restart".split()
-"""The words that begin a statement: of both, and of scenarios alone."""
 _VERBS = ("in", "has", "receives", "raises", "loses radio", "fails by")
 """What may stand behind an agent."""
-_SIMULATED = ("takes", "ends", "real", "fails at", "writes", "sends", "sets")
-"""What may stand behind `activity A`."""
 
 
 def stated(ask: Ask) -> Iterator[Item]:
@@ -45,7 +41,7 @@ def stated(ask: Ask) -> Iterator[Item]:
         wanted = member.type if member is not None else None
         yield from values(known.top, known, value_slot([last]), ask.place.text, wanted)
     elif begins:
-        yield from _words((*_RULES, *(_SCENARIO if ask.tokens("Scenario") else ())))
+        yield from _words((*RULES, *(OF_SCENARIO if ask.tokens("Scenario") else ())))
         yield from _anything(known, roles)
     elif subject is not None and subject != "order":
         yield from _states(known, roles.get(subject, subject))
@@ -66,7 +62,7 @@ def stated(ask: Ask) -> Iterator[Item]:
         yield from (Item(name, ItemKind.ACTIVITY, "activity", rank=0) for name in known.activities)
         yield from _words(("network", "fair", "at most") if last == "assume" else ())
     elif before == "activity":
-        yield from _words(_SIMULATED)
+        yield from _words([f"{word} at" if word == "fails" else word for word in SIMULATED])
     elif ending is not None:
         found = known.symbols.activities.get(ending)
         for name in found.ends if found is not None else ():

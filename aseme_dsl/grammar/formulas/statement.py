@@ -31,6 +31,8 @@ _AND = ("and", "&&")
 _OR = ("or", "||")
 _NETWORK = ("delay", "loss", "reorder")
 _ANY = ("any", "some", "every")
+SIMULATED = ("real", "takes", "ends", "fails", "writes", "sends", "sets")
+"""What may stand behind `activity A`."""
 _HEARD = ("sent", "received", "message")
 
 _Made = TypeVar("_Made")
@@ -487,8 +489,7 @@ def _simulated(reader: Reader) -> nodes.Simulated:
     writes: list[tuple[nodes.Filled, nodes.Lasts | None]] = []
     sends: list[nodes.Filled] = []
     sets: list[tuple[tree.Name, tree.Expression]] = []
-    words = ("real", "takes", "ends", "fails", "writes", "sends", "sets")
-    word = str(_need(reader, *words))
+    word = str(_need(reader, *SIMULATED))
     while True:
         match word:
             case "real":
@@ -513,7 +514,7 @@ def _simulated(reader: Reader) -> nodes.Simulated:
                 name = _name(reader, Wanted.NAME)
                 _need(reader, "=")
                 sets.append((name, operation(reader)))
-        if reader.next not in words:
+        if reader.next not in SIMULATED:
             break
         word = str(reader.take())
     return nodes.Simulated(
@@ -854,8 +855,11 @@ _SCENARIO: dict[str, Callable[[Reader], nodes.Statement]] = {
 }
 """What scenarios alone have."""
 
+RULES, OF_SCENARIO = (*_RULES, "at most", "in order"), tuple(_SCENARIO)
+"""The words with which statements begin: of both, and of scenarios alone."""
+
 _STARTS = frozenset((*_RULES, *_SCENARIO)) - {"by", "within"}
 """The words that begin a statement, and do not continue one."""
 
 
-__all__ = ["read_statements", "statement_starts"]
+__all__ = ["OF_SCENARIO", "RULES", "SIMULATED", "read_statements", "statement_starts"]
