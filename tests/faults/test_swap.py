@@ -293,6 +293,27 @@ class TestConversations:
         reasons = {r["reason"] for r in records if r["kind"] == "unexpected" and r["agent"] == "aide"}
         assert reasons == {"chief plays another version of deal"}
         assert not [r for r in records if r["kind"] == "conversation" and r["what"] == "join"]
+        assert {r["performative"] for r in records if r.get("sender") == "aide"} == {"not_understood"}
+
+    @pytest.mark.parametrize(
+        "way", ["lost teller gone [reason(gone) == incompatible]", "when [all_answered(teller)]"]
+    )
+    def test_who_waits_for_an_agent_of_another_version_loses_it(self, way: str) -> None:
+        """(language.md, part 3: the reasons of `lost`)"""
+
+        def sorry(text: str) -> str:
+            return (
+                text.replace("Ask . Hear", "Ask . (Hear | Sorry)")
+                .replace("Hear takes 10ms", "Hear takes 10ms  Sorry takes 10ms")
+                .replace("    enter Hear", f"    enter Sorry : {way}\n    enter Hear")
+            )
+
+        records = played(
+            sorry(NET), lambda team: team.swap(version(sorry(NODDING)), at=50 * MS, agents=["aide"])
+        )
+        starts_sorry = [text for text in starts(records, 0, "chief") if text.endswith("Sorry")]
+        assert starts_sorry[0].startswith("110 ")
+        assert not [r for r in records if r["kind"] == "agent_message" and r["agent"] == "aide"]
 
 
 class TestMessages:

@@ -130,7 +130,7 @@ class Delivery:
             if (info.protocol, info.participant) == (acl.protocol, acl.to)
         ]
         if played and played[0].version != acl.version:
-            self.unexpected(agent, acl, f"{acl.sender} plays another version of {acl.protocol}")
+            self._turn_away_incompatible(agent, acl, conversation)
             return
         info = next((info for info in played if receives(info, acl)), None)
         if info is None or agent.over:
@@ -187,6 +187,18 @@ class Delivery:
             self._answer(agent, acl, *answer)
         if is_first and not conversation.is_exhausted:
             self.losses.ended(agent, place, acl.conversation, conversation, "completed")
+
+    def _turn_away_incompatible(self, agent: Receiver, acl: AclMessage, conversation: Conversation) -> None:
+        """A message of another version of the protocol: who would learn of a loss loses the agent, others
+        hear `not_understood`.
+        """
+        reason = f"{acl.sender} plays another version of {acl.protocol}"
+        place = conversation.places.get((acl.sender, acl.participant))
+        if place is None or acl.to not in (*place.info.loses, *place.info.counts):
+            self.unexpected(agent, acl, reason)
+            return
+        self._told.unexpected(agent.name, acl, reason)
+        self.losses.over(conversation, acl.conversation, agent.name, acl.to, "incompatible")
 
     def spend(self, agent: Receiver, name: str) -> str:
         """Count a message of a conversation; why it may not have it, empty if it may.
