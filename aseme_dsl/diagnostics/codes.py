@@ -169,6 +169,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W438": ("warning", "wait that may never end"),
     "W439": ("warning", "loop without a pause"),
     "W440": ("warning", "list that two parallel parts change"),
+    "W441": ("warning", "event without effect beside `when`"),
     # Types (E5xx)
     "E500": ("error", "type mismatch"),
     "E501": ("error", "unknown field"),

@@ -36,7 +36,7 @@ from aseme_dsl.compiler.types.outcome_values import NAMED_RESULTS, alone, compar
 from aseme_dsl.compiler.types.round_values import round_value
 from aseme_dsl.compiler.types.state_values import state_value
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
-from aseme_dsl.diagnostics.problems.control import IgnoredNoSignal
+from aseme_dsl.diagnostics.problems.control import EventBesideWhen, IgnoredNoSignal
 from aseme_dsl.diagnostics.problems.expressions import paths as problems
 from aseme_dsl.diagnostics.problems.expressions import values
 from aseme_dsl.diagnostics.problems.expressions.absences import NoAction
@@ -58,6 +58,9 @@ DEEPEST = 100
 
 MOST_PARTS = 10_000
 """How many parts an expression may have, with its lets written out."""
+
+LONGEST_SHOWN = 40
+"""How many characters of a condition a hint repeats."""
 
 
 def type_expression(
@@ -83,6 +86,8 @@ def type_expression(
             condition = value
     elif written.when:
         checker.report(values.WhenWithoutCondition(), written.span)
+    if written.when and written.condition is not None and written.events and not checker.diagnostics:
+        _report_beside_when(checker, written.events, written.condition)
     wanted = exchange.only_from(checker, written)
     if wanted is not None:
         both = (wanted,) if condition is None else (wanted, condition)
@@ -116,6 +121,17 @@ def _condition(checker: Checker, written: tree.Expression) -> Value | None:
         if isinstance(item.problem, values.RandomInLogic):
             checker.diagnostics[place] = replace(item, problem=values.RandomInCondition())
     return value
+
+
+def _report_beside_when(
+    checker: Checker, events: tuple[tree.Event, ...], condition: tree.Expression
+) -> None:
+    """`after(2s) or when [c]`: after two seconds the transition would still wait for `c` (W441)."""
+    text = " ".join(condition.span.text.split())
+    problem = EventBesideWhen(
+        tuple(event.span.text for event in events), text if len(text) <= LONGEST_SHOWN else None
+    )
+    checker.report(problem, events[0].span.to(events[-1].span))
 
 
 def _name_signals(checker: Checker) -> None:

@@ -585,6 +585,24 @@ class ListOfTwoRegions(Problem):
     hint = "let one part change it, and the other one ask for that by an event, a message or another variable"
 
 
+class EventBesideWhen(Problem):
+    """`events` and `condition` as they are written; a condition that is long is None."""
+
+    code = "W441"
+    events: tuple[str, ...]
+    condition: str | None
+
+    @property
+    def message(self) -> str:
+        verb = "has" if len(self.events) == 1 else "have"
+        return f"{listed(self.events)} {verb} no effect: the condition counts for both, and `when` waits for nothing else"
+
+    @property
+    def hint(self) -> str:
+        when = f"when [{self.condition or ' … '}]"
+        return f"write a line for each: one with `{' or '.join(self.events)}`, one with `{when}`"
+
+
 class LeftByTimeOnly(Problem):
     """`line` is how the line for completion begins; None where that is too long."""
 
