@@ -120,6 +120,8 @@ def test_properties() -> None:
         ("activity Search sets tries = true", "E500", "true"),
         ("activity Search takes 3s..1s", "E230", "3s..1s"),
         ("activity Search lasts 3s", "E117", "lasts"),
+        ("always tries < 4", "E229", "tries"),
+        ("always treis < 4", "E200", "treis"),
         ("network delay 300ms..0ms", "E036", "300ms..0ms"),
         ("network lag 3", "E117", "lag"),
         ("given n in 5..2", "E230", "5..2"),

@@ -17,6 +17,7 @@ from aseme_dsl.diagnostics.problems.absences import NoOccurrence, NoTerm
 from aseme_dsl.diagnostics.problems.control import (
     NoLeaveButNext,
     NoStartButOfFirst,
+    NoStayInRoot,
     NoStayInWhole,
     NoWay,
     NoWayButOfBody,
@@ -244,6 +245,9 @@ def _no_way(terms: Terms, term: Formula, verb: str) -> NoWay:
     parent = terms.parents[term]
     template = term.operator.row.template
     if verb in STAYING:
+        if terms.formula == terms.formulas.root:
+            parts = tuple(_named(ungrouped(operand)) for operand in term.operands)
+            return NoStayInRoot(verb, text, title, has, parts)
         return NoStayInWhole(verb, text, title, has)
     if verb in ("start", "finish") and terms.formulas.formula(term.name) and term.operator is Operator.NAME:
         return NoWayIntoFormula(verb, text, title, has)

@@ -47,7 +47,7 @@ def list_variable(written: tree.Var, element: Type) -> tuple[Type, int, tuple[Di
         found.append(Diagnostic(problems.ListOfAgents(), written.type.span))
     length = LENGTH if written.length is None else int(written.length.value)
     if not 1 <= length <= LONGEST and written.length is not None:
-        found.append(Diagnostic(problems.LengthOfList(LONGEST), written.length.span))
+        found.append(Diagnostic(problems.LengthOfList(length, LONGEST), written.length.span))
     if written.bounds is not None:
         found.append(
             Diagnostic(problems.BoundsOfElements(written.name.text, str(element)), written.bounds.span)

@@ -26,6 +26,7 @@ from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.compiler.types.typecheck import type_value
 from aseme_dsl.diagnostics import Diagnostic, Problem
 from aseme_dsl.diagnostics.problems.absences import Absent
+from aseme_dsl.diagnostics.problems.expressions.absences import NoBeginning, NoVariableOrLet
 from aseme_dsl.diagnostics.problems.scenarios import statements as problems
 from aseme_dsl.grammar.formulas.statement import read_statements
 from aseme_dsl.grammar.text import statements as nodes
@@ -632,8 +633,18 @@ class Check:
     ) -> Value | None:
         """An expression with its type, as an agent of the role means it; None if it is wrong."""
         found, wrong = type_value(self._own(written), replace(self.scope(role), taken=taken), expected)
-        self.found += wrong
+        self.found += wrong if role is not None else [self._with_agent(item, written) for item in wrong]
         return found
+
+    def _with_agent(self, wrong: Diagnostic, written: tree.Expression) -> Diagnostic:
+        """What is wrong with a condition that names no agent: a name may be a variable of one."""
+        if not isinstance(wrong.problem, NoVariableOrLet | NoBeginning):
+            return wrong
+        name = wrong.problem.name
+        owners = tuple(agent for agent, role in self.agents.items() if name in self.scope(role).variables)
+        if not owners:
+            return wrong
+        return Diagnostic(problems.VariableWithoutAgent(name, owners, written.span.text), wrong.span)
 
     def _heard(self, item: nodes.Heard, role: str | None) -> None:
         if item.performative is not None and item.performative.text not in PERFORMATIVES:

@@ -123,9 +123,7 @@ def _condition(checker: Checker, written: tree.Expression) -> Value | None:
     return value
 
 
-def _report_beside_when(
-    checker: Checker, events: tuple[tree.Event, ...], condition: tree.Expression
-) -> None:
+def _report_beside_when(checker: Checker, events: tuple[tree.Event, ...], condition: tree.Expression) -> None:
     """`after(2s) or when [c]`: after two seconds the transition would still wait for `c` (W441)."""
     text = " ".join(condition.span.text.split())
     problem = EventBesideWhen(

@@ -60,6 +60,22 @@ class NoStayInWhole(NoWay):
         return f"say it where `{self.formula}` stands in another formula, or of the terms of this one"
 
 
+class NoStayInRoot(NoWay):
+    """The same of a formula that stands in no other one.
+
+    It is made of `parts`, or is the name of another one.
+    """
+
+    parts: tuple[str, ...]
+
+    @property
+    def hint(self) -> str:
+        if not self.parts:
+            return f"say it of the terms of `{self.term}`, in `control {self.term} {{ … }}`"
+        lines = [f"{self.verb} {part}" for part in self.parts]
+        return f"write a line for each part: {first_of(lines, _LISTED)}"
+
+
 class NoWayIntoFormula(NoWay):
     """A term that is the name of another formula."""
 
@@ -595,7 +611,8 @@ class EventBesideWhen(Problem):
     @property
     def message(self) -> str:
         verb = "has" if len(self.events) == 1 else "have"
-        return f"{listed(self.events)} {verb} no effect: the condition counts for both, and `when` waits for nothing else"
+        why = "the condition counts for both, and `when` waits for nothing else"
+        return f"{listed(self.events)} {verb} no effect: {why}"
 
     @property
     def hint(self) -> str:

@@ -275,7 +275,7 @@ def _whole(reader: Reader) -> tree.Expression:
         reader.need(")", first)
         return reader.grown(tree.Parenthesised(inner, reader.since(first.start)), inner)
     if not is_word(first) or first in ("and", "or", "else", "when"):
-        raise reader.unexpected(Wanted.VALUE)
+        raise _no_value(reader, first)
     reader.index += 1
     if first == "true" or first == "false":
         return tree.Truth(first == "true", reader.span(first))
@@ -286,6 +286,17 @@ def _whole(reader: Reader) -> tree.Expression:
         return path
     arguments = _separated(reader, reader.take(), ")")
     return reader.grown(tree.Call(path, tuple(arguments), reader.since(first.start)), *arguments)
+
+
+def _no_value(reader: Reader, found: Token) -> Malformed:
+    """What stands where a value should begin."""
+    if found == "{":
+        return reader.error(problems.ContentWithoutMessage(), found)
+    is_rest = found == "." and reader.tokens[reader.index + 1 : reader.index + 2] == ["."]
+    if reader.index and (is_rest or found == ".."):
+        before = reader.tokens[reader.index - 1]
+        return reader.error(problems.RestOutsideBraces((Wanted.VALUE,), before, ".."), found)
+    return reader.unexpected(Wanted.VALUE)
 
 
 def _new_message(reader: Reader, path: tree.Path) -> tree.NewMessage:

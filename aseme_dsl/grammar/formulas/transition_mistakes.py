@@ -148,6 +148,12 @@ def after_transition(reader: Reader, has_actions: bool, has_condition: bool) -> 
         return reader.error(problem, word, verb)
     if wanted is Wanted.END_OF_EVENTS and reader.next in ASSIGNMENTS:
         return _assignment_without_slash(reader)
+    if wanted is Wanted.END_OF_ACTIONS and reader.index < len(reader.tokens):
+        previous, found = reader.tokens[reader.index - 1 : reader.index + 1]
+        if found == "reply_by":
+            return reader.error(problems.ReplyByBehindReceiver((wanted,), previous, found), found)
+        if (previous, found) == ("}", "."):
+            return reader.error(problems.MemberOfNewMessage((wanted,), previous, found), found)
     return reader.unexpected(wanted)
 
 

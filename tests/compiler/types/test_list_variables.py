@@ -56,7 +56,8 @@ WANTED = "an int is wanted here, not a string"
         (text(action="remove(xs[true])"), "E500", "true", "an int is wanted here, not a bool"),
         (text(action="append(ys, 1)"), "E535", "ys", NO_LIST),
         (text(action="append([1], 1)"), "E535", "[1]", NO_LIST.replace("ys", "[1]")),
-        (text("list[0] of int"), "E518", "0", "the length of a list is a number from 1 to 100000"),
+        (text("list[0] of int"), "E518", "0", "a list of this length holds nothing"),
+        (text("list[200000] of int"), "E518", "200000", "a list has at most 100000 elements"),
         (text("list of int = [1]"), "E514", "[1]", "the list `xs` begins empty"),
         (text("list of int 0..3"), "E518", "0..3", "the elements of the list `xs` have no bounds"),
         (text("list of agent", "xs = []"), "E500", "agent", "a list does not hold agents"),
@@ -187,6 +188,8 @@ def test_variables_hold_messages(written: str) -> None:
             "t.state.Order",
             "`t.state.Order` is what has come on a topic, not the type of a new message",
         ),
+        (with_messages("m = Order"), "E200", "Order", "`Order` is the name of a message, not a value"),
+        (with_messages("append(q, Order)"), "E200", "Order", "`Order` is the name of a message, not a value"),
         (with_messages("m = Order(1)"), "E502", "Order(1)", "`Order` is not a function"),
         (
             with_messages("m = Order(id = 1)"),
@@ -215,6 +218,25 @@ def test_variables_hold_messages(written: str) -> None:
 )
 def test_what_does_not_fit_a_message_is_said_once(written: str, code: str, place: str, message: str) -> None:
     assert told(written) == [(code, place, message)]
+
+
+def test_braces_stand_inside_braces() -> None:
+    """A member may be called `to`, which elsewhere ends the content of a message."""
+    written = """system S
+message Place { int x }
+message Trip { Place start  Place to }
+message Far { Trip to  int id }
+srm r {
+  var far : Far
+  liveness { r = A . B . C }
+  control r {
+    enter A : / far = Far { to = Trip { start = Place { x = 1 }, to = Place { x = 2 } }, id = 1 }
+    enter B : [far.to.to.x > 1] / far = Far { to = Trip { start = Place { ..far.to.to }, ..far.to }, ..far }
+    enter C : [far.id > 0]
+  }
+}
+"""
+    assert told(written) == []
 
 
 def test_the_models_have_variables_with_messages() -> None:

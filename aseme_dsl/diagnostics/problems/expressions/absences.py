@@ -58,6 +58,12 @@ class NotAValue(NoVariableOrLet):
         return self.meant not in ("nothing", "message")
 
     @property
+    def message(self) -> str:
+        if self.meant == "message":
+            return f"`{self.name}` is the name of a message, not a value"
+        return super().message
+
+    @property
     def certain(self) -> str:
         match self.meant:
             case "constant":
@@ -71,7 +77,8 @@ class NotAValue(NoVariableOrLet):
             case "topic":
                 return f"it is a topic: `{self.name}.state.Message.member` reads from it"
             case "message":
-                return carried_on(self.places)
+                new = f"a new one is `{self.name} {{ .. }}`"
+                return f"{new}; {carried_on(self.places)}" if self.places else new
             case "function":
                 return f"it is a function: `{self.name}(…)` calls it"
             case _ as never:

@@ -83,13 +83,18 @@ class BoundsReversed(Problem):
 
 class LengthOfList(Problem):
     code = "E518"
+    length: int
     most: int
 
     @property
     def message(self) -> str:
-        return f"the length of a list is a number from 1 to {self.most}"
+        if self.length < 1:
+            return "a list of this length holds nothing"
+        return f"a list has at most {self.most} elements"
 
-    hint = "write such a number, or leave it out: a list then has at most 1000 elements"
+    @property
+    def hint(self) -> str:
+        return f"write a length from 1 to {self.most}, or leave it out: then it is 1000"
 
 
 class ListOfAgents(Problem):

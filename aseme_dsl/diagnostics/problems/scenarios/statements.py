@@ -72,6 +72,23 @@ class AgentAlone(Problem):
         return f"write `{self.agent} in`, and a state"
 
 
+class VariableWithoutAgent(Problem):
+    """A condition about a variable of `agents`, none of which it names."""
+
+    code = "E229"
+    name: str
+    agents: tuple[str, ...]
+    condition: str
+
+    @property
+    def message(self) -> str:
+        return f"nothing says whose `{self.name}` this is"
+
+    @property
+    def hint(self) -> str:
+        return f"write `{self.agents[0]} has [{self.condition}]`"
+
+
 class MessageAlone(Problem):
     code = "E117"
     channel: str

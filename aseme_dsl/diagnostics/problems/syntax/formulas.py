@@ -351,6 +351,24 @@ class RestWithoutComma(UnexpectedInExpression):
         return f"write ',' before it: {self.after}, {self.rest}"
 
 
+class RestOutsideBraces(UnexpectedInExpression):
+    """`now = ..other`"""
+
+    hint = "'..' stands in braces: `Order { ..other }`; a whole message is assigned without it"
+
+
+class ReplyByBehindReceiver(UnexpectedInExpression):
+    """`send cfp Task { .. } to bidder reply_by 2s`"""
+
+    hint = "write it before the receiver: `reply_by … to …`"
+
+
+class MemberOfNewMessage(UnexpectedInExpression):
+    """`Order { id = 7, .. }.id`"""
+
+    hint = "use the value itself, or assign the message to a variable and ask for its member"
+
+
 class RestNotLast(UnexpectedInExpression):
     """`{ ..m, id = 3 }`: `rest` is what begins with the dots."""
 
