@@ -135,7 +135,9 @@ def test_a_word_about_fonts_is_no_failure(fake: Fake) -> None:
 
 
 def _real_svg() -> bytes:
-    return layout_module.svg.cleaned(layout_module._run([REAL, "-Tsvg"], drawing().dot, 10.0))
+    return layout_module.svg.cleaned(
+        layout_module._run([REAL, "-Tsvg"], drawing().dot, 10.0), "IAC Test of Test"
+    )
 
 
 def test_where_nothing_draws_it_whole_it_is_drawn_in_pieces(fake: Fake, tmp_path: Path) -> None:

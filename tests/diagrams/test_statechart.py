@@ -56,7 +56,7 @@ def _picture(chart: Statechart, options: Options) -> Picture:
 
 def legend(picture: Picture) -> list[str]:
     """The lines of the drawing's own label."""
-    graph = next(iter(picture.root))
+    graph = next(item for item in picture.root if item.get("class") == "graph")
     return [text.text for text in graph if text.tag.endswith("text") and text.text and text.text.strip()]
 
 

@@ -74,7 +74,10 @@ class Line:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sheet:
-    """A whole drawing, with the defaults of its boxes and lines; `lines` are the text of its own label."""
+    """A whole drawing, with the defaults of its boxes and lines; `lines` are the text of its own label.
+
+    `about` says what it shows, for readers who cannot see it.
+    """
 
     name: str
     items: tuple[Box | Group, ...]
@@ -83,6 +86,7 @@ class Sheet:
     node: Attributes
     edge: Attributes
     lines: tuple[str, ...] = ()
+    about: str = ""
 
 
 def cluster(group_id: str) -> str:

@@ -71,7 +71,8 @@ class Drawing(Displayed):
 
     `pieces` makes the same drawing in smaller ones, the first of them an index, for when Graphviz cannot
     draw it whole; None where there is nothing to divide. `states` is how many states are in it. `picture` is
-    the SVG of a drawing that needs no Graphviz, and `note` what must be said of the drawing.
+    the SVG of a drawing that needs no Graphviz, `note` what must be said of the drawing, and `about` what it
+    shows, for readers who cannot see it.
     """
 
     name: str
@@ -81,6 +82,7 @@ class Drawing(Displayed):
     pieces: Callable[[], tuple[Drawing, ...]] | None = field(default=None, compare=False, repr=False)
     picture: str = ""
     note: str = ""
+    about: str = ""
 
 
 def piece_name(name: str, label: str) -> str:
@@ -94,4 +96,4 @@ def of_sheet(
     sheet: Sheet, *, states: int = 0, pieces: Callable[[], tuple[Drawing, ...]] | None = None
 ) -> Drawing:
     """The drawing that a sheet describes."""
-    return Drawing(sheet.name, dot.text(sheet), dot.shown(sheet), states, pieces)
+    return Drawing(sheet.name, dot.text(sheet), dot.shown(sheet), states, pieces, about=sheet.about)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
@@ -22,6 +23,10 @@ _ADVANCES = (
     *(333, 556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556),
     *(556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584),
 )
+
+
+_PLAIN, _BOLD = 1.03, 1.09
+"""How much wider text is at the most in another font, and if it is bold."""
 
 
 class Html(str):
@@ -104,9 +109,10 @@ def font(content: str, *, size: int | None = None, colour: str | None = None, bo
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """A cell of a table: lines of text over `columns` columns.
+    """A cell of a table: lines of text over `columns` columns, with rules at the `sides` (`TB`).
 
-    Graphviz' built-in metrics know only ASCII, so where a line has other characters the cell gets a width.
+    It gets a width, as Graphviz' own metrics differ from machine to machine; the built-in ones know only
+    ASCII, and nothing of bold.
     """
 
     lines: tuple[str, ...]
@@ -117,18 +123,24 @@ class Cell:
     align: str = "LEFT"
     size: int = style.TEXT_SIZE
     tooltip: str = ""
+    sides: str = ""
+
+    @property
+    def width(self) -> float:
+        """How wide its text is, with a little room for other fonts."""
+        return max(text_width(line, self.size) for line in self.lines) * (_BOLD if self.bold else _PLAIN)
 
 
-def cell_html(cell: Cell) -> str:
+def cell_html(cell: Cell, padding: int = 4) -> str:
     """The `<TD>` of a cell."""
     attributes = f' ALIGN="{cell.align}" BALIGN="{cell.align}"'
     if cell.columns > 1:
         attributes += f' COLSPAN="{cell.columns}"'
     if cell.colour:
         attributes += f' BGCOLOR="{cell.colour}"'
-    if not all(line.isascii() for line in cell.lines):
-        width = max(text_width(line, cell.size) for line in cell.lines)
-        attributes += f' WIDTH="{round(width) + 8}"'
+    if cell.sides:
+        attributes += f' SIDES="{cell.sides}" VALIGN="TOP"'
+    attributes += f' WIDTH="{math.ceil(cell.width) + 2 * padding}"'
     content = "<BR/>".join(escaped(line) or " " for line in cell.lines)
     size = cell.size if cell.size != style.TEXT_SIZE else None
     return f"<TD{attributes}>{font(content, size=size, colour=cell.ink or None, bold=cell.bold)}</TD>"
@@ -138,10 +150,10 @@ def table(
     rows: Sequence[Sequence[Cell]], *, border: int = 0, cell_border: int = 1, padding: int = 4, fill: str = ""
 ) -> Html:
     """A table of cells, one sequence a row; `fill` colours all of it and rounds its corners."""
-    content = "".join(f"<TR>{''.join(map(cell_html, row))}</TR>" for row in rows)
+    content = "".join(f"<TR>{''.join(cell_html(cell, padding) for cell in row)}</TR>" for row in rows)
     attributes = f'BORDER="{border}" CELLBORDER="{cell_border}" CELLSPACING="0" CELLPADDING="{padding}"'
     attributes += f' STYLE="ROUNDED" BGCOLOR="{fill}"' if fill else ""
-    return Html(f'<TABLE {attributes} COLOR="{style.LINE}">{content}</TABLE>')
+    return Html(f'<TABLE {attributes} COLOR="{style.RULE_COLOUR}">{content}</TABLE>')
 
 
 def table_lines(rows: Sequence[Sequence[Cell]]) -> tuple[str, ...]:

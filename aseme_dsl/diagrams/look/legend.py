@@ -10,7 +10,7 @@ from aseme_dsl.amola.statechart import State, StateType, transition_text
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.diagrams.look.dot import Sheet
 from aseme_dsl.diagrams.look.drawing import Expressions
-from aseme_dsl.diagrams.look.labels import Cell, short, table, table_lines, text_width, wrapped
+from aseme_dsl.diagrams.look.labels import Cell, short, table, table_lines, wrapped
 from aseme_dsl.diagrams.look.view import View, Way
 
 _WIDTH = 92
@@ -73,14 +73,14 @@ def below(sheet: Sheet, rows: Rows, width: float) -> Sheet:
 
 
 def _cell_width(cell: Cell) -> float:
-    return max(text_width(line, cell.size) for line in cell.lines) + 8
+    return cell.width + 8
 
 
 def _row(number: str, subject: str, text: str) -> list[Cell]:
     return [
-        Cell((number,), bold=True, ink=style.NUMBER_COLOUR, align="RIGHT", size=10),
-        Cell(wrapped(subject, 44), ink=style.PALE_INK, size=10),
-        Cell(wrapped(text, _WIDTH), size=10),
+        Cell((number,), bold=True, ink=style.NUMBER_COLOUR, align="RIGHT", size=style.SMALL_SIZE),
+        Cell(wrapped(subject, 44), ink=style.PALE_INK, size=style.SMALL_SIZE),
+        Cell(wrapped(text, _WIDTH), size=style.SMALL_SIZE),
     ]
 
 

@@ -71,9 +71,9 @@ def closed_marks(view: View, node: State, links: Mapping[str, str]) -> tuple[lis
 
 
 def cells_label(cells: list[Cell]) -> Label:
-    """The label of a box: plain if it is only a name, else a small table."""
+    """The label of a box: plain if it is only a plain name, else a small table."""
     lines = tuple(line for cell in cells for line in cell.lines)
-    if len(cells) == 1 and cells[0].size == style.TEXT_SIZE:
+    if len(cells) == 1 and cells[0].size == style.TEXT_SIZE and not cells[0].bold:
         return {"label": "\n".join(lines)}, lines
     return {"label": table([[cell] for cell in cells], cell_border=0, padding=1)}, lines
 

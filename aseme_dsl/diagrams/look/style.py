@@ -1,41 +1,49 @@
-"""The one look of all drawings: colours, fonts and sizes.
+"""The one style of all drawings that Graphviz lays out: colours, fonts and sizes.
 
-The hues are those of the original editors (yellow OR, cyan AND, green BASIC, …), light enough for black text.
-No meaning rests on colour alone: shape, border and words say the same.
+The hues of statecharts are those of the original editors (yellow OR, cyan AND, green BASIC, …), light enough
+for dark text. No meaning rests on colour alone: shape, border and words say the same.
 """
 
 from __future__ import annotations
 
+from aseme_dsl.diagrams.look.colours import LIGHT
+
 FONT = "Arial"
 """One name, because Graphviz' built-in metrics know it; the SVG gets the usual replacements."""
 
-INK = "#1a1a1a"
-PALE_INK = "#5f5f5f"
-LINE = "#3c3c3c"
-PAPER = "white"
+FONTS = f"{FONT},Liberation Sans,Helvetica,sans-serif"
 
-OR_COLOUR = "#fdffb6"
-AND_COLOUR = "#b1f4f0"
-BASIC_COLOUR = "#c8f7a0"
-ACTOR_COLOUR = "#d6f9f8"
-GOAL_COLOUR = "#ffff80"
-USE_CASE_COLOUR = "#c4f2a8"
-HEAD_COLOUR = "#e8eef4"
-ROLE_COLOUR = "white"
+INK = LIGHT["ink"]
+PALE_INK = LIGHT["soft"]
+LINE = LIGHT["line"]
+PAPER = LIGHT["paper"]
 
-PROTOCOL_COLOUR = "#0057a8"
+OR_COLOUR = LIGHT["or"]
+AND_COLOUR = LIGHT["and"]
+BASIC_COLOUR = LIGHT["basic"]
+HEAD_COLOUR = LIGHT["pill"]
+ROLE_COLOUR = LIGHT["frame"]
+RULE_COLOUR = LIGHT["frame-border"]
+
+ACTOR = {"fillcolor": LIGHT["q0"], "color": LIGHT["p0"]}
+GOAL = {"fillcolor": LIGHT["choice"], "color": LIGHT["choice-border"]}
+USE_CASE = {"fillcolor": LIGHT["node"], "color": LIGHT["node-border"]}
+
+PROTOCOL_COLOUR = LIGHT["p0"]
 """Border and mark of states from a protocol. It is dark on every fill, and colour-blind readers tell it from
 grey."""
 
-NUMBER_COLOUR = "#003d7a"
+NUMBER_COLOUR = LIGHT["number"]
 """The numbers of transition expressions."""
 
-TRANSITION_COLOUR = "#c8330a"
-PARENT_COLOUR = "#9a9a9a"
+TRANSITION_COLOUR = LIGHT["transition"]
+PARENT_COLOUR = LIGHT["frame-border"]
 """Figure 5 draws transitions red and the tree grey; here transitions have arrowheads as well."""
 
+TITLE_SIZE = 16
+NAME_SIZE = 13
 TEXT_SIZE = 12
-SMALL_SIZE = 9
+SMALL_SIZE = 11
 NUMBER_SIZE = 11
 
 GRAPH = {
@@ -66,7 +74,7 @@ EDGE = {
     "arrowsize": "0.7",
 }
 
-DOT = {"label": "", "fixedsize": "true", "fillcolor": "black", "color": "black", "style": "filled"}
+DOT = {"label": "", "fixedsize": "true", "fillcolor": INK, "color": INK, "style": "filled"}
 START_DOT = DOT | {"shape": "circle", "width": "0.17", "height": "0.17"}
 END_DOT = DOT | {"shape": "doublecircle", "width": "0.13", "height": "0.13"}
 CONDITION_CIRCLE = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.statechart import State, StateType, transition_text
+from aseme_dsl.amola.statechart import State, Statechart, StateType, transition_text
 from aseme_dsl.diagrams.look.labels import short
 from aseme_dsl.diagrams.look.view import View, Way
 
@@ -39,6 +39,11 @@ def way_tip(view: View, way: Way) -> str:
     if len(rivals) > 1 and transition in rivals:
         lines.append(f"tried as number {rivals.index(transition) + 1} of {len(rivals)}")
     return "\n".join(lines)
+
+
+def chart_about(chart: Statechart) -> str:
+    """What a drawing of a statechart shows, for readers who cannot see it."""
+    return f"{chart.kind} {chart.name} of {chart.system}"
 
 
 def inside_text(count: int) -> str:

@@ -24,10 +24,7 @@ def sheet(aip: Aip, name: str) -> Sheet:
     width = _WIDTH if len(people) <= 4 else _NARROW
     columns = max(len(people), 1)
     across = width * columns
-    rows = [
-        [_head("Protocol"), Cell((aip.name,), columns, bold=True, align="CENTER", colour=style.GOAL_COLOUR)],
-        [_head("Participants"), *(_title(person) for person in people)],
-    ]
+    rows = [[_head("Participants"), *(_title(person) for person in people)]]
 
     def row(title: str, texts: Sequence[Iterable[str]]) -> None:
         cells = [Cell(_lines(column, width)) for column in texts]
@@ -37,7 +34,7 @@ def sheet(aip: Aip, name: str) -> Sheet:
     def wide_row(title: str, texts: Iterable[str]) -> None:
         lines = _lines(texts, across)
         if lines != ("",):
-            rows.append([_head(title), Cell(lines, columns, align="CENTER")])
+            rows.append([_head(title), Cell(lines, columns)])
 
     row("Engagement Rules", [person.engage for person in people])
     wide_row("Outcomes (one of)" if len(aip.outcomes) > 1 else "Outcome", aip.outcomes)
@@ -48,7 +45,7 @@ def sheet(aip: Aip, name: str) -> Sheet:
     row("Sends", [map(_message, person.sends) for person in people])
     row("Receives", [map(_message, person.receives) for person in people])
     wide_row("Clauses", (clause.text for clause in aip.clauses))
-    return table_sheet(name, name, rows)
+    return table_sheet(name, name, Cell((f"Protocol {aip.name}",)), rows, f"Protocol {aip.name}")
 
 
 def _head(title: str) -> Cell:
@@ -58,7 +55,7 @@ def _head(title: str) -> Cell:
 def _title(person: Participant) -> Cell:
     most = "*" if person.most is None else str(person.most)
     many = "" if (person.least, person.most) == (1, 1) else f" [{person.least}..{most}]"
-    return Cell((person.name + many,), bold=True, align="CENTER", colour=style.ACTOR_COLOUR)
+    return Cell((person.name + many,), bold=True, colour=style.ACTOR["fillcolor"])
 
 
 def _lines(texts: Iterable[str], width: int) -> tuple[str, ...]:

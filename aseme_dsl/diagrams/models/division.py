@@ -86,4 +86,4 @@ def _index(whole: View, name: str, parts: list[tuple[View, Drawing]]) -> Sheet:
         "labelloc": "t",
         "label": title,
     }
-    return Sheet(name, tuple(boxes), tuple(lines), graph, style.NODE, style.EDGE, (title,))
+    return Sheet(name, tuple(boxes), tuple(lines), graph, style.NODE, style.EDGE, (title,), title)

@@ -22,7 +22,7 @@ _Rows = list[list[Cell]]
 
 def sheet(srm: Srm, activities: Sequence[Activity | None], name: str) -> Sheet:
     """The table of a role and what is said of its activities. Parts that have nothing to say are left out."""
-    rows: _Rows = [[Cell((f"Role: {srm.name}",), _COLUMNS, bold=True, colour=style.ACTOR_COLOUR)]]
+    rows: _Rows = []
     _part(rows, "Includes", [", ".join(srm.includes)] if srm.includes else [])
     _part(rows, "Protocols", [", ".join(item.text for item in srm.plays)] if srm.plays else [])
     _part(rows, "Liveness", (f"{_formula(item)} = {canonical(item.formula)}" for item in srm.formulas))
@@ -47,7 +47,7 @@ def sheet(srm: Srm, activities: Sequence[Activity | None], name: str) -> Sheet:
         ("Functionality", "Technology", "Permissions", "Environment", "Algorithm"),
         [_functionality(item) for item in srm.functionalities],
     )
-    return table_sheet(name, name, rows)
+    return table_sheet(name, name, Cell((f"Role {srm.name}",)), rows, f"Role {srm.name}")
 
 
 def _part(rows: _Rows, title: str, texts: Iterable[str]) -> None:
@@ -58,9 +58,15 @@ def _part(rows: _Rows, title: str, texts: Iterable[str]) -> None:
 
 
 def _table(rows: _Rows, titles: Sequence[str], items: Sequence[Sequence[Sequence[str]]]) -> None:
-    """Rows of one kind under their titles; the last column takes what is left of the table's columns."""
+    """Rows of one kind under their titles, without those that nothing is said of.
+
+    The last column takes what is left of the table's columns.
+    """
     if not items:
         return
+    said = [number for number in range(len(titles)) if number == 0 or any(item[number] for item in items)]
+    titles = [titles[number] for number in said]
+    items = [[item[number] for number in said] for item in items]
     last = _COLUMNS - len(titles) + 1
 
     def row(cells: Sequence[Sequence[str]], *, bold: bool = False, colour: str = "") -> None:
@@ -92,11 +98,12 @@ def _activity(name: str, activity: Activity | None) -> list[list[str]]:
 
 
 def _takes(activity: Activity) -> list[str]:
-    return [
+    parts = [
         *([] if activity.takes is None else [duration_text(activity.takes)]),
         *(["simulated"] if activity.simulated else []),
         *(["waits"] if activity.waits else []),
     ]
+    return [", ".join(parts)] if parts else []
 
 
 def _formula(item: NamedFormula) -> str:

@@ -31,7 +31,7 @@ from aseme_dsl.diagrams.look.marks import (
     way_label,
     way_look,
 )
-from aseme_dsl.diagrams.look.tips import state_tip, way_tip
+from aseme_dsl.diagrams.look.tips import chart_about, state_tip, way_tip
 from aseme_dsl.diagrams.look.view import View, Way
 from aseme_dsl.diagrams.models.arrangement import Arrangement, arranged
 
@@ -59,7 +59,8 @@ def sheet(
         lines += _lines(view, arrangement, way, labels[way.place])
     graph = style.GRAPH | {"compound": "true", "nodesep": "0.25", "ranksep": "0.34"}
     items = _items(view, ways, labels, stays, links or {})
-    drawn = Sheet(name, items, tuple(lines), graph, style.NODE, style.EDGE)
+    about = chart_about(view.chart)
+    drawn = Sheet(name, items, tuple(lines), graph, style.NODE, style.EDGE, about=about)
     return legend.below(drawn, legend.rows(view, expressions), arrangement.width)
 
 

@@ -26,7 +26,7 @@ from aseme_dsl.diagrams.look.marks import (
     staying_marks,
     way_look,
 )
-from aseme_dsl.diagrams.look.tips import state_tip, way_tip
+from aseme_dsl.diagrams.look.tips import chart_about, state_tip, way_tip
 from aseme_dsl.diagrams.look.view import View, Way
 
 _FEW_LEAVES = 14
@@ -60,14 +60,15 @@ def sheet(
         "ranksep": "0.4" if downwards else "0.5",
     }
     rows = legend.rows(view, expressions)
-    drawn = Sheet(name, tuple(boxes), (*parents, *ways), graph, style.NODE, style.EDGE)
+    about = chart_about(view.chart)
+    drawn = Sheet(name, tuple(boxes), (*parents, *ways), graph, style.NODE, style.EDGE, about=about)
     return legend.below(drawn, rows, width=90.0 * (leaves if downwards else view.chart.levels))
 
 
 def _box(view: View, node: State, stays: Staying, links: Mapping[str, str], *, inline: bool) -> Box:
     closed, look = closed_marks(view, node, links)
     if node.name == node.label:
-        cells = [Cell((node.label,), size=10, align="CENTER"), small(node.type.value)]
+        cells = [Cell((node.label,), size=style.SMALL_SIZE, align="CENTER"), small(node.type.value)]
     else:
         cells = [
             Cell(name_lines(node, _NAME_WIDTH), align="CENTER"),

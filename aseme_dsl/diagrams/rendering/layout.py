@@ -100,7 +100,8 @@ def render(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> 
         try:
             if drawing.picture:
                 return _run([graphviz, f"-T{format}"], drawing.dot, time_limit)
-            picture = svg.cleaned(_run([graphviz, "-Tsvg", *flags], drawing.dot, time_limit))
+            made = _run([graphviz, "-Tsvg", *flags], drawing.dot, time_limit)
+            picture = svg.cleaned(made, drawing.about or drawing.name)
             if faults := svg.faults(picture, drawing.shown):
                 raise _Flawed("; ".join(faults[:3]) + (f" and {len(faults) - 3} more" if faults[3:] else ""))
             if format == "svg":

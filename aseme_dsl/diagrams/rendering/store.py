@@ -14,7 +14,7 @@ from aseme_dsl import outside
 from aseme_dsl.diagrams.look.drawing import Drawing
 from aseme_dsl.diagrams.rendering.layout import TIME_LIMIT, program, render
 
-_REVISION = 1
+_REVISION = 2
 """To be raised when the same DOT text becomes another picture."""
 
 
@@ -66,11 +66,11 @@ class Store:
 
 
 def key_of(drawing: Drawing) -> str:
-    """What stays the same as long as the picture does: a hash of the DOT text and of what draws it.
+    """What stays the same as long as the picture does: a hash of its texts and of what draws it.
 
     Raises GraphvizMissing where nothing draws.
     """
-    text = f"{_REVISION}\n{program()}\n{drawing.dot}"
+    text = f"{_REVISION}\n{program()}\n{drawing.about}\n{drawing.dot}"
     return hashlib.sha256(text.encode("utf-8", "backslashreplace")).hexdigest()[:40]
 
 

@@ -6,14 +6,19 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from xml.etree import ElementTree
+from xml.sax.saxutils import escape
 
 from aseme_dsl.diagrams.look import style
+from aseme_dsl.diagrams.look.colours import night
 from aseme_dsl.diagrams.look.dot import Kind, Shown
+from aseme_dsl.diagrams.look.labels import printable
 
 _COMMENT = re.compile(rb"<!--.*?-->\n?", re.DOTALL)
 _DOCTYPE = re.compile(rb"<!DOCTYPE[^>]*>\n?")
 _FONT = f'font-family="{style.FONT}"'.encode()
-_FONTS = f'font-family="{style.FONT},Liberation Sans,Helvetica,sans-serif"'.encode()
+_FONTS = f'font-family="{style.FONTS}"'.encode()
+_ROOT = re.compile(rb'<svg width="([\d.]+)pt" height="([\d.]+)pt"')
+_NAME = re.compile(rb"<title>[^<]*</title>\n(?=(<g id=[^>]*><a [^>]*xlink:title=\"([^\"]*)\")?)")
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?|nan|inf", re.IGNORECASE)
 _NAMESPACE = "{http://www.w3.org/2000/svg}"
 
@@ -24,9 +29,19 @@ Frame = tuple[float, float, float, float]
 """Left, top, right and bottom of something drawn."""
 
 
-def cleaned(svg: bytes) -> bytes:
-    """The SVG without comments (Graphviz signs with its version) and document type, with fallback fonts."""
-    return _DOCTYPE.sub(b"", _COMMENT.sub(b"", svg)).replace(_FONT, _FONTS)
+def cleaned(svg: bytes, about: str) -> bytes:
+    """The SVG as all drawings are: light and dark colours, and `about` as its title.
+
+    Graphviz signs with its version in comments, and names elements where a reader expects their tips. One
+    unit is one pixel, so that texts are as large as in the compact drawings.
+    """
+    svg = _DOCTYPE.sub(b"", _COMMENT.sub(b"", svg)).replace(_FONT, _FONTS)
+    svg = _NAME.sub(lambda match: b"<title>%s</title>\n" % match[2] if match[1] else b"", svg)
+    said = escape(printable(about), {'"': "&quot;"}).encode()
+    root = b'<svg width="\\1" height="\\2" class="aseme-drawing" role="img" aria-label="%s"'
+    head, border, rest = _ROOT.sub(root % said.replace(b"\\", b"\\\\"), svg, count=1).partition(b">\n<g ")
+    look = f"<title>{said.decode()}</title>\n<style>{night(svg.decode())}</style>"
+    return head + b">\n" + look.encode() + b"\n<g " + rest if border else svg
 
 
 def faults(svg: bytes, shown: Sequence[Shown]) -> list[str]:

@@ -30,7 +30,8 @@ _NAMES: Mapping[Kind, str] = {
 _OURS: Mapping[Kind, re.Pattern[bytes]] = {
     "bench": re.compile(rb"\A# .*\n\n(?s:.{0,400}?)Times are CPU time of one thread"),
     "drawing": re.compile(
-        rb"""class="graph"[^\n]*\n<title>(?:(?:aip|srm|eac|iac)\.|sag<|suc<)
+        rb"""class="aseme-(?:compact|drawing)"
+        | class="graph"[^\n]*\n<title>(?:(?:aip|srm|eac|iac)\.|sag<|suc<)  # of earlier versions
         | \Adigraph\ "?(?:(?:aip|srm|eac|iac)\.|sag"?\ |suc"?\ )
         | asemec\ diagram""",
         re.VERBOSE,

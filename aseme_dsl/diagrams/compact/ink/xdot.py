@@ -8,10 +8,11 @@ from typing import assert_never
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.diagrams.compact.elements import SIZES, Form, Line, Look, Picture, Point, Shape, Stroke, Text
-from aseme_dsl.diagrams.compact.ink.colours import LIGHT, branch_colour
+from aseme_dsl.diagrams.compact.ink.colours import branch_colour
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS
 from aseme_dsl.diagrams.compact.ink.svg import head, in_order
 from aseme_dsl.diagrams.compact.words import ICON
+from aseme_dsl.diagrams.look.colours import LIGHT
 from aseme_dsl.diagrams.look.labels import printable
 
 _STROKES = {Stroke.PLAIN: "line", Stroke.CUT: "cut", Stroke.ERROR: "error", Stroke.NEVER: "soft"}
