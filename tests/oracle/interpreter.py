@@ -136,6 +136,35 @@ def newest(messages: list[Sample]) -> Sample | None:
     return found
 
 
+GIVEN = {"plan", "agent", "messages", "pending", "initial", "seed", "endless", "chance", "outcome"}
+"""What is no part of the interpreter's state: what it is given, and the outcome of its last step."""
+
+
+def frozen(value: Any) -> Any:
+    """What holds the same as a list, dictionary or set, and cannot be changed."""
+    match value:
+        case dict():
+            return dict, tuple((key, frozen(item)) for key, item in value.items())
+        case list() | set():
+            return type(value), tuple(frozen(item) for item in value)
+        case tuple():
+            return tuple, tuple(frozen(item) for item in value)
+        case Region():
+            return Region, tuple((key, frozen(item)) for key, item in vars(value).items())
+    return value
+
+
+def thawed(value: Any) -> Any:
+    """What `frozen` was given."""
+    match value:
+        case (kind, items) if kind is dict or kind is Region:
+            found = {key: thawed(item) for key, item in items}
+            return found if kind is dict else Region(**found)
+        case (kind, items) if kind in (list, set, tuple):
+            return kind(thawed(item) for item in items)
+    return value
+
+
 class Reference:
     """A running chart, like the generated step classes but interpreted from the plan's words.
 
@@ -215,6 +244,22 @@ class Reference:
         self.breach: tuple[str, str] | None = None
         """The state that is entered though a write on the way was outside of the bounds, and why."""
         self.outcome = Outcome()
+
+    # ---- as a value -------------------------------------------------------------------------
+
+    def save(self) -> Any:
+        """The whole state between two steps, as a plain immutable value."""
+        kept = {name: value for name, value in vars(self).items() if name not in GIVEN}
+        return frozen(kept), self.chance and self.chance.getstate()
+
+    def load(self, saved: Any) -> None:
+        """Take a state that was saved."""
+        values, chance = saved
+        vars(self).update(thawed(values))
+        self.chance = None
+        if chance is not None:
+            self.chance = Random()
+            self.chance.setstate(chance)
 
     # ---- what the plan says -----------------------------------------------------------------
 

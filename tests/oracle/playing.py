@@ -140,6 +140,8 @@ class Game:
     numbers: dict[str, int] = field(default_factory=dict)
     story: list[str] = field(default_factory=list)
     taken: int = 0
+    goes_back: bool = False
+    """Whether each step is made twice, the second time from what was saved before the first."""
 
     def __post_init__(self) -> None:
         self.plan = self.made.plan(self.role)
@@ -165,6 +167,8 @@ class Game:
         self.actual.pending = lambda: late
         self.story.append(f"at {self.now / MS} ms: {inputs}" + (f", during it {late}" if late else ""))
 
+        if self.goes_back:
+            self.go_back(inputs)
         expected = self.expected.step(self.now, inputs)
         actual = self.actual.step(self.now, inputs)
         self.compare("the step", shown(expected), shown(actual))
@@ -174,6 +178,26 @@ class Game:
             name = variable.name
             self.compare(f"the variable {name}", self.expected.variable(name), self.actual.variable(name))
         self.follow(expected)
+
+    def go_back(self, inputs: list[Input]) -> None:
+        """Both make the step, and are put back to before it: one in its place, a new one to where that was.
+
+        That the step can then be made as if nothing had been, is compared as always.
+        """
+        self.expected.load(self._stepped(self.expected, inputs))
+        before = self._stepped(self.actual, inputs)
+        if len(self.story) % 2:
+            self.actual = self.made.chart(self.role, "me")
+            self.actual.pending = lambda: self.late
+        self.actual.load(before)
+        self.compare("what is saved anew", before, self.actual.save())
+
+    def _stepped(self, engine: Any, inputs: list[Input]) -> Any:
+        """What an engine saves before a step that it makes."""
+        before = engine.save()
+        hash(before)  # nothing in it can change
+        engine.step(self.now, inputs)
+        return before
 
     def compare(self, what: str, expected: Any, actual: Any) -> None:
         if expected != actual:

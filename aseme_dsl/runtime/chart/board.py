@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, TypeAlias
 
 from aseme_dsl.runtime.chart import history
 from aseme_dsl.runtime.chart.history import History
@@ -22,6 +22,22 @@ QUEUE = 10_000
 """So many signals of a queued channel wait in a region at the most, if nothing else is said."""
 
 
+Known: TypeAlias = tuple[
+    tuple[tuple[str, tuple[tuple[str, Sample], ...]], ...],
+    tuple[tuple[str, tuple[Sample, ...], tuple[Sample, ...]], ...],
+    tuple[tuple[str, tuple[Sample, ...]], ...],
+]
+"""The messages on a board: states by sender, data (before the window, and in it) and signals, by channel."""
+
+SavedDrafts: TypeAlias = tuple[tuple[tuple[str, str | None], tuple[tuple[tuple[str, ...], object], ...]], ...]
+
+SavedBoard: TypeAlias = tuple[Known, frozenset[Identity], tuple[tuple[str, int], ...], SavedDrafts]
+"""All that a board holds between two steps: messages, those read ahead, timers, drafts."""
+
+NOTHING_KNOWN: Known = ((), (), ())
+_NOBODY: frozenset[Identity] = frozenset()
+
+
 class Board:
     """The blackboard of a region.
 
@@ -30,7 +46,7 @@ class Board:
     (slot, sender or None), `TIMED` the slots that have a companion `…_time` with the time of measurement.
     """
 
-    __slots__ = ("_data", "_seen", "_signals", "_states", "ahead", "asked", "drafts", "timers")
+    __slots__ = ("_data", "_known", "_seen", "_signals", "_states", "ahead", "asked", "drafts", "timers")
 
     CHANNELS: ClassVar[frozenset[str]] = frozenset()
     QUEUED: ClassVar[frozenset[str]] = frozenset()
@@ -45,6 +61,8 @@ class Board:
         self._data: dict[str, History] = {}
         self._signals: dict[str, list[Sample]] = {}
         self._seen: dict[tuple[str, str | None], Sample] = {}
+        self._known: Known | None = None
+        """The messages as a value; None since they have changed."""
         self.ahead: set[Identity] = set()
         """What `read_messages` has put here before it comes as an input."""
         self.asked: list[Sample] = []
@@ -58,6 +76,7 @@ class Board:
 
     def inherit(self, outer: Board) -> None:
         """Start with the states and histories of the surrounding region, without signals and timers."""
+        self._known = None
         for channel in self.CHANNELS:
             if channel in outer._states:
                 self._states[channel] = dict(outer._states[channel])
@@ -71,6 +90,7 @@ class Board:
 
     def put(self, item: Sample, now: int) -> None:
         """Take in a message of one of the board's channels."""
+        self._known = None
         channel = item.channel
         comm = channel.split(".", 2)[1]
         if comm == "state":
@@ -178,6 +198,7 @@ class Board:
         for index, other in enumerate(waiting):
             if other is item:
                 del waiting[index]
+                self._known = None
                 self._refresh(item.channel)
                 return True
         return False
@@ -194,6 +215,7 @@ class Board:
             if waiting and any(now - item.time >= longest for item in waiting):
                 dropped += [item for item in waiting if now - item.time >= longest]
                 waiting[:] = [item for item in waiting if now - item.time < longest]
+                self._known = None
                 self._refresh(channel)
         return dropped
 
@@ -203,6 +225,47 @@ class Board:
         self.asked.clear()
         self._seen.clear()
         return dropped
+
+    # ---- as a value ------------------------------------------------------------------------
+
+    def save(self) -> SavedBoard:
+        """All that it holds, between two steps."""
+        known = self._known
+        if known is None:
+            known = self._known = self._messages()
+        if not (self.timers or self.ahead or self.drafts):
+            return (known, _NOBODY, (), ())
+        drafts = tuple((key, tuple(members.items())) for key, members in self.drafts.items())
+        return (known, frozenset(self.ahead), tuple(self.timers.items()), drafts)
+
+    def _messages(self) -> Known:
+        if not (self._states or self._data or self._signals):
+            return NOTHING_KNOWN
+        return (
+            tuple([(channel, tuple(senders.items())) for channel, senders in self._states.items()]),
+            tuple([(channel, *data.save()) for channel, data in self._data.items()]),
+            tuple([(channel, tuple(waiting)) for channel, waiting in self._signals.items() if waiting]),
+        )
+
+    def load(self, saved: SavedBoard) -> None:
+        """Hold what was saved, and nothing else."""
+        known, ahead, timers, drafts = saved
+        if known is not self._known:  # most boards of a chart have not changed since
+            states, data, signals = self._known = known
+            self._states = {channel: dict(senders) for channel, senders in states}
+            self._data = {channel: History(window, before) for channel, before, window in data}
+            self._signals = {channel: list(items) for channel, items in signals}
+            for channel in self.SLOTS:
+                self._refresh(channel)
+        if timers or self.timers:
+            self.timers = dict(timers)
+        if ahead or self.ahead:
+            self.ahead = set(ahead)
+        if drafts or self.drafts:
+            self.drafts = {key: dict(members) for key, members in drafts}
+        if self.asked:
+            self.asked = []
+            self._seen = {}
 
     # ---- drafts ----------------------------------------------------------------------------
 

@@ -19,13 +19,17 @@ class History:
 
     __slots__ = ("_before", "_newest", "_shown", "_window")
 
-    def __init__(self, items: Iterable[Sample] = ()) -> None:
-        """With these, oldest first."""
+    def __init__(self, items: Iterable[Sample] = (), before: Iterable[Sample] = ()) -> None:
+        """With these in the window, and one of some senders before it, oldest first."""
         self._window = deque(items)
-        self._before: dict[str, Sample] = {}
+        self._before = {item.sender: item for item in before}
         """Of each sender the newest that is older than the window, in the order of their times."""
-        self._newest = {item.sender: item for item in self._window}
+        self._newest = {item.sender: item for item in self}
         self._shown: tuple[Sample, ...] | None = None
+
+    def save(self) -> tuple[tuple[Sample, ...], tuple[Sample, ...]]:
+        """Those before the window, and those in it."""
+        return tuple(self._before.values()), tuple(self._window)
 
     def copy(self) -> History:
         """The same messages, to be added to apart."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import TypeAlias
 
 from aseme_dsl.runtime.chart.inputs import LOST, Addressed, AgentMessage, Settled
 
@@ -12,6 +13,9 @@ REMEMBERED = 100
 
 Key = tuple[str, str]
 """The label of a protocol branch, and a participant."""
+
+SavedRound: TypeAlias = tuple[Key, tuple[str, ...], str, frozenset[str], frozenset[str], tuple[str, ...]]
+"""A round as a value: whose it is, and the fields of `Round`."""
 
 
 @dataclass(slots=True)
@@ -96,5 +100,22 @@ class Rounds:
                 new._rounds[labels[branch], participant] = copy
         return new
 
+    def save(self) -> tuple[SavedRound, ...]:
+        """The rounds as a value."""
+        return tuple(
+            (key, item.agents, item.name, frozenset(item.taken), frozenset(item.settled), item.earlier)
+            for key, item in self._rounds.items()
+        )
 
-__all__ = ["Round", "Rounds"]
+    def load(self, saved: tuple[SavedRound, ...]) -> None:
+        """Have the rounds that were saved, and no others."""
+        self._rounds = {
+            key: Round(agents, name, set(taken), set(settled), earlier)
+            for key, agents, name, taken, settled, earlier in saved
+        }
+
+    def __bool__(self) -> bool:
+        return bool(self._rounds)
+
+
+__all__ = ["Round", "Rounds", "SavedRound"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from operator import attrgetter
 from random import Random
 from typing import TYPE_CHECKING, ClassVar
 
@@ -10,6 +11,7 @@ from aseme_dsl.runtime.chart.board import QUEUE, Board
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Outcome, Sample
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.chart.rounds import Rounds
+from aseme_dsl.runtime.chart.saving import Saved, load, places_of, save
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance
@@ -94,6 +96,19 @@ class ChartState:
     """The methods with what protocol branches do when they are left before their END."""
     LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """The labels of each region's leaves by their numbers."""
+    places: ClassVar[tuple[str, ...]] = ()
+    """The attributes that hold a plain immutable value each (`saving.py`)."""
+    values: ClassVar[Callable[[ChartState], tuple[object, ...]]]
+    """Gives what these hold."""
+    board_places: ClassVar[tuple[str, ...]] = ()
+    """The attributes that hold the blackboards of the regions."""
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        if cls.REGIONS:  # one that was generated
+            cls.board_places = tuple(f"b{number}" for number in range(len(cls.REGIONS)))
+            cls.places = places_of(cls)
+            cls.values = attrgetter(*cls.places)
 
     def __init__(self, agent: str) -> None:
         self.agent = agent
@@ -178,7 +193,15 @@ class ChartState:
         """The blackboard of each region, None where the region is not active."""
         raise NotImplementedError
 
-    # ---- questions between steps -----------------------------------------------------------
+    # ---- between steps ---------------------------------------------------------------------
+
+    def save(self) -> Saved:
+        """The whole state, as a plain immutable value: equal ones mean that the same will follow."""
+        return save(self)
+
+    def load(self, saved: Saved) -> None:
+        """Take the state of a chart of the same model. Raises OtherModel for that of another one."""
+        load(self, saved)
 
     def board_of(self, label: str) -> Board:
         """The blackboard of the region around a BASIC state."""
