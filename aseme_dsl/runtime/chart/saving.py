@@ -71,7 +71,7 @@ def save(chart: ChartState) -> Saved:
     boards = [getattr(chart, name) for name in chart.board_places] if chart.suspended else chart.boards()
     return Saved(
         chart.PLAN.model,
-        chart.values(chart),
+        type(chart).values(chart),
         tuple([None if board is None else board.save() for board in boards]),
         _seldom(chart),
     )
