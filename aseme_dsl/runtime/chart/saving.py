@@ -1,7 +1,7 @@
 """Saving: the whole state of a chart between two steps as a plain immutable value, and back.
 
-What a chart is given from outside does not belong to it: its agent's name, the seed, how many signals may
-wait, and where it looks for what has just arrived.
+What a chart is given from outside does not belong to it: its agent's name, the seed, and how many signals
+may wait.
 """
 
 from __future__ import annotations
