@@ -32,6 +32,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Suspended,
 )
 from aseme_dsl.runtime.chart.plan import is_in
+from aseme_dsl.runtime.chart.saving import Saved, load, save
 from aseme_dsl.runtime.chart.state import ChartState
 from aseme_dsl.runtime.chart.stepping import (
     RECEIVE,
@@ -108,6 +109,14 @@ class Chart(ChartState):
         if self._faults:
             self._faults.clear()
         return outcome
+
+    def save(self) -> Saved:
+        """The whole state between two steps, as a plain immutable value."""
+        return save(self)
+
+    def load(self, saved: Saved) -> None:
+        """Take the state of a chart of the same model. Raises OtherModel for that of another one."""
+        load(self, saved)
 
     # ---- what generated code calls ---------------------------------------------------------
 

@@ -9,14 +9,12 @@ from __future__ import annotations
 from collections import deque
 from itertools import repeat
 from random import Random
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from aseme_dsl.runtime.chart.board import SavedBoard
 from aseme_dsl.runtime.chart.inputs import AgentMessage
 from aseme_dsl.runtime.chart.rounds import SavedRound
-
-if TYPE_CHECKING:
-    from aseme_dsl.runtime.chart.state import ChartState
+from aseme_dsl.runtime.chart.state import ChartState
 
 Chance: TypeAlias = tuple[object, ...]
 """Where a generator of random numbers stands."""
@@ -50,19 +48,9 @@ class Saved(NamedTuple):
 
 NOTHING = Seldom((), (), (), (), frozenset(), (), (), (), None)
 
-COMMON = ("now", "started", "finished", "failure", "tokens", "breach", "drains", "woken")
-"""What all charts have, each a plain immutable value."""
-
 
 class OtherModel(ValueError):
     """A state is one of another model."""
-
-
-def places_of(kind: type[ChartState]) -> tuple[str, ...]:
-    """The attributes of a generated class that hold a plain immutable value each."""
-    own: tuple[str, ...] = kind.__dict__.get("__slots__", ())
-    other = {*kind.board_places, *kind.KEPT.values()}
-    return (*COMMON, *(name for name in own if name not in other))
 
 
 def save(chart: ChartState) -> Saved:

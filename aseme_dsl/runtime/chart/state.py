@@ -11,10 +11,12 @@ from aseme_dsl.runtime.chart.board import QUEUE, Board
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Outcome, Sample
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.chart.rounds import Rounds
-from aseme_dsl.runtime.chart.saving import Saved, load, places_of, save
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance
+
+COMMON = ("now", "started", "finished", "failure", "tokens", "breach", "drains", "woken")
+"""What all charts have that is a plain immutable value between two steps, and may be another one then."""
 
 
 class ChartState:
@@ -107,7 +109,9 @@ class ChartState:
         super().__init_subclass__()
         if cls.REGIONS:  # one that was generated
             cls.board_places = tuple(f"b{number}" for number in range(len(cls.REGIONS)))
-            cls.places = places_of(cls)
+            other = {*cls.board_places, *cls.KEPT.values()}
+            own: tuple[str, ...] = cls.__dict__.get("__slots__", ())
+            cls.places = (*COMMON, *(name for name in own if name not in other))
             cls.values = attrgetter(*cls.places)
 
     def __init__(self, agent: str) -> None:
@@ -193,15 +197,7 @@ class ChartState:
         """The blackboard of each region, None where the region is not active."""
         raise NotImplementedError
 
-    # ---- between steps ---------------------------------------------------------------------
-
-    def save(self) -> Saved:
-        """The whole state, as a plain immutable value: equal ones mean that the same will follow."""
-        return save(self)
-
-    def load(self, saved: Saved) -> None:
-        """Take the state of a chart of the same model. Raises OtherModel for that of another one."""
-        load(self, saved)
+    # ---- questions between steps -----------------------------------------------------------
 
     def board_of(self, label: str) -> Board:
         """The blackboard of the region around a BASIC state."""
