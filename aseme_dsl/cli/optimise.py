@@ -16,7 +16,9 @@ from aseme_dsl.cli.shared import (
     WRONG_USE,
     activities_option,
     check_outputs,
+    cluster_option,
     colour_option,
+    crew_of,
     diagnostics_json,
     folder_option,
     json_option,
@@ -105,6 +107,7 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
     type=click.IntRange(1),
     help="Parallel runs.  [default: the number of cores]",
 )
+@cluster_option
 @click.option("--world", metavar="MODULE:FUNCTION", help="Factory function of the simulated world.")
 @network_option(
     "Simulated network, such as delay=0..300ms,loss=10%,reorder.  [default: the project's, else no delay]"
@@ -127,6 +130,7 @@ def command(
     worth: float,
     quicker: float,
     jobs: int | None,
+    cluster: str | None,
     world: str | None,
     network_words: str | None,
     output: Path | None,
@@ -140,6 +144,7 @@ def command(
     from aseme_dsl.diagnostics import Severity
     from aseme_dsl.project.building.build import activities_folder, choose
     from aseme_dsl.project.settings.configuration import OUTPUT
+    from aseme_dsl.project.spreading.cluster import ClusterError
     from aseme_dsl.project.studying.optimise import Question, optimise
     from aseme_dsl.project.studying.study import TIME, Plan, StudyError
     from aseme_dsl.project.studying.variation import VariationError
@@ -149,6 +154,7 @@ def command(
         raise click.BadParameter(
             f"{measure!r} does not have the form MODULE:FUNCTION.", param_hint="'--measure'"
         )
+    crew = crew_of(jobs, cluster)
     network, wrong = network_of(network_words)
     if wrong:
         refuse(wrong, as_json, colour)
@@ -172,7 +178,7 @@ def command(
         minimise or measure == TIME,
         worth / 100,
         quicker,
-        min(jobs or os.cpu_count() or 1, runs),
+        min(crew, runs) if isinstance(crew, int) else crew,
     )
     folder = output or home / "optimise"
     check_outputs([(folder / name, kind) for name, kind in _FILES.items()], [target, *compiled.depends])
@@ -183,7 +189,7 @@ def command(
     counted = _Counted(progress)
     try:
         study = optimise(compiled.system, question, plan, choice, total=counted.total, told=counted.told)
-    except (StudyError, VariationError) as problem:
+    except (ClusterError, StudyError, VariationError) as problem:
         if as_json:
             print_json({"result": None, "problem": str(problem), **diagnostics_json(())})
         raise click.ClickException(f"{problem}{'' if str(problem).endswith('?') else '.'}") from problem

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from aseme_dsl.project.files.inputs import Inputs
     from aseme_dsl.project.files.outputs import Kind
     from aseme_dsl.project.files.write import Written
+    from aseme_dsl.project.spreading.cluster import Cluster
 
 CommandT = TypeVar("CommandT", bound=Callable[..., object])
 OptionsT = TypeVar("OptionsT")
@@ -96,6 +97,23 @@ def activities_option(command: CommandT) -> CommandT:
     """`--activities DIR`."""
     text = "Directory of the activities' Python code.  [default: the project's, else OUTPUT/monas/activities]"
     return folder_option("--activities", text=text)(command)
+
+
+def cluster_option(command: CommandT) -> CommandT:
+    """`--cluster ADDRESS`."""
+    text = (
+        "Play on the workers of the Dask cluster whose scheduler has this address, such as tcp://lab1:8786."
+    )
+    return click.option("--cluster", metavar="ADDRESS", help=text)(command)
+
+
+def crew_of(jobs: int | None, cluster: str | None) -> int | Cluster:
+    """Who plays many runs: so many processes, or a cluster. Both at once are wrong use."""
+    from aseme_dsl.project.spreading.cluster import Cluster
+
+    if jobs is not None and cluster is not None:
+        raise click.UsageError("--jobs is about this machine, and --cluster about others: give one of them.")
+    return jobs or os.cpu_count() or 1 if cluster is None else Cluster(cluster)
 
 
 def moment_of(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:

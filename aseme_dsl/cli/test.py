@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +13,9 @@ from aseme_dsl.cli.report import form_of
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
     activities_option,
+    cluster_option,
     colour_option,
+    crew_of,
     one_system,
     plural,
     print_json,
@@ -48,6 +49,7 @@ if TYPE_CHECKING:
 @click.option(
     "-j", "--jobs", type=click.IntRange(1), metavar="N", help="Number of processes.  [default: one a CPU]"
 )
+@cluster_option
 @activities_option
 @click.option(
     "--format",
@@ -62,6 +64,7 @@ def command(
     name: str | None,
     seeds: int | None,
     jobs: int | None,
+    cluster: str | None,
     activities: Path | None,
     form: str | None,
     as_json: bool,
@@ -70,9 +73,11 @@ def command(
     """Print the verdicts; 1 if the file has errors, or not all scenarios have passed."""
     from aseme_dsl.project.building.build import activities_folder, choose
     from aseme_dsl.project.settings.configuration import OUTPUT
+    from aseme_dsl.project.spreading.cluster import ClusterError
     from aseme_dsl.project.testing.playing import play_scenarios, scenarios_in
 
     form = form_of(form, as_json, None)
+    crew = crew_of(jobs, cluster)
     compiled = one_system(target, activities)
     wrong = [item for item in compiled.diagnostics if item.severity is not Severity.NOTE]
     if compiled.system is None or has_errors(wrong):
@@ -90,9 +95,11 @@ def command(
             configuration,
             choice,
             activities_folder(configuration.output or Path(OUTPUT), choice),
-            jobs or os.cpu_count() or 1,
+            crew,
             progress.say,
         )
+    except ClusterError as problem:
+        raise click.ClickException(f"{problem}.") from problem
     finally:
         progress.end()
     _print(tested, form, str(compiled.root if isinstance(compiled.root, Path) else target), colour)

@@ -69,6 +69,7 @@ NOT_RUN = (
     r"asemec .* --real\b.*",
     r"asemec node .*",
     r"asemec run .* --platform (spade|mango)\b.*",
+    r"asemec .* --cluster .*",
     r"asemec view .*",
     r"asemec .* --watch",
     r"asemec completion fish > .*",

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from aseme_dsl.project.spreading.cluster import Cluster
 from aseme_dsl.project.studying import study as studies
 from aseme_dsl.project.studying.findings import Row, best, rows, slowest, worth
 from aseme_dsl.project.studying.study import TIME, Case, StudyError
@@ -32,7 +33,7 @@ class Question:
     less_is_better: bool = False
     least: float = 0.05
     times: float = 2.0
-    processes: int = 1
+    crew: int | Cluster = 1
 
 
 def optimise(
@@ -49,6 +50,7 @@ def optimise(
     `total` is called with the number of runs, as soon as that is known; `told` is called after each.
 
     Raises:
+        ClusterError: the cluster cannot be used.
         StudyError: something cannot be played or measured.
         VariationError: the system cannot be varied so.
     """
@@ -72,7 +74,7 @@ def optimise(
                 Path(folder) / name,
                 choice,
                 times=question.times,
-                processes=question.processes,
+                crew=question.crew,
                 told=told,
             )
 

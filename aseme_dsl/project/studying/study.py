@@ -15,8 +15,9 @@ from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from aseme_dsl.project.playing.spread import spread
-from aseme_dsl.project.settings.configuration import Configuration
+from aseme_dsl.project.settings.configuration import OUTPUT, Configuration
+from aseme_dsl.project.spreading.cluster import Cluster, Copied
+from aseme_dsl.project.spreading.spread import spread
 from aseme_dsl.project.studying.variation import Variant, quicker, varied
 
 if TYPE_CHECKING:
@@ -123,12 +124,13 @@ def play_all(
     choice: Choice,
     *,
     times: float = 2.0,
-    processes: int,
+    crew: int | Cluster,
     told: Callable[[], None] = lambda: None,
 ) -> tuple[Played, ...]:
     """Play every case with every seed. `folder` is for what is generated; `told` is called after each run.
 
     Raises:
+        ClusterError: the cluster cannot be used.
         StudyError: a run cannot be played, or has no measure of that name.
     """
     jobs = [
@@ -136,7 +138,13 @@ def play_all(
         for number, case in enumerate(cases)
         for seed in seeds
     ]
-    runs = iter(spread(_run_job, jobs, processes, told))
+    configuration = plan.configuration
+    copied = (
+        Copied(folder),
+        Copied(plan.activities),
+        Copied(configuration.folder, (configuration.output or Path(OUTPUT),)),
+    )
+    runs = iter(spread(_run_job, jobs, crew, copied, told))
     return tuple(Played(case, tuple(next(runs) for _ in seeds)) for case in cases)
 
 
@@ -211,7 +219,7 @@ class _Faults:
             self.without_code.setdefault(str(record["activity"]))
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=1)  # all packages have the same module names, and activities import the newest
 def _loaded(package: Path, configuration_folder: Path) -> Loaded:
     from aseme_dsl.backends.backend import AGENTS
     from aseme_dsl.runtime.version.loading import RoleBackends, load_system

@@ -1,4 +1,4 @@
-"""Playing: the scenarios of a system in as many processes as are wanted."""
+"""Playing: the scenarios of a system in as many processes as are wanted, or on a cluster."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.play.run import NotPlayable, Played, play
 from aseme_dsl.play.scenario import Scenario, Script
-from aseme_dsl.project.playing.spread import spread
+from aseme_dsl.project.spreading.cluster import Cluster, Copied
+from aseme_dsl.project.spreading.spread import spread
 from aseme_dsl.project.testing.cases import Case, cases_of
 from aseme_dsl.project.testing.verdicts import NotRun, ScenarioResult, verdict_of
 from aseme_dsl.runtime.time.clock import USUAL_LENGTH
@@ -55,15 +56,17 @@ def play_scenarios(
     configuration: Configuration,
     choice: Choice,
     activities: Path,
-    processes: int,
+    crew: int | Cluster,
     told: Callable[[str], None] = lambda text: None,
 ) -> tuple[ScenarioResult, ...]:
     """The verdicts on scenarios, in their order. `told` is given how much is done.
 
     Raises:
+        ClusterError: the cluster cannot be used.
         OperateError: the code of the system cannot be written.
     """
     from aseme_dsl.project.playing.operate import generate_version
+    from aseme_dsl.project.settings.configuration import OUTPUT
 
     usual = (configuration.run.duration if configuration.run is not None else None) or USUAL_LENGTH
     project = configuration.folder.resolve()
@@ -82,13 +85,19 @@ def play_scenarios(
             for scenario, mine in zip(scenarios, cases, strict=True)
             for part in (_parts(mine) if scenario.refused is None else ())
         ]
+        copied = (
+            Copied(Path(folder)),
+            Copied(activities),
+            Copied(project, (configuration.output or Path(OUTPUT),)),
+        )
         needed = -(-sum(map(len, cases)) // MANY)
         done = count(1)
         found = iter(
             spread(
                 _play,
                 jobs,
-                max(1, min(processes, needed)),
+                crew if isinstance(crew, Cluster) else max(1, min(crew, needed)),
+                copied,
                 lambda: told(f"{next(done)} of {len(jobs)} parts played"),
             )
         )
@@ -133,7 +142,7 @@ def _play(job: _Job) -> list[Played | NotRun]:
     return found
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=1)  # all packages have the same module names, and activities import the newest
 def _loaded(package: Path, project: Path) -> Loaded:
     from aseme_dsl.backends.backend import AGENTS
     from aseme_dsl.runtime.version.loading import RoleBackends, load_system

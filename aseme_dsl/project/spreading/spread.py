@@ -1,4 +1,4 @@
-"""Spread: many runs in virtual time, in processes beside each other."""
+"""Spread: many runs in virtual time, in processes beside each other or on a cluster."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ from contextlib import contextmanager
 from multiprocessing import get_context, resource_tracker
 from typing import TYPE_CHECKING, TypeVar
 
+from aseme_dsl.project.spreading.cluster import Cluster, Copied, play_there
+
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
 
@@ -19,10 +21,22 @@ ResultT = TypeVar("ResultT")
 
 
 def spread(
-    play: Callable[[JobT], ResultT], jobs: Sequence[JobT], processes: int, told: Callable[[], None]
+    play: Callable[[JobT], ResultT],
+    jobs: Sequence[JobT],
+    crew: int | Cluster,
+    copied: Sequence[Copied],
+    told: Callable[[], None],
 ) -> list[ResultT]:
-    """What `play` makes of the jobs, in their order; `told` is called after each."""
-    if processes == 1:
+    """What `play` makes of the jobs, in their order; `told` is called after each.
+
+    The crew is a number of processes, or a cluster, whose workers get the folders `copied`.
+
+    Raises:
+        ClusterError: the cluster cannot be used.
+    """
+    if isinstance(crew, Cluster):
+        return play_there(crew, play, jobs, copied, told)
+    if crew == 1:
         found = []
         for job in jobs:
             found.append(play(job))
@@ -31,7 +45,7 @@ def spread(
     # Spawned, not forked: a run leaves imported modules and threads behind.
     spawned = get_context("spawn")
     end, ours = spawned.Pipe(duplex=False)
-    pool = ProcessPoolExecutor(processes, spawned, _begin_worker, (end,))
+    pool = ProcessPoolExecutor(crew, spawned, _begin_worker, (end,))
     try:
         with _interrupts_wait():
             futures = [pool.submit(play, job) for job in jobs]
