@@ -133,6 +133,14 @@ class Participant:
 
 
 @dataclass(frozen=True, slots=True)
+class Outcome:
+    """How the protocol may end; `when` lists the `X@participant` whose entry says so, if that is said."""
+
+    text: str
+    when: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Clause:
     """What holds between participants.
 
@@ -152,7 +160,7 @@ class Clause:
 class Aip(Displayed):
     name: str
     participants: tuple[Participant, ...]
-    outcomes: tuple[str, ...]
+    outcomes: tuple[Outcome, ...]
     clauses: tuple[Clause, ...]
     span: Span
 

@@ -110,12 +110,14 @@ def aip_json(aip: Aip, system: str, folder: PurePath | None = None) -> Json:
         }
         for item in aip.clauses
     ]
+    reached = [{"outcome": item.text, "when": list(item.when)} for item in aip.outcomes if item.when]
     return {
         "format": FORMAT,
         "name": aip.name,
         "system": system,
         "participants": [_participant(item, folder) for item in aip.participants],
-        "outcomes": list(aip.outcomes),
+        "outcomes": [item.text for item in aip.outcomes],
+        **({"reached": reached} if reached else {}),
         "clauses": clauses,
         "span": _span(aip.span, folder),
     }

@@ -26,7 +26,7 @@ from aseme_dsl.cli.shared import (
 from aseme_dsl.diagnostics import Severity, closest, has_errors
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Collection, Iterator, Sequence
 
     from aseme_dsl.play.scenario import Scenario
     from aseme_dsl.project.testing.verdicts import ScenarioResult
@@ -50,6 +50,13 @@ if TYPE_CHECKING:
     "-j", "--jobs", type=click.IntRange(1), metavar="N", help="Number of processes.  [default: one a CPU]"
 )
 @cluster_option
+@click.option(
+    "--role",
+    "bindings",
+    metavar="ROLE=AGENT",
+    multiple=True,
+    help="The agent that `any ROLE` is; may be repeated.",
+)
 @activities_option
 @click.option(
     "--format",
@@ -65,6 +72,7 @@ def command(
     seeds: int | None,
     jobs: int | None,
     cluster: str | None,
+    bindings: tuple[str, ...],
     activities: Path | None,
     form: str | None,
     as_json: bool,
@@ -82,7 +90,8 @@ def command(
     wrong = [item for item in compiled.diagnostics if item.severity is not Severity.NOTE]
     if compiled.system is None or has_errors(wrong):
         return refuse(wrong, form == "json", colour)
-    scenarios = _chosen(scenarios_in(compiled), name)
+    bound = _bound(bindings, [chart.name for chart in compiled.system.iacs])
+    scenarios = _chosen(scenarios_in(compiled, bound), name)
     configuration = compiled.configuration
     choice = choose(configuration, activities=activities)
     project_seed = configuration.run.seed if configuration.run is not None else None
@@ -104,6 +113,21 @@ def command(
         progress.end()
     _print(tested, form, str(compiled.root if isinstance(compiled.root, Path) else target), colour)
     return int(any(item.verdict != "passed" for item in tested))
+
+
+def _bound(bindings: Sequence[str], roles: Collection[str]) -> dict[str, str]:
+    """The agents by the roles that they are chosen for. Raises UsageError."""
+    found: dict[str, str] = {}
+    for text in bindings:
+        role, sign, agent = text.partition("=")
+        if not (sign and role and agent):
+            raise click.UsageError(f"--role is written ROLE=AGENT, as in player=robot1, not {text!r}.")
+        if role not in roles:
+            near = closest(role, roles)
+            hint = f" Did you mean {near!r}?" if near else ""
+            raise click.UsageError(f"--role {text}: there is no role {role!r}.{hint}")
+        found[role] = agent
+    return found
 
 
 def _chosen(scenarios: Sequence[Scenario], name: str | None) -> list[Scenario]:
@@ -140,6 +164,7 @@ def _data(item: ScenarioResult) -> dict[str, object]:
         "seed": item.seed,
         "time_ns": item.time_ns,
         "reason": reason,
+        **({} if item.points is None else {"points": item.points}),
     }
 
 
@@ -161,6 +186,10 @@ def _lines(tested: Sequence[ScenarioResult], is_coloured: bool) -> Iterator[str]
     counts = [(sum(item.verdict == verdict for item in tested), verdict) for verdict in _COLOURS]
     said = ", ".join(f"{number} {verdict}" for number, verdict in counts if number)
     yield f"{plural(len(tested), 'scenario')}{': ' if said else ''}{said}"
+    points = [(item.points, item.verdict == "passed") for item in tested if item.points is not None]
+    if points:
+        got = sum(number for number, has_passed in points if has_passed)
+        yield f"{got} of {plural(sum(number for number, _ in points), 'point')}"
 
 
 def _reason(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:

@@ -93,15 +93,15 @@ def inspecting(
     return found
 
 
-def scenarios_of(inspection: Inspection) -> tuple[Scenario, ...]:
-    """The scenarios of a system without errors, as they are played."""
+def scenarios_of(inspection: Inspection, bound: Mapping[str, str]) -> tuple[Scenario, ...]:
+    """The scenarios of a system without errors, as they are played; agents are `bound` to roles for `any`."""
     from aseme_dsl.compiler.requirements.played import played
     from aseme_dsl.compiler.requirements.statements import known_by
 
     found, files = inspection, inspection.loaded.files
     known = known_by(files, found.top, found.scopes, found.blocks, (), found.iacs, found.activities)
     charts = {role: chart for role, chart in found.iacs.items() if chart is not None}
-    return played(files, known, charts, found.blocks)
+    return played(files, known, charts, found.blocks, bound)
 
 
 def _inspecting(

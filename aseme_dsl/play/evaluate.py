@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import reduce
+from operator import add
 from typing import cast
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.messages import DOUBLE, Type
+from aseme_dsl.amola.messages import DOUBLE, Function, Kind, Type
+from aseme_dsl.runtime.chart.functions import FunctionError, find_function
 
 Told = Mapping[str, object]
 """A message, as the trace tells it."""
@@ -19,6 +22,10 @@ Told = Mapping[str, object]
 
 def _nothing(*asked: object) -> None:
     return None
+
+
+def _none(*asked: object) -> tuple[()]:
+    return ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +40,23 @@ class Known:
     variable: Callable[[str], object] = _nothing
     bound: Told | None = None
     """The content of the message that a condition is about."""
+    history: Callable[[str, str | None], Sequence[tuple[Told, int]]] = _none
+    """The messages of a data channel (of a sender) with the times of measurement, the newest last."""
+    state: Callable[[str, str], object] = _nothing
+    """The value of `in`, `done` or `count` of a state."""
+    outcome: Callable[[str], object] = _nothing
+    """How an activity has ended last."""
+    has_expired: Callable[[str], object] = _nothing
+    """Whether a timer has run out."""
+    index: int = 1
 
+
+class NotEvaluated(Exception):
+    """A function of the document cannot be called; the text says why."""
+
+
+_PLAIN = frozenset((Kind.BOOL, Kind.INT, Kind.DOUBLE, Kind.STRING, Kind.DURATION))
+"""What a function of the document is given and gives as it is."""
 
 _BUILT_IN: dict[str, Callable[[Sequence[float]], float]] = {
     "abs": lambda numbers: abs(numbers[0]),
@@ -47,7 +70,9 @@ def not_evaluated(value: e.Value) -> Iterator[e.Value]:
     for part in e.walk(value):
         match part:
             case e.Call(function=function):
-                if function.target.removeprefix("builtin:") not in _BUILT_IN:
+                kinds = {kind.kind for _, kind in function.parameters} | {function.result.kind}
+                is_built_in = function.target.startswith("builtin:")
+                if not (function.target[8:] in _BUILT_IN if is_built_in else kinds <= _PLAIN):
                     yield part
             case e.Compare(left=left, right=right):
                 ages = [side for side in (left, right) if isinstance(side, e.Age)]
@@ -73,6 +98,12 @@ def not_evaluated(value: e.Value) -> Iterator[e.Value]:
                 | e.Logic()
                 | e.Conditional()
                 | e.Named()
+                | e.At()
+                | e.Mean()
+                | e.Expired()
+                | e.Outcome()
+                | e.StateValue()
+                | e.Index()
             ):
                 pass
             case _:
@@ -89,8 +120,31 @@ def ages(value: e.Value) -> Iterator[tuple[e.Member, int]]:
                     yield side.message, other.value
 
 
+def asked(value: e.Value, kind: type[e.At] | type[e.Mean]) -> Iterator[str]:
+    """The channels whose history a value looks at in this way."""
+    for part in e.walk(value):
+        if isinstance(part, kind):
+            yield str(part.message.channel)
+
+
+def counted(value: e.Value) -> Iterator[str]:
+    """The states whose entries a value counts."""
+    for part in e.walk(value):
+        if isinstance(part, e.StateValue) and part.question == "count":
+            yield part.state
+
+
+def timers(value: e.Value) -> Iterator[str]:
+    """The timers that a value asks for."""
+    return (part.timer for part in e.walk(value) if isinstance(part, e.Expired))
+
+
 def value_of(value: e.Value, known: Known) -> object:
-    """What the value comes to; None where something that it needs is absent, or cannot be computed."""
+    """What the value comes to; None where something that it needs is absent, or cannot be computed.
+
+    Raises:
+        NotEvaluated: a function of the document is not there, or raises.
+    """
     try:
         return _value(value, known)
     except (ArithmeticError, TypeError, ValueError):
@@ -119,6 +173,25 @@ def _value(value: e.Value, known: Known) -> object:
         case e.Age(message=e.Member(channel=channel, host=host)):
             found = known.newest(str(channel), host)
             return None if found is None else known.now - found[1]
+        case e.At(message=message, offset=offset, type=kind):
+            moment = known.now + cast(int, _value(offset, known))
+            past = known.history(str(message.channel), message.host)
+            then = next((content for content, measured in reversed(past) if measured <= moment), None)
+            return _member(then, message.path, kind)
+        case e.Mean(message=message, window=window):
+            moment = known.now - cast(int, _value(window, known))
+            past = known.history(str(message.channel), message.host)
+            members = [_member(content, message.path, DOUBLE) for content, at in past if at >= moment]
+            values = cast("list[float]", [item for item in members if item is not None])
+            return reduce(add, values) / len(values) if values else None
+        case e.Expired(timer=timer):
+            return known.has_expired(timer)
+        case e.Outcome(activity=activity):
+            return known.outcome(activity)
+        case e.StateValue(question=question, state=state):
+            return known.state(question, state)
+        case e.Index():
+            return known.index
         case e.Not(operand=operand):
             truth = _value(operand, known)
             return None if truth is None else not truth
@@ -155,8 +228,10 @@ def _computed(value: e.Value, parts: Sequence[object]) -> object:
             return e.computed(value, *numbers)
         case e.Negate():
             return -numbers[0]
-        case e.Call(function=function):
+        case e.Call(function=function) if function.target.startswith("builtin:"):
             return _BUILT_IN[function.target.removeprefix("builtin:")](numbers)
+        case e.Call(function=function):
+            return _called(function, parts)
         case e.ListValue():
             return list(parts)
         case e.Size():
@@ -169,4 +244,23 @@ def _computed(value: e.Value, parts: Sequence[object]) -> object:
     raise LookupError(f"{e.value_text(value)} is not evaluated")  # see `not_evaluated`
 
 
-__all__ = ["Known", "Told", "ages", "not_evaluated", "value_of"]
+def _called(function: Function, parts: Sequence[object]) -> object:
+    try:
+        return find_function(function.target)(*parts)
+    except FunctionError as problem:
+        raise NotEvaluated(str(problem)) from problem
+    except Exception as problem:  # it is the user's
+        raise NotEvaluated(f"{function.name} raises {type(problem).__name__}: {problem}") from problem
+
+
+__all__ = [
+    "Known",
+    "NotEvaluated",
+    "Told",
+    "ages",
+    "asked",
+    "counted",
+    "not_evaluated",
+    "timers",
+    "value_of",
+]

@@ -6,7 +6,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import assert_never, cast
 
-from aseme_dsl.play.evaluate import Known, Told, ages, value_of
+from aseme_dsl.amola.expression import At, Mean
+from aseme_dsl.play.assumptions import Assumptions
+from aseme_dsl.play.evaluate import Known, Told, ages, asked, counted, timers, value_of
+from aseme_dsl.play.followed import Followed, answer, around, entered_by
 from aseme_dsl.play.scenario import (
     AllOf,
     AnyOf,
@@ -19,7 +22,7 @@ from aseme_dsl.play.scenario import (
     Says,
     Script,
 )
-from aseme_dsl.runtime.chart.plan import Plan, is_in
+from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
 from aseme_dsl.runtime.team.team import Team
@@ -30,7 +33,17 @@ LAST = 6
 """A failure shows so many of the last things that happened to an agent."""
 
 _KINDS = frozenset(
-    ("step", "message", "agent_message", "radio_received", "arrived", "fault", "error", "activity")
+    (
+        "step",
+        "message",
+        "agent_message",
+        "received",
+        "radio_received",
+        "arrived",
+        "fault",
+        "error",
+        "activity",
+    )
 )
 
 
@@ -44,18 +57,6 @@ class Said:
     sender: str
     content: Told
     moment: int
-
-
-@dataclass(slots=True)
-class _Followed:
-    """What is known of an agent."""
-
-    active: frozenset[str] = frozenset()
-    """The labels of the active states, with those around them."""
-    newest: dict[tuple[str, str | None], tuple[Told, int]] = field(default_factory=dict)
-    has_begun: bool = False
-    last: dict[str, int] = field(default_factory=dict)
-    """When what has happened to it happened last; the newest comes last."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,13 +89,20 @@ class Observer:
         self.faults: list[str] = []
         self.waiting: dict[int, list[Callable[[int], None]]] = {}
         """Called with the moment at which a condition occurs for the first time, in the midst of a step."""
+        self.assumed = Assumptions(script.assumptions)
         self._inputs = inputs
-        self._agents = {name: _Followed() for name, _ in script.team}
+        self._agents = {name: Followed() for name, _ in script.team}
+        self._last: dict[str, dict[str, int]] = {name: {} for name, _ in script.team}
+        """When what has happened to an agent happened last; the newest comes last."""
         self._said: dict[tuple[str, int], Said] = {}
         self._arrived: dict[tuple[str, str, int], int] = {}
         self._held: frozenset[int] = frozenset()
         self._passing = _passing(script.conditions)
         self._aged = _aged(script.conditions)
+        values = [item.value for item in script.conditions if isinstance(item, Holds)]
+        self._counted = frozenset(name for value in values for name in counted(value))
+        self._timers = frozenset(name for value in values for name in timers(value))
+        self._kept = frozenset(name for value in values for kind in (At, Mean) for name in asked(value, kind))
         self._now = 0
         self._team: Team | None = None
         self._is_over = False
@@ -110,10 +118,11 @@ class Observer:
         if self._is_over or record["kind"] not in _KINDS:
             return
         self._pass_to(record["time"])
+        self.assumed.see(record)
         match record["kind"]:
             case "step":
                 self._step(record)
-            case "message" | "agent_message" | "radio_received":
+            case "message" | "agent_message" | "received" | "radio_received":
                 self._say(record)
             case "arrived":
                 agent, number = record["input"]
@@ -152,6 +161,7 @@ class Observer:
         """The run was to end at this moment: nothing changes any more."""
         if self.broken is None:
             self._pass_to(moment + 1)
+            self.assumed.pass_to(moment + 1)
             for place, item in enumerate(self.script.expectations):
                 self._take(place, ended(item.rule, self.states[place], moment))
         self._is_over = True
@@ -160,9 +170,9 @@ class Observer:
 
     def crashed(self, agent: str) -> None:
         """An agent has stopped dead: it is in no state, and knows nothing."""
-        followed = self._agents[agent]
-        followed.active = frozenset()
-        followed.newest.clear()
+        assert self._team is not None
+        self.assumed.crash(agent, self._team.driver.clock.now())
+        self._agents[agent].forget()
         self._note(agent, "crashes")
         self.look()
 
@@ -177,7 +187,7 @@ class Observer:
         before = followed.active
         if "configuration" in record:
             leaves = record["configuration"]
-            followed.active = frozenset(label for leaf in leaves for label in _around(leaf))
+            followed.active = frozenset(label for leaf in leaves for label in around(leaf))
         followed.has_begun = True
         entered = set(followed.active - before)
         received = []
@@ -187,9 +197,22 @@ class Observer:
                 self._receive(agent, said, (str(identity[0]), int(identity[1])))
                 received.append((agent, said))
         for taken in record["taken"]:
-            entered |= _entered(plan, taken["transitions"])
+            new = entered_by(plan, taken["transitions"])
+            if self._counted:
+                followed.count(plan, self._counted, new)
+            entered |= new
             self._note(agent, _way(plan, taken["source"], taken["target"]))
+        if self._timers:
+            self._wake_for_timers(agent)
         self._look(_Happening({agent: frozenset(entered)}, received=tuple(received)))
+
+    def _wake_for_timers(self, agent: str) -> None:
+        """Look again when a timer that a condition asks for runs out."""
+        assert self._team is not None
+        for board in self._team.agent(agent).chart.boards():
+            for name in self._timers.intersection(board.timers if board is not None else ()):
+                if board is not None and board.timers[name] > self._now:
+                    self._team.driver.at(board.timers[name], self.look, background=True)
 
     def _receive(self, agent: str, said: Said, identity: tuple[str, int]) -> None:
         self._note(agent, f"receives {said.what} from {said.sender}")
@@ -197,8 +220,7 @@ class Observer:
             return
         followed = self._agents[agent]
         measured = self._arrived.get((agent, *identity), said.moment)
-        for sender in (None, said.sender):
-            followed.newest[said.what, sender] = said.content, measured
+        followed.receive(said.what, said.sender, said.content, measured, said.what in self._kept)
         assert self._team is not None
         for age in self._aged.get(said.what, ()):
             for moment in (measured + age, measured + age + 1):
@@ -207,6 +229,9 @@ class Observer:
     def _say(self, record: Record) -> None:
         agent = record["agent"]
         sender = record.get("sender", agent)
+        is_outside = record["kind"] == "received"
+        if is_outside:
+            sender = str(record["input"][0])
         performative = record.get("performative")
         if performative is not None:
             kind, content = str(record["message"]), record["content"]
@@ -215,6 +240,9 @@ class Observer:
             what, content = record["channel"], record["message"]
             kind = what.rpartition(".")[2]
         said = Said(what, kind, performative, sender, cast(Told, content), self._now)
+        if is_outside:
+            self._said[sender, int(record["input"][1])] = said
+            return
         self._said[agent, record["sequence"]] = said
         if record["kind"] != "radio_received" and sender in self._agents:
             self._note(sender, f"sends {what}")
@@ -225,8 +253,8 @@ class Observer:
         return self._team.agent(agent).plan
 
     def _note(self, agent: str, text: str) -> None:
-        if agent in self._agents:
-            last = self._agents[agent].last
+        last = self._last.get(agent)
+        if last is not None:
             last.pop(text, None)
             last[text] = self._now
 
@@ -234,8 +262,8 @@ class Observer:
         """The last things that happened, agent by agent."""
         return tuple(
             f"{name}  {shown(moment)}  {text}"
-            for name, followed in self._agents.items()
-            for text, moment in list(followed.last.items())[-LAST:]
+            for name, last in self._last.items()
+            for text, moment in list(last.items())[-LAST:]
         )
 
     # ---- what is seen ------------------------------------------------------------------------
@@ -297,19 +325,32 @@ class Observer:
         return is_held, is_held and number not in self._held
 
     def _known(self, agent: str, bound: Told | None = None) -> Known:
-        newest = self._agents[agent].newest
+        assert self._team is not None
+        followed, running = self._agents[agent], self._team.agent(agent)
+        plan, chart = running.plan, running.chart
         return Known(
             self._now,
             self._inputs,
-            lambda channel, sender: newest.get((channel, sender)),
-            lambda name: self._variable(agent, name),
+            lambda channel, sender: followed.newest.get((channel, sender)),
+            lambda name: to_json(chart.variable(name)) if chart.started else None,
             bound,
+            lambda channel, sender: followed.measured.get((channel, sender), ()),
+            lambda question, state: answer(plan, chart, followed, question, state),
+            lambda activity: next(
+                (
+                    how
+                    for label, how in reversed(chart.outcomes.items())
+                    if plan.by_label[label].activity == activity
+                ),
+                None,
+            ),
+            lambda timer: any(
+                board.timers[timer] <= self._now
+                for board in (chart.boards() if chart.started else ())
+                if board is not None and timer in board.timers
+            ),
+            chart.index,
         )
-
-    def _variable(self, agent: str, name: str) -> object:
-        assert self._team is not None
-        chart = self._team.agent(agent).chart
-        return to_json(chart.variable(name)) if chart.started else None
 
     def _is_meant(self, says: Says, agent: str, said: Said) -> bool:
         if says.what != (said.kind if says.is_kind else said.what):
@@ -356,23 +397,6 @@ def _aged(conditions: Iterable[Condition]) -> Mapping[str, frozenset[int]]:
             for member, age in ages(condition.value):
                 found.setdefault(str(member.channel), set()).add(age)
     return {channel: frozenset(items) for channel, items in found.items()}
-
-
-def _around(label: str) -> Iterable[str]:
-    """A label, and those of the states around it."""
-    parts = label.split(".")
-    return (".".join(parts[:end]) for end in range(1, len(parts) + 1))
-
-
-def _entered(plan: Plan, numbers: Iterable[int]) -> set[str]:
-    """The labels of the states that transitions enter, also those that are left again in the same step."""
-    found: set[str] = set()
-    for number in numbers:
-        item = plan.transitions[number]
-        if item.kind == "external":
-            found |= {label for label in _around(item.target) if not is_in(item.source, label)}
-            found.add(item.target)
-    return found
 
 
 def _way(plan: Plan, source: str, target: str) -> str:

@@ -7,18 +7,36 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import assert_never
 
+from aseme_dsl.play.evaluate import NotEvaluated
 from aseme_dsl.play.observer import Observer
-from aseme_dsl.play.scenario import Act, Crashes, Raises, Receives, Restarts, Script, Stimulus
+from aseme_dsl.play.scenario import (
+    Act,
+    Assumption,
+    Content,
+    Crashes,
+    Raises,
+    Receives,
+    Restarts,
+    Script,
+    Stimulus,
+)
 from aseme_dsl.play.stand_ins import NotComputed, finder, given_message, staged
 from aseme_dsl.runtime.activity.activities import ActivityFinder
+from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.monitor.rules import State
 from aseme_dsl.runtime.team.faults import Faults, Partition
 from aseme_dsl.runtime.team.team import Team, TeamError, make_team
 from aseme_dsl.runtime.version.loading import Loaded
+from aseme_dsl.runtime.world.body import AnyWorld
+from aseme_dsl.source import Span
 
 
 class NotPlayable(Exception):
-    """A scenario cannot be played; the text says why."""
+    """A scenario cannot be played; the text says why, `span` is the place of the reason if it has one."""
+
+    def __init__(self, reason: str, span: Span | None = None) -> None:
+        super().__init__(reason)
+        self.span = span
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +53,20 @@ class Played:
     failures: Mapping[str, str]
     faults: tuple[str, ...]
     story: tuple[str, ...]
+    assumption: tuple[Assumption, int] | None = None
+    """The assumption that held no longer first, and since when."""
 
 
 def play(
-    loaded: Loaded, script: Script, seed: int, inputs: Mapping[str, object], real: ActivityFinder, until: int
+    loaded: Loaded,
+    script: Script,
+    seed: int,
+    inputs: Mapping[str, object],
+    real: ActivityFinder,
+    until: int,
+    world: AnyWorld | None = None,
 ) -> Played:
-    """Play a script with a seed and values for its inputs, up to `until` (ns).
+    """Play a script with a seed and values for its inputs, up to `until` (ns), in a `world` if it has one.
 
     Raises:
         NotPlayable: the code of an activity cannot be loaded, a value cannot be computed.
@@ -48,8 +74,9 @@ def play(
     inputs = {**script.values, **inputs}
     observer = Observer(script, inputs)
     acting = {item.activity: item for item in script.activities}
-    charts = {role: staged(chart, acting) for role, chart in loaded.charts.items()}
-    find = finder(script, inputs, loaded.messages, real)
+    is_alone = script.world is None
+    charts = {role: staged(chart, acting, is_alone) for role, chart in loaded.charts.items()}
+    find = finder(script, inputs, loaded.messages, real, loaded.charts)
     try:
         team = make_team(
             replace(loaded, charts=charts, team=script.team),
@@ -57,12 +84,15 @@ def play(
             seed=seed,
             until_ns=until,
             stop=observer.settled,
+            world=world,
             before=_Stage(script, loaded, inputs, observer).begin,
             listeners=(observer,),
             faults=_faults(script, seed),
         )
         result = team.run()
-    except (TeamError, NotComputed) as problem:
+    except NotComputed as problem:
+        raise NotPlayable(problem.reason, problem.span) from problem
+    except (TeamError, NotEvaluated) as problem:
         raise NotPlayable(str(problem)) from problem
     if result.reason == "interrupted":
         raise KeyboardInterrupt
@@ -78,6 +108,7 @@ def play(
         observer.failures,
         tuple(observer.faults),
         observer.story(),
+        observer.assumed.broken,
     )
 
 
@@ -101,6 +132,11 @@ class _Stage:
     def begin(self, team: Team) -> None:
         """Give what comes first, and schedule the rest."""
         self.observer.begin(team)
+        names = {agent for agent, _ in self.script.team}
+        speakers = (item.act.sender for item in self.script.stimuli if isinstance(item.act, Receives))
+        for name in dict.fromkeys(speakers):
+            if name not in names:
+                team.conversations.add_external_agent(name, lambda message: None)
         for item in self.script.stimuli:
             call = partial(self._do, team, item.act)
             if item.trigger is not None:
@@ -119,7 +155,10 @@ class _Stage:
         match act:
             case Receives(content=content, sender=sender):
                 message = given_message(content, self.loaded.messages, self.inputs)
-                team.bus.give(agent, content.channel, message, sender)
+                if content.performative is None:
+                    team.bus.give(agent, content.channel, message, sender)
+                else:
+                    self._say(team, agent, sender, content, content.performative, message)
             case Raises(event=event):
                 team.bus.give_event(agent, event)
             case Crashes():
@@ -130,6 +169,16 @@ class _Stage:
                 self.observer.restarted(act.agent)
             case _:
                 assert_never(act)
+
+    def _say(
+        self, team: Team, agent: Agent, sender: str, content: Content, performative: str, message: object
+    ) -> None:
+        """Give an agent message."""
+        known = next((item for item in team.agents if item.name == sender), None)
+        identity = (sender, team.bus.outside()[1]) if known is None else known.identity()
+        problem = team.conversations.give(agent, performative, content.channel, message, sender, identity)
+        if problem:
+            raise NotComputed(content.span, problem)
 
 
 __all__ = ["NotPlayable", "Played", "play"]

@@ -95,6 +95,45 @@ class Share:
 
 
 @dataclass(frozen=True, slots=True)
+class PaceAssumed:
+    """While an activity runs, so long passes between what it writes on a channel."""
+
+    activity: str
+    channel: str
+    every: Lasts
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class DurationAssumed:
+    """An activity takes so long."""
+
+    activity: str
+    takes: Lasts
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class CrashesAssumed:
+    """At most so many of the agents crash."""
+
+    most: int
+    agents: frozenset[str]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class NetworkAssumed:
+    """The network is as good as this. `broken_at` is when that of the run is worse, if it ever is."""
+
+    broken_at: int | None
+    span: Span
+
+
+Assumption = PaceAssumed | DurationAssumed | CrashesAssumed | NetworkAssumed
+
+
+@dataclass(frozen=True, slots=True)
 class Expectation:
     """A rule, with its place. It is vacuous if one of the `witnesses` was met in no run."""
 
@@ -109,11 +148,15 @@ class Expectation:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """A message on a channel, with the members that are given."""
+    """A message on a channel, with the members that are given.
+
+    With a `performative` it is an agent message, and `channel` is the type of its content.
+    """
 
     channel: str
     members: tuple[tuple[tuple[str, ...], Value], ...]
     span: Span
+    performative: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,7 +225,8 @@ class Writes:
 
 @dataclass(frozen=True, slots=True)
 class Acting:
-    """What an activity does instead of its code; `real`: its code."""
+    """What an activity does instead of its code; `real`: its code. When it ends, it publishes what it
+    `writes`, and `sends` agent messages."""
 
     activity: str
     real: bool = False
@@ -191,6 +235,7 @@ class Acting:
     fails_at: int | None = None
     writes: tuple[Writes, ...] = ()
     sets: tuple[tuple[str, Value], ...] = ()
+    sends: tuple[Content, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,6 +267,9 @@ class Script:
     """The end of the run (ns)."""
     is_open: bool
     """Whether it is that of a run of the project, if that is later."""
+    world: str | None = None
+    """The function that makes the world in which it is played; "": the project's, if it has one."""
+    assumptions: tuple[Assumption, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,6 +288,8 @@ class Scenario:
     span: Span
     scripts: tuple[Script, ...]
     refused: Refused | None = None
+    points: int | None = None
+    """What a teacher gives for it."""
 
 
 __all__ = [
@@ -247,6 +297,7 @@ __all__ = [
     "Acting",
     "AllOf",
     "AnyOf",
+    "Assumption",
     "Condition",
     "Content",
     "Crashes",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Generator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from dataclasses import replace
 from random import Random
 from typing import cast
@@ -18,6 +18,7 @@ from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import ActivityInfo
 from aseme_dsl.runtime.message.as_json import from_json
 from aseme_dsl.runtime.time.clock import SECOND
+from aseme_dsl.source import Span
 
 Messages = Mapping[str, type[object]]
 """The message classes by name."""
@@ -28,7 +29,12 @@ class ActedFailure(Exception):
 
 
 class NotComputed(Exception):
-    """A value that a scenario gives cannot be computed."""
+    """What a scenario gives cannot be given; `span` is its place."""
+
+    def __init__(self, span: Span, reason: str) -> None:
+        super().__init__(f"{span}: {reason}")  # in the trace, where an activity fails for it
+        self.span = span
+        self.reason = reason
 
 
 def given_message(content: Content, messages: Messages, inputs: Mapping[str, object]) -> object:
@@ -42,13 +48,13 @@ def given_message(content: Content, messages: Messages, inputs: Mapping[str, obj
     try:
         return from_json(messages[content.channel.rpartition(".")[2]], data)
     except ValueError as error:
-        raise NotComputed(f"{content.span}: {error}") from error
+        raise NotComputed(content.span, str(error)) from error
 
 
 def _computed(value: Value, inputs: Mapping[str, object]) -> object:
     found = value_of(value, Known(inputs=inputs))
     if found is None:
-        raise NotComputed(f"{value.span}: {value.span.text} has no value here")
+        raise NotComputed(value.span, f"{value.span.text} has no value here")
     return found
 
 
@@ -61,14 +67,17 @@ def duration_of(lasts: Lasts | None, chance: Random) -> int:
     return chance.randint(lasts.least, lasts.most)
 
 
-def staged(chart: type[Chart], acting: Mapping[str, Acting]) -> type[Chart]:
-    """The chart of a role with the activities that the scenario gives it, without modules and behaviours.
+def staged(chart: type[Chart], acting: Mapping[str, Acting], is_alone: bool = True) -> type[Chart]:
+    """The chart of a role with the activities that the scenario gives it.
 
-    Those of which nothing is said do nothing, and last what they are declared to.
+    One that `is_alone`, in no world, has no modules and behaviours. Activities of which nothing is said do
+    nothing, and last what they are declared to.
     """
 
     def played(info: ActivityInfo) -> ActivityInfo:
         said = acting.get(info.name)
+        if said is None and not is_alone:
+            return info
         if said is None:
             takes = WITHOUT_CODE if info.takes is None else info.takes
             return replace(info, simulated=True, takes=takes)
@@ -76,27 +85,58 @@ def staged(chart: type[Chart], acting: Mapping[str, Acting]) -> type[Chart]:
             return info
         return replace(info, simulated=False, waits=False, takes=None, kind="thread")
 
-    plan = replace(chart.PLAN, activities=tuple(map(played, chart.PLAN.activities)), modules=())
-    return cast("type[Chart]", type(chart.__name__, (chart,), {"__slots__": (), "PLAN": plan, "AGENT": None}))
+    if not is_alone and not acting:
+        return chart
+    modules = () if is_alone else chart.PLAN.modules
+    plan = replace(chart.PLAN, activities=tuple(map(played, chart.PLAN.activities)), modules=modules)
+    own = {"__slots__": (), "PLAN": plan, "AGENT": None if is_alone else chart.AGENT}
+    return cast("type[Chart]", type(chart.__name__, (chart,), own))
 
 
 def finder(
-    script: Script, inputs: Mapping[str, object], messages: Messages, real: ActivityFinder
+    script: Script,
+    inputs: Mapping[str, object],
+    messages: Messages,
+    real: ActivityFinder,
+    charts: Mapping[str, type[Chart]],
 ) -> ActivityFinder:
-    """Gives the stand-ins of a script, and the code of what is `real`."""
+    """Gives the stand-ins of a script, and the code of what is `real`; `charts` are those of the roles."""
+    plans = {role: chart.PLAN for role, chart in charts.items()}
+    roles = dict(script.team)
+
+    def receivers(agent: str, label: str, content: Content) -> str:
+        """The participant to which an activity sends a message."""
+        plan = plans[roles[agent]]
+        info = next((item for item in plan.branches if item.label == plan.branch_of(label)), None)
+        if info is not None:
+            key = info.protocol, content.performative or "", content.channel
+            for other in plans.values():
+                for name in other.receivers.get(key, ()):
+                    if name != info.participant:
+                        return name
+        raise NotComputed(content.span, "no other participant receives it where the activity runs")
+
     stand_ins = {
-        item.activity: _stand_in(item, inputs, messages) for item in script.activities if not item.real
+        item.activity: _stand_in(item, inputs, messages, receivers)
+        for item in script.activities
+        if not item.real
     }
 
     coded = {item.activity for item in script.activities if item.real}
 
     def find(activity: str) -> type[Executable] | None:
-        return real(activity) if activity in coded else stand_ins.get(activity)
+        is_real = activity in coded or (script.world is not None and activity not in stand_ins)
+        return real(activity) if is_real else stand_ins.get(activity)
 
     return find
 
 
-def _stand_in(acting: Acting, inputs: Mapping[str, object], messages: Messages) -> type[Executable]:
+def _stand_in(
+    acting: Acting,
+    inputs: Mapping[str, object],
+    messages: Messages,
+    receivers: Callable[[str, str, Content], str],
+) -> type[Executable]:
     starts: Counter[str] = Counter()
 
     class StandIn(Activity):
@@ -116,6 +156,9 @@ def _stand_in(acting: Acting, inputs: Mapping[str, object], messages: Messages) 
             for item in acting.writes:
                 if item.every is None:
                     _publish(context, item.content)
+            for content in acting.sends:
+                to = receivers(context.agent, context.label, content)
+                context.send(content.performative or "", given_message(content, messages, inputs), to)
             return acting.ends[min(starts[context.agent], len(acting.ends)) - 1] if acting.ends else None
 
     def _publish(context: Context, content: Content) -> None:

@@ -22,7 +22,7 @@ scenario "nobody is home" {
   every one has [eyes.state.Seen.home] leads to two in Stand within 1s
   for 2s
 }
-scenario "in its world" { world  by 1s one in Stand }
+scenario "in its world" { world nowhere:make  by 1s one in Stand }
 scenario "it takes its time" {
   one : robot
   activity Stand takes 500ms..1500ms
@@ -71,7 +71,13 @@ def test_programs_read_json(tested: Here) -> None:
             2_000_000_000,
             "good.aseme:25:3: what it speaks of has not happened",
         ),
-        ("in its world", "error", 1, 0, "good.aseme:28:27: `world` is not played yet"),
+        (
+            "in its world",
+            "error",
+            1,
+            0,
+            "good.aseme:28:10: no function make in module nowhere: No module named 'nowhere'",
+        ),
         ("it takes its time", "failed", 1, 700_000_000, "good.aseme:32:3: has not come by 0.7 s"),
     ]
     assert list(done.json["scenarios"][0]) == ["name", "verdict", "seed", "time_ns", "reason"]
@@ -110,3 +116,21 @@ def test_the_same_seeds_give_the_same_in_several_processes(tested: Here) -> None
     alone = tested("test", "good.aseme", "--seeds", "9", "-j", "1", "--json")
     beside = tested("test", "good.aseme", "--seeds", "9", "-j", "2", "--json")
     assert alone.out == beside.out
+
+
+def test_points_are_counted_and_any_role_is_the_chosen_agent(here: Here, folder: Path) -> None:
+    scenarios = """scenario "worth two" { points 2  at 0ms any robot in Stand }
+scenario "worth three" { points 3  at 0ms any robot in Walk }
+"""
+    (folder / "good.aseme").write_text(GOOD + scenarios)
+    both = here("test", "good.aseme")
+    assert (both.code, "2 agents play robot" in both.out, "--role robot=one" in both.out) == (1, True, True)
+    chosen = here("test", "good.aseme", "--role", "robot=two")
+    assert chosen.out.splitlines()[-2:] == ["2 scenarios: 1 passed, 1 failed", "2 of 5 points"], chosen.out
+    found = here("test", "good.aseme", "--role", "robot=two", "--json").json["scenarios"]
+    assert [(item["verdict"], item["points"]) for item in found] == [("passed", 2), ("failed", 3)]
+    other = here("test", "good.aseme", "--role", "robot=three")
+    assert (other.code, "three does not take part as robot" in other.out) == (1, True)
+    wrong = here("test", "good.aseme", "--role", "robt=one")
+    assert (wrong.code, "Did you mean 'robot'?" in wrong.err) == (2, True)
+    assert here("test", "good.aseme", "--role", "robot").code == 2

@@ -175,7 +175,7 @@ def test_aip_participants() -> None:
         ("Multiplicity", 2, 3),
         ("Multiplicity", 3, 3),
     ]
-    assert short(net.outcomes) == ('"Done."',)
+    assert short(net.outcomes) == (("Outcome", '"Done."', ()),)
 
 
 def test_aip_clauses() -> None:

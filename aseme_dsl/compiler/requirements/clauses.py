@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from aseme_dsl.amola.aip import Clause
+from aseme_dsl.amola.aip import Clause, Outcome
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.compiler.read.blocks import participants_of
@@ -17,26 +17,28 @@ from aseme_dsl.grammar.text import tree
 _NUMBERS = {1: "one", 2: "two", 3: "three"}
 
 
-def read_clauses(written: tree.Aip, is_damaged: Damaged) -> tuple[tuple[Clause, ...], tuple[Diagnostic, ...]]:
-    """The clauses of a protocol; E212 for a place that is not its activity, formula or participant."""
+def read_clauses(
+    written: tree.Aip, is_damaged: Damaged
+) -> tuple[tuple[Clause, ...], tuple[Outcome, ...], tuple[Diagnostic, ...]]:
+    """The clauses and outcomes of a protocol; E212 for a place that is not its activity, formula or
+    participant."""
     places = {item.name.text: _places(item) for item in participants_of(written)}
     sure = not is_damaged(written.span)
     clauses: list[Clause] = []
     found: list[Diagnostic] = []
+
+    def texts(side: tuple[tree.Place, ...]) -> tuple[str, ...]:
+        problems = (_problem(written, place, places) for place in side)
+        found.extend(problem for problem in problems if problem is not None and sure)
+        return tuple(map(_text, side))
+
+    outcomes = tuple(Outcome(item.text.text, texts(item.when)) for item in written.outcomes)
     for item in written.clauses:
-        sides = []
-        for side in (item.first, item.second):
-            texts = []
-            for place in side:
-                problem = _problem(written, place, places)
-                if problem is not None and sure:
-                    found.append(problem)
-                texts.append(_text(place))
-            sides.append(tuple(texts))
+        sides = [texts(side) for side in (item.first, item.second)]
         within = item.within.nanoseconds if item.within is not None else None
         text = _clause_text(item.kind, sides[0], sides[1], item.count, within)
         clauses.append(Clause(item.kind, sides[0], sides[1], item.count, within, text, item.span))
-    return tuple(clauses), tuple(found)
+    return tuple(clauses), outcomes, tuple(found)
 
 
 def _places(participant: tree.Participant) -> frozenset[str]:

@@ -31,6 +31,7 @@ from aseme_dsl.play import scenario as play
 from aseme_dsl.play.evaluate import not_evaluated
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.monitor import rules
+from aseme_dsl.runtime.team.network import Network
 from aseme_dsl.source import Span
 
 
@@ -51,13 +52,17 @@ def _refuse(node: nodes.Statement | nodes.Condition | tree.Name | Value, reason:
 
 
 def played(
-    files: Iterable[tree.File], known: Known, charts: Mapping[str, Statechart], blocks: Blocks
+    files: Iterable[tree.File],
+    known: Known,
+    charts: Mapping[str, Statechart],
+    blocks: Blocks,
+    bound: Mapping[str, str],
 ) -> tuple[play.Scenario, ...]:
-    """The scenarios of files without errors, as they are played."""
+    """The scenarios of files without errors, as they are played; `any ROLE` is the agent `bound` to it."""
     places = Places(charts, blocks, known.aliases)
     always = properties(files)
     return tuple(
-        _scenario(item, statements, always, check, places)
+        _scenario(item, statements, always, check, places, bound)
         for item, statements, check in scenarios(files, known)
     )
 
@@ -68,8 +73,12 @@ def _scenario(
     always: Sequence[nodes.Statement],
     check: Check,
     places: Places,
+    bound: Mapping[str, str],
 ) -> play.Scenario:
     name, title = item.title.text, item.title.span
+    setups = (statement for statement in statements if isinstance(statement, nodes.Setup))
+    given = [statement.points for statement in setups if statement.points is not None]
+    points = sum(given) if given else None
     try:
         tables = [statement for statement in statements if isinstance(statement, nodes.Table)]
         for table in tables[1:]:
@@ -79,14 +88,14 @@ def _scenario(
         ] or [((), None)]
         columns = [column.text for table in tables for column in table.columns]
         scripts = tuple(
-            _Lowering(check, places, title, dict(zip(columns, cells, strict=True))).script(
+            _Lowering(check, places, title, dict(zip(columns, cells, strict=True)), bound).script(
                 statements, always, span
             )
             for cells, span in rows
         )
     except _NotPlayed as problem:
-        return play.Scenario(name, title, (), problem.refused)
-    return play.Scenario(name, title, scripts)
+        return play.Scenario(name, title, (), problem.refused, points)
+    return play.Scenario(name, title, scripts, points=points)
 
 
 # ---- one way to play a scenario ---------------------------------------------------------------------
@@ -100,11 +109,15 @@ class _Lowering:
     places: Places
     title: Span
     row: Mapping[str, tree.Expression]
+    bound: Mapping[str, str]
     conditions: list[play.Condition] = field(default_factory=list)
     expectations: list[play.Expectation] = field(default_factory=list)
     stimuli: list[play.Stimulus] = field(default_factory=list)
     cuts: list[play.Cut] = field(default_factory=list)
     activities: dict[str, play.Acting] = field(default_factory=dict)
+    assumptions: list[play.Assumption] = field(default_factory=list)
+    network: Network | None = None
+    """That of the run."""
 
     @property
     def team(self) -> Mapping[str, str]:
@@ -120,7 +133,7 @@ class _Lowering:
             if name not in self.check.chosen
         }
         setups = [item for item in statements if isinstance(item, nodes.Setup)]
-        networks = [item.network for item in setups if item.network is not None]
+        networks = [item.network for item in setups if item.word == "network"]
         inputs = tuple(self._input(item) for item in statements if isinstance(item, nodes.Input))
         given = [
             item.times[0].nanoseconds
@@ -129,7 +142,8 @@ class _Lowering:
             and item.word == "at"
             and isinstance(item.event, nodes.Receives | nodes.Raises)
         ]
-        for item in statements:
+        self.network = networks[-1] if networks else None
+        for item in sorted(statements, key=_comes_last):
             self._statement(item, given)
         for item in always:
             self._always(item)
@@ -137,7 +151,7 @@ class _Lowering:
         return play.Script(
             tuple(self.team.items()),
             tuple(self.activities.values()),
-            networks[-1] if networks else None,
+            self.network,
             tuple(self.cuts),
             tuple(self.stimuli),
             tuple(self.conditions),
@@ -146,6 +160,8 @@ class _Lowering:
             values,
             row,
             *_end(statements),
+            next((item.world for item in setups if item.word == "world"), None),
+            tuple(self.assumptions),
         )
 
     def _constant(self, cell: tree.Expression, column: str) -> object:
@@ -191,8 +207,8 @@ class _Lowering:
             case nodes.TakesPart() | nodes.Input() | nodes.Table():
                 pass  # looked at before
             case nodes.Setup(word=word):
-                if word not in ("network", "for"):
-                    _refuse(item, f"`{word}` is not played yet")
+                if word == "assume" and item.network is not None:
+                    self._assume_network(item, item.network)
             case nodes.Simulated():
                 self._simulated(item)
             case nodes.Hit():
@@ -207,7 +223,7 @@ class _Lowering:
                 failed = self._number(play.Failed(frozenset((self._agent(agent),))))
                 self._expect(rules.Sometime(failed, 0, by.nanoseconds), item.span, None)
             case nodes.Assumed():
-                _refuse(item, "assumptions are not watched yet")
+                self._assume(item)
             case _:
                 assert_never(item)
 
@@ -215,9 +231,7 @@ class _Lowering:
         name = item.activity.text
         if name in self.activities:
             _refuse(item, f"{name} has a line already")
-        if item.sends:
-            _refuse(item, "an activity that sends agent messages is played with its code (`real`)")
-        does_more = item.takes or item.ends or item.fails or item.writes or item.sets
+        does_more = item.takes or item.ends or item.fails or item.writes or item.sends or item.sets
         if item.is_real and does_more:
             _refuse(item, "an activity that is `real` does what its code says, and nothing else")
         activity = self.check.known.activities.get(name)
@@ -230,6 +244,7 @@ class _Lowering:
             None if item.fails is None else item.fails.nanoseconds,
             tuple(play.Writes(self._content(message), _lasts(pace)) for message, pace in item.writes),
             tuple((variable.text, self._value(value, None)) for variable, value in item.sets),
+            tuple(self._content(message) for message in item.sends),
         )
 
     def _timed(self, item: nodes.Timed, given: Sequence[int]) -> None:
@@ -296,14 +311,41 @@ class _Lowering:
                 _refuse(item, "it is not played yet")
 
     def _several(self, item: nodes.Several) -> None:
-        if item.word == "assume":
-            _refuse(item, "assumptions are not watched yet")
         role = None if item.role is None else model_name(item.role)
         agents = [agent for agent, played in self.team.items() if role in (None, played)]
+        if item.word == "assume":
+            self.assumptions.append(play.CrashesAssumed(item.count, frozenset(agents), item.span))
+            return
         places = self._in_places(agents, item.places, item)
         least = item.count + 1 if item.word == "at most" else item.count
         rule = rules.Never(self._number(play.InPlaces(places, least)))
         self._expect(rule, item.span, item.share, (self._number(play.InPlaces(places)),))
+
+    # ---- what is assumed ---------------------------------------------------------------------------
+
+    def _assume(self, item: nodes.Assumed) -> None:
+        """`may fail` allows something, which no run can break; and a normal distribution has no bounds."""
+        lasts = _lasts(item.times[0]) if item.times else None
+        if lasts is None or lasts.is_normal:
+            return
+        name = item.activity.text
+        if item.writes is None:
+            self.assumptions.append(play.DurationAssumed(name, lasts, item.span))
+        else:
+            channel = self.check.channel(item.writes)
+            self.assumptions.append(play.PaceAssumed(name, str(channel), lasts, item.span))
+
+    def _assume_network(self, item: nodes.Setup, assumed: Network) -> None:
+        """The network of the run is worse from 0 on, or from when an agent is cut off."""
+        real = self.network or Network()
+        is_worse = (
+            real.most > assumed.most
+            or real.least < min(assumed.least, real.most)
+            or (real.loss > 0 and not assumed.loss)
+            or (real.reorder and not assumed.reorder)
+        )
+        moments = [0] if is_worse else [cut.first for cut in self.cuts]
+        self.assumptions.append(play.NetworkAssumed(min(moments, default=None), item.span))
 
     # ---- what happens ----------------------------------------------------------------------------
 
@@ -333,10 +375,16 @@ class _Lowering:
 
     def _content(self, message: nodes.Filled) -> play.Content:
         channel = self._channel(message.what)
-        if channel is None:
-            raise _NotPlayed(message.span, "an agent message is not given yet: messages on channels are")
+        performative = None if message.performative is None else message.performative.text
+        if (channel is None) != (performative is not None):
+            raise _NotPlayed(
+                message.span,
+                "it is neither a message on a channel, as `topic.state.M { .. }`, nor an agent message, as"
+                " `inform M { .. }`",
+            )
         members = tuple((item.path, self._supported(item.value)) for item in self.check.fills(message))
-        return play.Content(str(channel), members, message.span)
+        what = str(channel) if channel is not None else message.what.text
+        return play.Content(what, members, message.span, performative)
 
     def _channel(self, path: tree.Path) -> Channel | None:
         """The channel, if the path names one; else it is a type of message."""
@@ -353,13 +401,27 @@ class _Lowering:
         return playing[0] if len(playing) == 1 else None
 
     def _agent(self, name: tree.Name) -> str:
-        """An agent by its name, or the only one that plays the role."""
-        playing = self._playing(name)
+        """An agent by its name, or the one that plays the role or is bound to it."""
+        playing = self._bound(name) or self._playing(name)
         if not playing:
             raise _NotThere(name.span, f"{name.text} does not take part")
         if len(playing) != 1:
-            _refuse(name, f"{len(playing)} agents play {name.text}: name one, or write `some` or `every`")
+            count, role = len(playing), name.text
+            _refuse(
+                name,
+                f"{count} agents play {role}: name one, write `some {role}` or `every {role}`,"
+                f" or choose the one that `any {role}` is with `--role {role}={playing[0]}`",
+            )
         return playing[0]
+
+    def _bound(self, name: tree.Name) -> tuple[str, ...]:
+        """The agent that the user has chosen for a role."""
+        agent = self.bound.get(name.text)
+        if agent is None or name.text in self.team:
+            return ()
+        if self.team.get(agent) != model_name(name):
+            _refuse(name, f"`--role {name.text}={agent}`: {agent} does not take part as {name.text}")
+        return (agent,)
 
     def _playing(self, name: tree.Name) -> tuple[str, ...]:
         """The agent of that name, or those that play the role."""
@@ -369,9 +431,7 @@ class _Lowering:
 
     def _meant(self, name: tree.Name, which: str) -> tuple[str, ...]:
         """The agents that a condition is about."""
-        if which == "any":
-            _refuse(name, "`any` is not played yet: name an agent")
-        return self._playing(name) if which else (self._agent(name),)
+        return self._playing(name) if which in ("some", "every") else (self._agent(name),)
 
     def _condition(self, item: nodes.Condition, about: str | None) -> int:
         match item:
@@ -394,11 +454,25 @@ class _Lowering:
             case nodes.Heard():
                 return self._number(self._says(item, about))
             case nodes.Ended():
-                _refuse(item, "outcomes of protocols have no condition yet")
+                return self._ended(item)
             case nodes.Fault():
                 return self._number(play.Faulty())
             case _:
                 assert_never(item)
+
+    def _ended(self, item: nodes.Ended) -> int:
+        """An outcome of a protocol is reached where one of its places is entered, in any agent."""
+        outcomes = [
+            outcome
+            for protocol in self.places.blocks.aips
+            for outcome in protocol.outcomes
+            if outcome.text.text == item.text.text
+        ]
+        places = [place for outcome in outcomes for place in outcome.when]
+        if not places:
+            text = item.text.span.text
+            _refuse(item, f"the protocol does not say when: write `outcome {text} when PLACE@PARTICIPANT`")
+        return self._number(play.InPlaces(self._in_places(self.team, places, item)))
 
     def _role(self, agent: str | None) -> str | None:
         return None if agent is None else self.team[agent]
@@ -454,6 +528,11 @@ class _Lowering:
             None if agents is None else frozenset(agents),
             condition,
         )
+
+
+def _comes_last(item: nodes.Statement) -> bool:
+    """Whether a statement needs to know the others: what is assumed of the network."""
+    return isinstance(item, nodes.Setup) and item.word == "assume"
 
 
 def _lasts(written: nodes.Lasts | None) -> play.Lasts | None:

@@ -90,7 +90,7 @@ def known_by(
         {role: _events(chart) for role, chart in iacs.items() if chart is not None},
         {name: frozenset(roles) for name, roles in performed.items()},
         activities,
-        tuple(text for aip in aips for text in aip.outcomes),
+        tuple(item.text for aip in aips for item in aip.outcomes),
         {role: _variables(chart) for role, chart in iacs.items() if chart is not None},
         aliases,
     )
@@ -200,24 +200,14 @@ def scenarios(
 
 
 def properties(files: Iterable[tree.File]) -> tuple[nodes.Statement, ...]:
-    """What the properties of files without errors say of every run, without what they assume."""
+    """What the properties of files without errors say of every run."""
     return tuple(
         statement
         for file in files
         for item in file.must_hold
         if isinstance(item, tree.Property)
         for statement in read_statements(item.span.source, _words(item, _aliases(file)), True)[0]
-        if not _is_assumption(statement)
     )
-
-
-def _is_assumption(item: nodes.Statement) -> bool:
-    """Whether a statement is about the environment, and for proofs only."""
-    match item:
-        case nodes.Assumed() | nodes.Setup(word="assume") | nodes.Several(word="assume"):
-            return True
-        case _:
-            return False
 
 
 def _is_elsewhere(found: Diagnostic, files: Iterable[tree.File]) -> bool:

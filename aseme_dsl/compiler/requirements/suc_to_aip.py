@@ -30,7 +30,7 @@ def read_aip(
 
     `parts` are the participants whose process is sound.
     """
-    clauses, problems = read_clauses(written, is_damaged)
+    clauses, outcomes, problems = read_clauses(written, is_damaged)
     found = list(problems)
     participants = []
     for item in participants_of(written):
@@ -63,7 +63,6 @@ def read_aip(
                 part.plays if part is not None else (),
             )
         )
-    outcomes = tuple(item.text for item in written.outcomes)
     return Aip(written.name.text, tuple(participants), outcomes, clauses, written.name.span), tuple(found)
 
 

@@ -37,7 +37,8 @@ def sheet(aip: Aip, name: str) -> Sheet:
             rows.append([_head(title), Cell(lines, columns)])
 
     row("Engagement Rules", [person.engage for person in people])
-    wide_row("Outcomes (one of)" if len(aip.outcomes) > 1 else "Outcome", aip.outcomes)
+    outcomes = [item.text for item in aip.outcomes]
+    wide_row("Outcomes (one of)" if len(outcomes) > 1 else "Outcome", outcomes)
     row("Process", [_formulas(person) for person in people])
     row("Inputs", [(f"{item.name} : {item.type}" for item in person.inputs) for person in people])
     row("Protocols", [(item.text for item in person.plays) for person in people])

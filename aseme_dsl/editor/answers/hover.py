@@ -423,7 +423,7 @@ def _protocol(program: Program, symbol: Symbol) -> Iterator[str]:
             yield _fence(
                 f"aip {node.name} {{ {' '.join(f'participant {p.name}' for p in node.participants)} }}"
             )
-            yield from (f"Outcome: {text.text}" for text in node.outcomes)
+            yield from (f"Outcome: {item.text.text}" for item in node.outcomes)
 
 
 def _role(program: Program, symbol: Symbol) -> Iterator[str]:

@@ -70,7 +70,7 @@ def stated(ask: Ask) -> Iterator[Item]:
     elif last == "outcome":
         for protocol in known.blocks.aips:
             for outcome in protocol.outcomes:
-                yield Item(f'"{outcome.text}"', ItemKind.CONSTANT, f"outcome of {protocol.name}", rank=0)
+                yield Item(f'"{outcome.text.text}"', ItemKind.CONSTANT, f"outcome of {protocol.name}", rank=0)
     elif last in roles or before in ("some", "every", "any"):
         yield from _words(_VERBS)
     elif last in ("some", "any"):

@@ -576,19 +576,22 @@ def _setup(reader: Reader) -> nodes.Setup:
     word = reader.take()
     network: Network | None = None
     duration: tree.Duration | None = None
+    points: int | None = None
+    world = ""
     match word:
         case "network":
             network = _network(reader)
         case "for":
             duration = _duration(reader)
         case "points":
-            _count(reader)
+            points = _count(reader)
         case _:  # world, with or without the function that makes it
             if is_word(reader.next) and _ahead(reader) == ":" and is_word(_ahead(reader, 2)):
                 colon = reader.tokens[reader.index + 1]
                 if "\n" not in reader.source.text[word.end : colon.start]:
+                    world = "".join(reader.tokens[reader.index : reader.index + 3])
                     reader.index += 3
-    return nodes.Setup(str(word), reader.since(word.start), network, duration)
+    return nodes.Setup(str(word), reader.since(word.start), network, duration, points, world)
 
 
 def _crash(reader: Reader) -> nodes.Timed:
@@ -797,8 +800,8 @@ def _assume(reader: Reader) -> nodes.Statement:
     word = reader.take()
     if reader.next == "network":
         reader.take()
-        _network(reader)
-        return nodes.Setup("assume", reader.since(word.start))
+        network = _network(reader)
+        return nodes.Setup("assume", reader.since(word.start), network)
     if reader.next == "fair":
         reader.take()
         return nodes.Setup("assume", reader.since(word.start))

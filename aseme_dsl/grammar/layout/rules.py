@@ -113,7 +113,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "Realises": Part(),
         # protocols.tx
         "Aip": Braces(),
-        "Outcome": Line(),
+        "Outcome": Line(breaks=frozenset(("when",))),
         "Participant": Braces(),
         "Engage": Line({"text": 1}, "participant"),
         "Given": Line({":": 1}),

@@ -151,6 +151,7 @@ class Aip(Node):
 
 class Outcome(Node):
     text: Leaf
+    when: Places | None
 
 
 class Participant(Node):

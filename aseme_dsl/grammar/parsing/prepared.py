@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 3070779143
+CHECKSUM = 3523067290
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -437,8 +437,13 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     ),
     'Outcome': (
         'common',
-        {'text': 'one'},
-        ('series', ('word', 'outcome'), ('=', 'text', 'Text')),
+        {'text': 'one', 'when': 'one'},
+        (
+            'series',
+            ('word', 'outcome'),
+            ('=', 'text', 'Text'),
+            ('?', ('series', ('word', 'when'), ('=', 'when', 'Places'))),
+        ),
     ),
     'JunkAip': (
         'match',

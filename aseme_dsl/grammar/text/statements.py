@@ -150,6 +150,9 @@ class Setup:
     span: Span
     network: Network | None = None
     duration: Duration | None = None
+    points: int | None = None
+    world: str = ""
+    """The function that makes it, `module:function`, if one is named."""
 
 
 @dataclass(frozen=True, slots=True)

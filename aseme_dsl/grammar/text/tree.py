@@ -643,10 +643,18 @@ class Clause:
 
 
 @dataclass(frozen=True, slots=True)
+class Outcome:
+    """`outcome "The center_for shoots to goal." when KickBall@center_for`."""
+
+    text: Text
+    when: tuple[Place, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Aip:
     name: Name
     participants: tuple[Participant, ...]
-    outcomes: tuple[Text, ...]
+    outcomes: tuple[Outcome, ...]
     lets: tuple[Let, ...]
     clauses: tuple[Clause, ...]
     controls: tuple[Control, ...]

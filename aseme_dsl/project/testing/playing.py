@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from aseme_dsl.play.run import NotPlayable, Played, play
@@ -39,14 +40,15 @@ class _Job:
     script: Script
     cases: tuple[Case, ...]
     until: int
+    world: str | None
 
 
-def scenarios_in(compiled: Compiled) -> tuple[Scenario, ...]:
-    """The scenarios of a system that has no errors."""
+def scenarios_in(compiled: Compiled, bound: Mapping[str, str] = MappingProxyType({})) -> tuple[Scenario, ...]:
+    """The scenarios of a system that has no errors; `any ROLE` is the agent that is `bound` to the role."""
     from aseme_dsl.compiler.phases import inspect_files, scenarios_of
     from aseme_dsl.project.building.project import options_of
 
-    return scenarios_of(inspect_files(compiled.root, None, options_of(compiled.configuration)))
+    return scenarios_of(inspect_files(compiled.root, None, options_of(compiled.configuration)), bound)
 
 
 def play_scenarios(
@@ -81,6 +83,7 @@ def play_scenarios(
                 scenario.scripts[part[0].script],
                 part,
                 _end(scenario, part, usual),
+                _world(scenario.scripts[part[0].script], configuration),
             )
             for scenario, mine in zip(scenarios, cases, strict=True)
             for part in (_parts(mine) if scenario.refused is None else ())
@@ -113,6 +116,12 @@ def _end(scenario: Scenario, part: Sequence[Case], usual: int) -> int:
     return max(script.until, usual) if script.is_open else script.until
 
 
+def _world(script: Script, configuration: Configuration) -> str | None:
+    """The function that makes the world of a script: its own, or that of the project."""
+    project = configuration.run.world if configuration.run is not None else None
+    return script.world or (project if script.world == "" else None)
+
+
 def _parts(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
     """Cases of one script each, and not too many."""
     begin = 0
@@ -125,6 +134,7 @@ def _parts(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
 
 def _play(job: _Job) -> list[Played | NotRun]:
     """The runs of a job; what they leave in the project's modules is not there for the next."""
+    from aseme_dsl.project.playing.play import PlayError, made_world
     from aseme_dsl.runtime.version.loading import LoadError, activities_in, forgetting, importing
 
     found: list[Played | NotRun] = []
@@ -136,9 +146,12 @@ def _play(job: _Job) -> list[Played | NotRun]:
         with forgetting(job.project), importing([job.project, *loaded.path]):
             try:
                 real = activities_in(job.activities)
-                found.append(play(loaded, job.script, case.seed, case.inputs, real, job.until))
+                world = made_world(job.world, case.seed) if job.world is not None else None
+                found.append(play(loaded, job.script, case.seed, case.inputs, real, job.until, world))
+            except PlayError as problem:
+                found.append(NotRun(problem.problem.message))
             except NotPlayable as problem:
-                found.append(NotRun(str(problem)))
+                found.append(NotRun(str(problem), problem.span))
     return found
 
 
@@ -150,4 +163,4 @@ def _loaded(package: Path, project: Path) -> Loaded:
     return load_system(package, path=[project], mixture=RoleBackends(names=AGENTS))
 
 
-__all__ = ["play_scenarios"]
+__all__ = ["play_scenarios", "scenarios_in"]

@@ -52,6 +52,8 @@ class ScenarioResult:
     given: Mapping[str, object] | None = None
     story: tuple[str, ...] = ()
     runs: int = 0
+    points: int | None = None
+    """What a teacher gives for it if it passes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +61,7 @@ class NotRun:
     """A run that could not be made, and why."""
 
     reason: str
+    span: Span | None = None
 
 
 def verdict_of(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played | NotRun]) -> ScenarioResult:
@@ -67,12 +70,15 @@ def verdict_of(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played 
         return _result(scenario, Verdict.ERROR, cases, 0, 0, refused.reason, refused.span)
     for place, run in enumerate(runs):
         if isinstance(run, NotRun):
-            return _result(scenario, Verdict.ERROR, cases, place, 0, run.reason, scenario.span)
+            return _result(scenario, Verdict.ERROR, cases, place, 0, run.reason, run.span or scenario.span)
     played = [run for run in runs if isinstance(run, Played)]
     for place, run in enumerate(played):
         if run.broken is not None:
             item = scenario.scripts[cases[place].script].expectations[run.broken]
             reason = _broken(item, scenario.scripts[cases[place].script], run)
+            if run.assumption is not None and run.assumption[1] <= run.end:
+                assumed, since = run.assumption
+                reason = f"assumption broken at {shown(since)} ({assumed.span}): {reason}"
             return _result(
                 scenario, Verdict.FAILED, cases, place, run.end, reason, item.span, run.inputs, run.story
             )
@@ -92,7 +98,9 @@ def _result(
     story: tuple[str, ...] = (),
 ) -> ScenarioResult:
     seed = cases[place].seed if cases else 0
-    return ScenarioResult(scenario.name, verdict, seed, time, reason, span, given, story, len(cases))
+    return ScenarioResult(
+        scenario.name, verdict, seed, time, reason, span, given, story, len(cases), scenario.points
+    )
 
 
 def _broken(item: Expectation, script: Script, run: Played) -> str:

@@ -277,7 +277,7 @@ class Bus:
     def give(self, agent: Receiver, channel: str, message: object, sender: str = "input") -> None:
         """Give an agent a message that no agent has published (a script, a test)."""
         with self._driver.holding(), self._lock:
-            identity = self._outside()
+            identity = self.outside()
             now = self._driver.clock.now()
             self.trace.message(
                 now, identity, channel, message, [agent.name], sender=None if sender == "input" else sender
@@ -287,12 +287,13 @@ class Bus:
     def give_event(self, agent: Receiver, event: str) -> None:
         """Give an agent an event that none of its activities has raised."""
         with self._driver.holding(), self._lock:
-            name, number = identity = self._outside()
+            name, number = identity = self.outside()
             now = self._driver.clock.now()
             self.trace.write("event", now, agent=name, sequence=number, event=event, to=[agent.name])
             agent.post(identity, Happened(event))
 
-    def _outside(self) -> Identity:
+    def outside(self) -> Identity:
+        """A new identity for what no agent has sent."""
         self._given += 1
         return "input", self._given
 

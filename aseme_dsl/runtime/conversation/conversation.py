@@ -26,6 +26,7 @@ from aseme_dsl.runtime.conversation.counting import Counting
 from aseme_dsl.runtime.conversation.directory import Directory
 from aseme_dsl.runtime.conversation.exchange.external_inbox import ExternalInbox
 from aseme_dsl.runtime.conversation.exchange.external_outbox import ExternalOutbox, Hears
+from aseme_dsl.runtime.conversation.exchange.given import Giving
 from aseme_dsl.runtime.conversation.exchange.members import Members
 from aseme_dsl.runtime.conversation.exchange.participant_delivery import Delivery
 from aseme_dsl.runtime.conversation.exchange.parts import Parts
@@ -79,6 +80,7 @@ class Conversations:
             members, told, counting, delivery, outside, driver.clock, transport.behind
         )
         self._parts = Parts(members, told, delivery)
+        self._giving = Giving(members, told, delivery)
 
     def join(self, agent: Receiver) -> None:
         """An agent can be talked to; the order in which they come is the team's."""
@@ -192,6 +194,22 @@ class Conversations:
                 self._delivery.deliver(agent, acl)
             if acl.conversation in self._members.conversations:
                 self._delivery.close(acl.conversation)
+
+    def give(
+        self,
+        agent: Receiver,
+        performative: str,
+        message: str,
+        content: object,
+        sender: str,
+        identity: Identity,
+    ) -> str:
+        """Give an agent a message as if `sender` had sent it now (a script, a test); why it cannot be.
+
+        A sender that is not of the team is to be known (`add_external_agent`): it hears the answers.
+        """
+        with self._driver.holding(), self._lock:
+            return self._giving.give(agent, performative, message, content, sender, identity)
 
     def receive_external(self, to: str, message: FipaMessage) -> None:
         """An agent that is not of the team has sent a message to one of ours. May be called from any thread.

@@ -18,7 +18,12 @@ message Ball { bool visible  double distance  Mood mood }
 message Done { int number }
 message Stop { int number }
 topic eyes { state Ball }
+message Touch { double force }
 topic team { signal Done  signal Stop }
+topic skin { data Touch }
+function up(double x) : double = "math:ceil"
+function gone(double x) : double = "math:not_there"
+function same(Ball b) : bool = "math:isnan"
 srm walker {
   var steps : int = 0
   liveness { walker = Wait . Walk . (Halt | Run) . Rest+ }
@@ -29,7 +34,7 @@ srm walker {
   }
   control walker {
     enter Walk : Whistle
-    enter Walk :
+    enter Walk : / start_timer(pause, 500ms)
     enter Halt : [eyes.state.Ball.visible]
     enter Run : else
     leave Rest : [outcome(Rest) == cold]
@@ -48,6 +53,8 @@ team Walk { a, b : walker  h : hearer }
 SHORT = {
     "DONE": "activity Walk writes team.signal.Done { number = 1 }",
     " sees {": " receives eyes.state.Ball {",
+    " feels 2": " receives skin.data.Touch { force = 2 }",
+    " feels 4": " receives skin.data.Touch { force = 4 }",
     "BALL": "eyes.state.Ball",
 }
 """What stands for longer texts in the lines below."""
@@ -153,10 +160,34 @@ ALONE = [
     ("passed", "activity Wait takes 500ms..1500ms  by 1s a in Walk in 25% of 10 seeds"),
     ("failed", "activity Wait takes 500ms..1500ms  by 1s a in Walk in 90% of 10 seeds"),
     ("failed", "activity Wait takes normal(1s, 100ms)  by 1s a in Walk in 100% of 10 seeds"),
+    # States, outcomes, timers, histories and functions in conditions.
+    ("passed", "at 1s a has [in(Walk) && !done(Walk) && in(walker)]  at 4s a has [in(Rest)]"),
+    ("failed", "at 999ms a has [in(Walk)]"),
+    ("passed", "activity Rest ends warm, warm, cold  by 6s a has [done(walker)]"),
+    ("passed", "at 5s a has [count(Rest) == 3]"),
+    ("failed", "at 4s a has [count(Rest) == 1]"),
+    ("passed", "activity Walk ends badly  at 2s a has [outcome(Walk) == badly]"),
+    ("failed", "activity Walk ends badly  at 1s a has [outcome(Walk) == badly]"),
+    ("failed", "at 2s a has [outcome(Walk) == badly]"),
+    ("passed", "in order a in Walk, a has [expired(pause)], a in Run  at 1499ms not a has [expired(pause)]"),
+    ("failed", "at 1499ms a has [expired(pause)]"),
+    ("passed", "at 1s a feels 2  at 2s a feels 4  at 3s a has [mean(skin.data.Touch.force, 5s) == 3]"),
+    ("failed", "at 1s a feels 2  at 2s a feels 4  at 3s a has [mean(skin.data.Touch.force, 1s) == 3]"),
+    ("passed", "at 1s a feels 2  at 2s a feels 4  at 2s a has [at(skin.data.Touch.force, -100ms) == 2]"),
+    ("failed", "at 1s a feels 2  at 2s a feels 4  at 2s a has [at(skin.data.Touch.force, -1001ms) == 2]"),
+    ("passed", "at 1s a sees { distance = 2.5 }  at 1s a has [up(BALL.distance) == 3]"),
+    ("error", "at 1s a sees { distance = 2.5 }  at 1s a has [gone(BALL.distance) == 3]"),
+    # What is assumed.
+    ("passed", "assume Wait takes 1s..2s  at 1s a in Walk"),
+    ("passed", "assume fair  assume Wait may fail  assume at most 1 of walker crash  crash a at 500ms"),
+    # In a world, which may be none, all is as in `run`.
+    ("passed", "world  at 1s a in Walk"),
+    ("error", "world nowhere:world  at 1s a in Walk"),
+    ("passed", "world walks:world  at 1s a in Walk"),
     # What is not played says so.
-    ("error", "world  at 1s a in Walk"),
-    ("error", "assume Wait takes 1s..2s  at 1s a in Walk"),
-    ("error", "at 1s a has [in(Walk)]"),
+    ("error", "at 1s a receives Stop { number = 1 }  at 1s a in Walk"),
+    ("error", "at 1s a receives inform Stop { number = 1 }  at 1s a in Walk"),
+    ("error", "at 1s a has [same(BALL)]"),
 ]  # fmt: skip
 """Of scenarios in which only `a` takes part."""
 
@@ -188,12 +219,25 @@ TOGETHER = [
     ("passed", "crash a at 500ms  at 1s some walker in Walk"),
     ("failed", "crash a at 500ms  at 1s every walker in Walk"),
     ("error", "at 1s any walker in Walk"),
+    ("passed", "at 1s any hearer in Listen  points 2"),
     ("failed", "at 0ms a sees { }  at 1s every walker has [has(BALL)]"),
     ("passed", "at 0ms a sees { }  at 1s some walker has [has(BALL)]"),
     ("passed", "DONE  eventually sent Done by some walker within 2s"),
     ("error", "always BALL.visible"),
 ]  # fmt: skip
 """Of scenarios of the whole team."""
+
+
+WORLD = """
+class World:
+    step_ns = 100_000_000
+    now_ns = 0
+    bodies = {}
+    def advance(self, moment):
+        self.now_ns = moment
+def world(seed):
+    return World()
+"""
 
 
 def written(line: str) -> str:
@@ -211,6 +255,7 @@ def tested(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, ScenarioRes
     ]
     path = tmp_path_factory.mktemp("walk") / "walk.aseme"
     path.write_text(SYSTEM + "\n".join(scenarios))
+    (path.parent / "walks.py").write_text(WORLD)
     return {item.name: item for item in play(path)}
 
 
@@ -234,13 +279,18 @@ def test_verdicts(verdict: str, line: str, tested: Mapping[str, ScenarioResult])
 TALK = """system Talk
 message Job { int size }
 aip ask {
-  participant boss { sends request Job  receives agree Job, refuse Job  process = Ask . (Wait | GiveUp) }
+  participant boss {
+    sends request Job  receives agree Job, refuse Job, inform Job
+    process = Ask . (Wait | GiveUp)
+  }
   participant hand {
     var free : bool = false
-    receives request Job  sends agree Job, refuse Job
+    receives request Job  sends agree Job, refuse Job, inform Job by Hear
     process = Hear . (Work | Leave)
   }
-  outcome "Somebody works, or nobody."
+  outcome "Somebody works." when (Work@hand or Wait@boss)
+  outcome "Nobody works." when GiveUp@boss
+  outcome "Nobody knows."
   control boss {
     enter Ask    : / send request Job { size = 3 } to hand
     enter Wait   : agree Job from hand
@@ -270,10 +320,31 @@ def test_agent_messages_and_places_of_participants(tmp_path: Path) -> None:
         ("passed", "activity Hear sets free = true  eventually bob in Dig"),
         ("failed", "eventually sent agree Job"),
         ("passed", "never fault  for 5s"),
-    ]
+        ("passed", 'eventually outcome "Nobody works." within 2s'),
+        ("failed", 'eventually outcome "Somebody works." within 2s'),
+        ("error", 'eventually outcome "Nobody knows." within 2s'),
+        # Agent messages as inputs: from one who takes part, or not.
+        ("passed", "bob : clerk  at 1s bob receives request Job { size = 2 } from ann  at 1s bob in Hear"),
+        ("passed", "bob : clerk  at 1s bob receives request Job { size = 2 }  by 2s sent refuse Job by bob"),
+        ("error", "bob : clerk  at 1s bob receives agree Job { size = 2 }  for 2s"),  # no part takes it
+        ("passed", "ann : chief  at 2s ann receives agree Job { size = 2 }  by 2s ann in Wait"),
+        ("failed", "ann : chief  at 4101ms ann receives agree Job { size = 2 }  by 5s ann in Wait"),
+        ("passed", "activity Think takes 9s  at 2s bob receives request Job { } from ann  by 2s bob in Hear"),
+        # What activities send.
+        (
+            "passed",
+            "activity Hear sends inform Job { size = 7 }  for 5s  "
+            "every sent inform Job leads to received inform Job j by ann [j.size == 7] within 0ms",
+        ),
+        ("failed", "activity Hear sends inform Job { size = 7 }  eventually received inform Job by bob"),
+        ("failed", "activity Hear sends refuse Job { size = 1 }  for 5s"),  # a transition sends it: bob fails
+        ("failed", "activity Think sends inform Job { size = 1 }  for 5s"),  # it takes part in nothing
+    ]  # fmt: skip
     path = tmp_path / "talk.aseme"
-    path.write_text(TALK + "".join(f'scenario "{line}" {{ {line} }}\n' for _, line in lines))
-    assert [(item.verdict, item.name) for item in play(path)] == lines
+    scenarios = (f'scenario "{number}" {{ {line} }}\n' for number, (_, line) in enumerate(lines))
+    path.write_text(TALK + "".join(scenarios))
+    found = zip(play(path), lines, strict=True)
+    assert [(item.verdict, line) for item, (_, line) in found] == lines
 
 
 def test_only_real_activities_need_their_code(tmp_path: Path) -> None:
@@ -285,6 +356,41 @@ def test_only_real_activities_need_their_code(tmp_path: Path) -> None:
     simulated, real = play(path)
     assert simulated.verdict == "passed"
     assert (real.verdict, "nothing_there" in real.reason) == ("error", True)
+
+
+ASSUMED = [
+    ("assume Wait takes 1s..2s", None),
+    ("assume Wait takes 2s..3s", "1 s"),
+    ("assume Wait takes 200ms..900ms", "0.9 s"),
+    ("assume Walk writes team.signal.Done every 900ms..1s", None),
+    ("assume Walk writes team.signal.Done every 1s..2s", "1.9 s"),
+    ("assume Walk writes team.signal.Done every 100ms..500ms", "1.5 s"),
+    ("crash b at 500ms  assume at most 1 of walker crash", None),
+    ("crash b at 500ms  assume at most 0 of walker crash", "0.5 s"),
+    ("network delay 0..300ms  assume network delay 0..300ms", None),
+    ("network delay 0..300ms  assume network delay 0..200ms", "0 s"),
+    ("network loss 5%  assume network delay 100ms", "0 s"),
+    ("from 1s for 1s b loses radio  assume network loss 1%", "1 s"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("where", ["scenario", "property"])
+def test_what_is_broken_after_an_assumption_says_so(where: str, tmp_path: Path) -> None:
+    path = tmp_path / "walk.aseme"
+    text = SYSTEM
+    paced = "activity Walk takes 1s writes team.signal.Done { number = 1 } every 900ms"
+    for number, (line, _) in enumerate(ASSUMED):
+        said, begin, assumed = line.partition("assume")
+        inside = line if where == "scenario" else said
+        if where == "property" and number:
+            continue  # one property holds for all scenarios
+        text += f'scenario "{number}" {{ a, b : walker  {paced}  {inside}  for 3s  at 3s a in Halt }}\n'
+        text += f'property "{number}" {{ {begin}{assumed} }}\n' if where == "property" else ""
+    path.write_text(text)
+    found = [
+        item.reason.partition("assumption broken at ")[2].partition(" (")[0] or None for item in play(path)
+    ]
+    assert found == [since for _, since in ASSUMED][: len(found)]
 
 
 PROPERTIES = [

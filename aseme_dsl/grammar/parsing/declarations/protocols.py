@@ -29,7 +29,10 @@ def aip(pieces: Pieces, node: nodes.Aip) -> tree.Aip:
     return tree.Aip(
         pieces.new_name(node.name, "protocol"),
         pieces.all(_participant, kinds.of(nodes.Participant)),
-        tuple(pieces.text(entry.text) for entry in kinds.of(nodes.Outcome)),
+        tuple(
+            tree.Outcome(pieces.text(entry.text), _places(pieces, entry.when) if entry.when else ())
+            for entry in kinds.of(nodes.Outcome)
+        ),
         pieces.all(lambda pieces, entry: let(pieces, entry, words), kinds.of(nodes.Let)),
         pieces.all(_clause, kinds.of(nodes.Clause)),
         pieces.all(control, kinds.of(nodes.Control)),
