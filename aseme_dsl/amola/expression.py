@@ -131,7 +131,7 @@ class LossReason:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A pure function, or one of the built-in ones (`function.target` starts with "builtin:")."""
+    """A pure function, one of the built-in ones (`function.target` starts with "builtin:"), or a probe."""
 
     function: Function
     arguments: tuple[Value, ...]

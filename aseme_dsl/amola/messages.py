@@ -200,6 +200,10 @@ class Parameter:
         return f"{self.name} : {self.type}"
 
 
+PROBE = "probe:"
+"""The target of the function around a part of a condition whose value is to be told: play/coverage/."""
+
+
 @dataclass(frozen=True, slots=True)
 class Function:
     """A pure Python function for conditions; several of one name differ in their parameters' types."""
@@ -209,3 +213,8 @@ class Function:
     result: Type
     target: str  # "module:name"
     span: Span
+
+    @property
+    def is_of_document(self) -> bool:
+        """Whether a document declares it: it may raise. What is built in, and a probe, never does."""
+        return not self.target.startswith(("builtin:", PROBE))

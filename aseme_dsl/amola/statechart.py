@@ -181,6 +181,13 @@ class Region:
     writes: tuple[Channel, ...]
 
 
+_IN_ANOTHER = {
+    StateType.START: "start of ",
+    StateType.END: "end of ",
+    StateType.CONDITION: "choice in ",
+}
+
+
 def label_key(label: str) -> tuple[int, ...]:
     """Orders labels as places: 0.2 before 0.10."""
     return tuple(int(part) for part in label.split("."))
@@ -256,6 +263,15 @@ class Statechart(Displayed):
 
     def node(self, label: str) -> State:
         return self.by_label[label]
+
+    def title(self, state: State) -> str:
+        """What people call a state: by what it is in the state around it where its name is only its label."""
+        around = state
+        while around.parent is not None and around.name in ("", around.label):
+            around = self.by_label[around.parent]
+        if around is state or around.name in ("", around.label):
+            return state.name or state.label
+        return _IN_ANOTHER.get(state.type, "in ") + around.name
 
     def children(self, label: str) -> tuple[State, ...]:
         """The states directly inside `label`, in document order."""

@@ -17,6 +17,11 @@ class RoleType(StrEnum):
     EXTERNAL = "external"
 
 
+def folded(name: str) -> str:
+    """What use cases, formulas and activities are compared by: case and underscores do not count."""
+    return name.replace("_", "").lower()
+
+
 @dataclass(frozen=True, slots=True)
 class Role:
     name: str

@@ -33,6 +33,7 @@ COMMANDS = (
     "view",
     "run",
     "test",
+    "coverage",
     "node",
     "status",
     "switch",

@@ -8,16 +8,20 @@ from typing import TYPE_CHECKING
 
 import click
 
+from aseme_dsl.cli.covering import Wanted, fail_under_option, too_little
 from aseme_dsl.cli.progress import Progress
 from aseme_dsl.cli.report import form_of
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
+    FilePath,
     activities_option,
+    check_outputs,
     cluster_option,
     colour_option,
     crew_of,
     one_system,
     plural,
+    print_diagnostics,
     print_json,
     refuse,
     target_argument,
@@ -28,6 +32,7 @@ from aseme_dsl.diagnostics import Severity, closest, has_errors
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterator, Sequence
 
+    from aseme_dsl.play.coverage.measure import Coverage
     from aseme_dsl.play.scenario import Scenario
     from aseme_dsl.project.testing.verdicts import ScenarioResult
 
@@ -58,6 +63,15 @@ if TYPE_CHECKING:
     help="The agent that `any ROLE` is; may be repeated.",
 )
 @activities_option
+@click.option("--coverage", "measures", is_flag=True, help="Tell what the scenarios reach of the system.")
+@click.option(
+    "--coverage-file",
+    "coverage_file",
+    type=FilePath(path_type=Path),
+    metavar="FILE",
+    help="Output file (.json) of the coverage, for `asemec coverage`.",
+)
+@fail_under_option
 @click.option(
     "--format",
     "form",
@@ -74,18 +88,28 @@ def command(
     cluster: str | None,
     bindings: tuple[str, ...],
     activities: Path | None,
+    measures: bool,
+    coverage_file: Path | None,
+    wanted: Wanted,
     form: str | None,
     as_json: bool,
     colour: str,
 ) -> int:
-    """Print the verdicts; 1 if the file has errors, or not all scenarios have passed."""
+    """Print the verdicts; 1 if the file has errors, a scenario has not passed, too little is covered."""
+    from aseme_dsl.play.coverage.seen import Seen
     from aseme_dsl.project.building.build import activities_folder, choose
+    from aseme_dsl.project.files.write import write_file
     from aseme_dsl.project.settings.configuration import OUTPUT
     from aseme_dsl.project.spreading.cluster import ClusterError
+    from aseme_dsl.project.testing.coverage import coverage_of, model_of, written
     from aseme_dsl.project.testing.playing import play_scenarios, scenarios_in
 
     form = form_of(form, as_json, None)
     crew = crew_of(jobs, cluster)
+    if coverage_file is not None:
+        if coverage_file.suffix != ".json":
+            raise click.UsageError("--coverage-file: the name of the file must end in .json.")
+        check_outputs([(coverage_file, "coverage")], [target])
     compiled = one_system(target, activities)
     wrong = [item for item in compiled.diagnostics if item.severity is not Severity.NOTE]
     if compiled.system is None or has_errors(wrong):
@@ -96,6 +120,7 @@ def command(
     choice = choose(configuration, activities=activities)
     project_seed = configuration.run.seed if configuration.run is not None else None
     progress = Progress(form != "text")
+    seen = Seen() if measures or coverage_file is not None or wanted else None
     try:
         tested = play_scenarios(
             compiled.system,
@@ -106,13 +131,24 @@ def command(
             activities_folder(configuration.output or Path(OUTPUT), choice),
             crew,
             progress.say,
+            seen,
         )
     except ClusterError as problem:
         raise click.ClickException(f"{problem}.") from problem
     finally:
         progress.end()
-    _print(tested, form, str(compiled.root if isinstance(compiled.root, Path) else target), colour)
-    return int(any(item.verdict != "passed" for item in tested))
+    coverage = None
+    code = int(any(item.verdict != "passed" for item in tested))
+    if seen is not None:
+        model = model_of(compiled.system, choice)
+        coverage = coverage_of(model, seen)
+        if coverage_file is not None:
+            found = write_file(coverage_file, written(model, seen)).diagnostics
+            print_diagnostics(found, colour)
+            code = max(code, int(has_errors(found)))
+    file = str(compiled.root if isinstance(compiled.root, Path) else target)
+    _print(tested, form, file, colour, coverage if measures else None)
+    return code if coverage is None else max(code, too_little(coverage, wanted))
 
 
 def _bound(bindings: Sequence[str], roles: Collection[str]) -> dict[str, str]:
@@ -141,12 +177,16 @@ def _chosen(scenarios: Sequence[Scenario], name: str | None) -> list[Scenario]:
     return found
 
 
-def _print(results: Sequence[ScenarioResult], form: str, file: str, colour: str) -> None:
+def _print(
+    results: Sequence[ScenarioResult], form: str, file: str, colour: str, coverage: Coverage | None
+) -> None:
+    from aseme_dsl.project.testing.coverage_report import data, lines
     from aseme_dsl.project.testing.reports import github, junit
 
     match form:
         case "json":
-            print_json({"scenarios": [_data(item) for item in results]})
+            measured = {} if coverage is None else {"coverage": data(coverage)}
+            print_json({"scenarios": [_data(item) for item in results], **measured})
         case "junit":
             click.echo(junit(results, file), nl=False)
         case "github":
@@ -154,6 +194,8 @@ def _print(results: Sequence[ScenarioResult], form: str, file: str, colour: str)
         case _:
             for line in _lines(results, wants_colour(colour, sys.stdout)):
                 click.echo(line)
+            if coverage is not None:
+                click.echo("\n".join(("", *lines(coverage))))
 
 
 def _data(item: ScenarioResult) -> dict[str, object]:

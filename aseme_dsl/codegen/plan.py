@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Kind, Topic
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, PROBE, Kind, Topic
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import (
     State,
@@ -56,6 +56,8 @@ def value_term(value: e.Value) -> Term:
             return ("reason",)
         case e.Call(function=function, arguments=arguments):
             values = tuple(value_term(argument) for argument in arguments)
+            if function.target == PROBE:
+                return values[-1]
             if function.target.startswith("builtin:"):
                 return ("builtin", function.target[8:], *values)
             return ("call", function_key(value), *values)
@@ -319,7 +321,7 @@ def plan_sections(system: System, chart: Statechart, versions: Mapping[str, str]
     functions = {
         function_key(value): value.function
         for _, value in chart.values()
-        if isinstance(value, e.Call) and not value.function.target.startswith("builtin:")
+        if isinstance(value, e.Call) and value.function.is_of_document
     }
     sections = [
         ("states", [_state(node, flat) for node in chart.states]),

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import assert_never
 
+from aseme_dsl.play.coverage.probes import Recorder
 from aseme_dsl.play.evaluate import NotEvaluated
 from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import (
@@ -26,6 +27,7 @@ from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.monitor.rules import State
 from aseme_dsl.runtime.team.faults import Faults, Partition
 from aseme_dsl.runtime.team.team import Team, TeamError, make_team
+from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.runtime.version.loading import Loaded
 from aseme_dsl.runtime.world.body import AnyWorld
 from aseme_dsl.source import Span
@@ -65,8 +67,12 @@ def play(
     real: ActivityFinder,
     until: int,
     world: AnyWorld | None = None,
+    listeners: Sequence[Callable[[Record], None]] = (),
+    recorder: Recorder | None = None,
 ) -> Played:
     """Play a script with a seed and values for its inputs, up to `until` (ns), in a `world` if it has one.
+
+    `listeners` are given the records of the run, too; `recorder` takes what probes see.
 
     Raises:
         NotPlayable: the code of an activity cannot be loaded, a value cannot be computed.
@@ -76,6 +82,8 @@ def play(
     acting = {item.activity: item for item in script.activities}
     is_alone = script.world is None
     charts = {role: staged(chart, acting, is_alone) for role, chart in loaded.charts.items()}
+    if recorder is not None:
+        charts = {role: recorder.listening(chart) for role, chart in charts.items()}
     find = finder(script, inputs, loaded.messages, real, loaded.charts)
     try:
         team = make_team(
@@ -86,7 +94,7 @@ def play(
             stop=observer.settled,
             world=world,
             before=_Stage(script, loaded, inputs, observer).begin,
-            listeners=(observer,),
+            listeners=(observer, *listeners),
             faults=_faults(script, seed),
         )
         result = team.run()

@@ -126,6 +126,18 @@ def seen_roles(system: System, known: Known) -> list[System]:
     return list(known.same_values("seen", found).values())
 
 
+def role_models(system: System) -> dict[str, str]:
+    """The hash of the model of each role, as its agents and traces have it."""
+    versions = protocol_versions(system)
+    types = meaning_of_messages(with_types(system))
+    return {
+        seen.iacs[0].name: _hash(
+            _plan(seen, [(aip.name, versions[aip.name]) for aip in seen.aips]).text, types
+        )
+        for seen in seen_by_roles(system)
+    }
+
+
 @dataclass(frozen=True, slots=True)
 class _Plan:
     """The sections of a role's plan, and the text that its hash is of."""

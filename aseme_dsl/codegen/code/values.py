@@ -49,7 +49,7 @@ from aseme_dsl.amola.expression import (
     VariableValue,
     walk,
 )
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, EnumType, Type, list_of
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, PROBE, EnumType, Type, list_of
 from aseme_dsl.amola.python_names import kept_apart
 from aseme_dsl.codegen.code.tree import (
     NONE,
@@ -208,6 +208,9 @@ def _is(truth: bool, value: Value, names: Names, known: Known) -> tuple[Expr, Kn
             return (Group(code) if truth else Negated(Group(code))), known
         case Literal(value=constant):
             return Const(bool(constant) is truth), known
+        case Call(function=function, arguments=(number, inner)) if function.target == PROBE:
+            code, known = _is(truth, inner, names, known)
+            return own_call("probe", evaluate(number, names).code, Group(code)), known
         case Contains():
             piece = _contains(value, "in" if truth else "not in", names, known)
             return all_of((*piece.needs, piece.code)), piece.known
@@ -392,7 +395,7 @@ def may_fail(value: Value) -> bool:
     """Whether a value may raise or be absent."""
     match value:
         case Call(function=function):
-            return not function.target.startswith("builtin:")
+            return function.is_of_document
         case Arithmetic():
             return may_raise(value)
         case (

@@ -101,7 +101,7 @@ def raises(value: Value) -> bool:
     new message, whose members may have narrower types."""
     return any(
         isinstance(part, NewMessage)
-        or (isinstance(part, Call) and not part.function.target.startswith("builtin:"))
+        or (isinstance(part, Call) and part.function.is_of_document)
         or (isinstance(part, Arithmetic) and may_raise(part))
         for part in walk(value)
     )

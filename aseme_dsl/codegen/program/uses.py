@@ -206,7 +206,7 @@ def _tells_absence(value: Value) -> bool:
         case Has() | Holds():
             return True
         case Call(function=function):
-            return not function.target.startswith("builtin:")
+            return function.is_of_document
         case Arithmetic(operator=operator):
             return operator in ("*", "/", "%")
     return False

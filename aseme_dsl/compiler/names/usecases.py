@@ -10,14 +10,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from aseme_dsl.amola.operators import Operator
-from aseme_dsl.amola.suc import RoleType, Suc, UseCase
+from aseme_dsl.amola.suc import RoleType, Suc, UseCase, folded
 
 _BUILT = (RoleType.SYSTEM, RoleType.ABSTRACT)
-
-
-def folded(name: str) -> str:
-    """What use cases, formulas and activities are compared by: case and underscores do not count."""
-    return name.replace("_", "").lower()
 
 
 @dataclass(frozen=True)

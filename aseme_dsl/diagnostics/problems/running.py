@@ -6,7 +6,7 @@ from enum import Enum
 from typing import ClassVar
 
 from aseme_dsl.diagnostics.problem import Problem
-from aseme_dsl.diagnostics.wording import did_you_mean
+from aseme_dsl.diagnostics.wording import did_you_mean, listed
 
 # ---- E028 to E031: what a command is given -----------------------------------------------------
 
@@ -475,6 +475,19 @@ class TraceNotRead(Problem):
     @property
     def message(self) -> str:
         return self.reason
+
+
+class NotOfThisModel(Problem):
+    """A run of another version of the system; `who` are the agents or roles that had another model."""
+
+    code = "E035"
+    system: str
+    who: tuple[str, ...]
+    hint = "measure with the files of that run, or run again"
+
+    @property
+    def message(self) -> str:
+        return f"{listed(self.who)} ran another version of `{self.system}`"
 
 
 # ---- E320 to E322: what a backend cannot do ----------------------------------------------------

@@ -11,15 +11,16 @@ from typing import Literal
 
 from aseme_dsl import outside
 
-Kind = Literal["bench", "drawing", "plot", "report", "study", "talk", "trace"]
+Kind = Literal["bench", "coverage", "drawing", "plot", "report", "study", "talk", "trace"]
 """What a file is.
 
-In this order: the report of a bench, a drawing of a model, a plot, a report of diagnostics. Then the report
-of a study or its data, the messages between agents, a trace.
+In this order: the report of a bench, what runs have reached, a drawing of a model, a plot, a report of
+diagnostics. Then the report of a study or its data, the messages between agents, a trace.
 """
 
 _NAMES: Mapping[Kind, str] = {
     "bench": "the report of a bench",
+    "coverage": "a measured coverage",
     "drawing": "a drawing",
     "plot": "a plot",
     "report": "a report",
@@ -29,6 +30,7 @@ _NAMES: Mapping[Kind, str] = {
 }
 _OURS: Mapping[Kind, re.Pattern[bytes]] = {
     "bench": re.compile(rb"\A# .*\n\n(?s:.{0,400}?)Times are CPU time of one thread"),
+    "coverage": re.compile(rb'\A\{\s*"kind": "asemec coverage"|<title>[^<]*asemec coverage</title>'),
     "drawing": re.compile(
         rb"""class="aseme-(?:compact|drawing)"
         | class="graph"[^\n]*\n<title>(?:(?:aip|srm|eac|iac)\.|sag<|suc<)  # of earlier versions

@@ -11,6 +11,8 @@ from tempfile import TemporaryDirectory
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from aseme_dsl.play.coverage.probes import Probed, Recorder, probed
+from aseme_dsl.play.coverage.seen import Following, Seen
 from aseme_dsl.play.run import NotPlayable, Played, play
 from aseme_dsl.play.scenario import Scenario, Script
 from aseme_dsl.project.spreading.cluster import Cluster, Copied
@@ -41,6 +43,8 @@ class _Job:
     cases: tuple[Case, ...]
     until: int
     world: str | None
+    probed: Probed | None
+    """What is measured, if coverage is."""
 
 
 def scenarios_in(compiled: Compiled, bound: Mapping[str, str] = MappingProxyType({})) -> tuple[Scenario, ...]:
@@ -60,21 +64,26 @@ def play_scenarios(
     activities: Path,
     crew: int | Cluster,
     told: Callable[[str], None] = lambda text: None,
+    seen: Seen | None = None,
 ) -> tuple[ScenarioResult, ...]:
     """The verdicts on scenarios, in their order. `told` is given how much is done.
+
+    What the runs reach of the system is added to `seen`, if it is given.
 
     Raises:
         ClusterError: the cluster cannot be used.
         OperateError: the code of the system cannot be written.
     """
+    from aseme_dsl.project.building.build import with_labels
     from aseme_dsl.project.playing.operate import generate_version
     from aseme_dsl.project.settings.configuration import OUTPUT
 
     usual = (configuration.run.duration if configuration.run is not None else None) or USUAL_LENGTH
     project = configuration.folder.resolve()
     cases = [cases_of(scenario, seeds) for scenario in scenarios]
+    measured = None if seen is None else probed(with_labels(system, choice.labels))
     with TemporaryDirectory(prefix="asemec-test-") as folder:
-        package, _ = generate_version(system, Path(folder), choice)
+        package, _ = generate_version(system if measured is None else measured.system, Path(folder), choice)
         jobs = [
             _Job(
                 package,
@@ -84,6 +93,7 @@ def play_scenarios(
                 part,
                 _end(scenario, part, usual),
                 _world(scenario.scripts[part[0].script], configuration),
+                measured,
             )
             for scenario, mine in zip(scenarios, cases, strict=True)
             for part in (_parts(mine) if scenario.refused is None else ())
@@ -95,19 +105,22 @@ def play_scenarios(
         )
         needed = -(-sum(map(len, cases)) // MANY)
         done = count(1)
-        found = iter(
-            spread(
-                _play,
-                jobs,
-                crew if isinstance(crew, Cluster) else max(1, min(crew, needed)),
-                copied,
-                lambda: told(f"{next(done)} of {len(jobs)} parts played"),
-            )
+        played = spread(
+            _play,
+            jobs,
+            crew if isinstance(crew, Cluster) else max(1, min(crew, needed)),
+            copied,
+            lambda: told(f"{next(done)} of {len(jobs)} parts played"),
         )
+        found = iter(played)
         runs = [
-            [run for _ in _parts(mine) for run in next(found)] if scenario.refused is None else []
+            [run for _ in _parts(mine) for run in next(found).runs] if scenario.refused is None else []
             for scenario, mine in zip(scenarios, cases, strict=True)
         ]
+    if seen is not None:
+        for item in played:
+            seen.add(item.seen)
+        seen.scenarios += len(scenarios)
     return tuple(map(verdict_of, scenarios, cases, runs))
 
 
@@ -132,27 +145,40 @@ def _parts(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
             begin = place
 
 
-def _play(job: _Job) -> list[Played | NotRun]:
+@dataclass(frozen=True, slots=True)
+class _Done:
+    """The runs of a job, and what they have reached."""
+
+    runs: list[Played | NotRun]
+    seen: Seen
+
+
+def _play(job: _Job) -> _Done:
     """The runs of a job; what they leave in the project's modules is not there for the next."""
     from aseme_dsl.project.playing.play import PlayError, made_world
     from aseme_dsl.runtime.version.loading import LoadError, activities_in, forgetting, importing
 
     found: list[Played | NotRun] = []
+    seen = Seen()
+    recorder = None if job.probed is None else Recorder(job.probed.probes, seen.evaluations)
+    charts = {} if job.probed is None else {chart.name: chart for chart in job.probed.system.iacs}
     try:
         loaded = _loaded(job.package, job.project)
     except LoadError as problem:
-        return [NotRun(str(problem)) for _ in job.cases]
+        return _Done([NotRun(str(problem)) for _ in job.cases], seen)
     for case in job.cases:
+        follow = [] if recorder is None else [Following(charts, seen, dict(job.script.team))]
         with forgetting(job.project), importing([job.project, *loaded.path]):
             try:
                 real = activities_in(job.activities)
                 world = made_world(job.world, case.seed) if job.world is not None else None
-                found.append(play(loaded, job.script, case.seed, case.inputs, real, job.until, world))
+                given = (case.seed, case.inputs, real, job.until, world)
+                found.append(play(loaded, job.script, *given, follow, recorder))
             except PlayError as problem:
                 found.append(NotRun(problem.problem.message))
             except NotPlayable as problem:
                 found.append(NotRun(str(problem), problem.span))
-    return found
+    return _Done(found, seen)
 
 
 @lru_cache(maxsize=1)  # all packages have the same module names, and activities import the newest

@@ -262,6 +262,10 @@ class Chart(ChartState):
             target = self.PLAN.transitions[way[-1]].target if way else self.REGIONS[0]
             self.breach = target, f"{reason} ({self.PLAN.transitions[transition].at})"
 
+    def probe(self, number: int, holds: bool) -> bool:
+        """Whether a part of a condition holds, in code that is to be measured: a class inside may tell it."""
+        return holds
+
     def call(self, name: str, *arguments: object) -> Any:
         """Call a function of the document and note its result.
 

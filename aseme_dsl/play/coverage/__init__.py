@@ -1,0 +1,1 @@
+"""Coverage: what runs have reached of a model, counted from their records."""

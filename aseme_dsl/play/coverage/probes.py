@@ -1,0 +1,105 @@
+"""Probes: a system whose conditions tell what they evaluate, and which does the same as before."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from typing import cast
+
+from aseme_dsl.amola.expression import Call, Literal, Logic, Value
+from aseme_dsl.amola.messages import BOOL, INT, PROBE, Function
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.system import System
+from aseme_dsl.play.coverage.decisions import HELD, NOT_ASKED, NOT_HELD, Decision, decisions_of
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.source import Source, Span
+
+_PROBE = Function("probe", (("number", INT), ("holds", BOOL)), BOOL, PROBE, Span(Source("", ""), 0, 0))
+
+Evaluations = dict[tuple[str, int], set[str]]
+"""The evaluations of the decisions of roles, by role and transition number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Probe:
+    """What a probe is around: a part of a decision, by its place, or (None) the whole."""
+
+    role: str
+    decision: Decision
+    place: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Probed:
+    """A system with probes, and what their numbers mean."""
+
+    system: System
+    probes: tuple[Probe, ...]
+
+
+@dataclass(slots=True)
+class Recorder:
+    """Takes what the probes of charts tell, one chart after the other."""
+
+    probes: Sequence[Probe]
+    evaluations: Evaluations = field(default_factory=dict)
+    _parts: dict[int, bool] = field(default_factory=dict)
+
+    def tell(self, number: int, holds: bool) -> None:
+        """A probe has this number, and what it is around holds or does not."""
+        probe = self.probes[number]
+        if probe.place is None:
+            letters = [_LETTERS[self._parts.get(place)] for place in range(len(probe.decision.parts))]
+            found = self.evaluations.setdefault((probe.role, probe.decision.transition), set())
+            found.add("".join((*letters, _LETTERS[holds])))
+            return
+        if probe.place == 0:
+            self._parts.clear()  # a new evaluation begins
+        self._parts[probe.place] = holds
+
+    def listening(self, chart: type[Chart]) -> type[Chart]:
+        """The chart, whose probes tell this recorder."""
+
+        def probe(_: Chart, number: int, holds: bool) -> bool:
+            self.tell(number, holds)
+            return holds
+
+        return cast("type[Chart]", type(chart.__name__, (chart,), {"__slots__": (), "probe": probe}))
+
+
+_LETTERS = {True: HELD, False: NOT_HELD, None: NOT_ASKED}
+
+
+def probed(system: System) -> Probed:
+    """The system with a probe around each condition of its roles, and around each part of it."""
+    probes: list[Probe] = []
+    charts = tuple(_probed(chart, probes) for chart in system.iacs)
+    return Probed(replace(system, iacs=charts), tuple(probes))
+
+
+def _probed(chart: Statechart, probes: list[Probe]) -> Statechart:
+    transitions = list(chart.transitions)
+    for decision in decisions_of(chart):
+        first = len(probes)
+        probes += (Probe(chart.name, decision, place) for place in range(len(decision.parts)))
+        parts = iter(range(first, len(probes)))
+        inside = _with_parts(decision.condition, parts)
+        condition = _around(inside, len(probes))
+        probes.append(Probe(chart.name, decision, None))
+        item = transitions[decision.transition]
+        changed = replace(item.expression, condition=condition)
+        transitions[decision.transition] = replace(item, expression=changed)
+    return replace(chart, transitions=tuple(transitions))
+
+
+def _with_parts(normal: Value, numbers: Iterator[int]) -> Value:
+    if isinstance(normal, Logic):
+        return replace(normal, operands=tuple(_with_parts(item, numbers) for item in normal.operands))
+    return _around(normal, next(numbers))
+
+
+def _around(value: Value, number: int) -> Value:
+    return Call(_PROBE, (Literal(number, INT, value.span), value), BOOL, value.span)
+
+
+__all__ = ["Evaluations", "Probe", "Probed", "Recorder", "probed"]

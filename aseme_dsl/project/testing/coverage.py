@@ -1,0 +1,221 @@
+"""Coverage of a system, from scenarios, from traces and from files of earlier measurements."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, cast
+
+from aseme_dsl import outside
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.running import NotOfThisModel, TraceNotRead
+from aseme_dsl.play.coverage.measure import Coverage, measured
+from aseme_dsl.play.coverage.seen import Following, RoleSeen, Seen
+from aseme_dsl.project.files.inputs import is_folder
+from aseme_dsl.project.settings.target import builds_in, project_here
+from aseme_dsl.runtime.trace.records import Record, agents_of
+from aseme_dsl.runtime.trace.trace_files import TraceError
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
+
+if TYPE_CHECKING:
+    from aseme_dsl.amola.system import System
+    from aseme_dsl.project.building.build import Choice
+
+FORMAT = 1
+_MARK = "asemec coverage"
+
+Listener = Callable[[Record], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Model:
+    """A system as its agents run it, with the hash of the model of each role."""
+
+    system: System
+    hashes: Mapping[str, str]
+
+
+def model_of(system: System, choice: Choice) -> Model:
+    """The system with the labels that its build has."""
+    from aseme_dsl.backends.shared.generate import role_models
+    from aseme_dsl.project.building.build import with_labels
+
+    labelled = with_labels(system, choice.labels)
+    return Model(labelled, role_models(labelled))
+
+
+def coverage_of(model: Model, seen: Seen) -> Coverage:
+    """What the runs that were seen have reached."""
+    return measured(model.system, seen)
+
+
+def source_of_runs(targets: Sequence[str], files: Iterable[Path]) -> str:
+    """The target whose system has run: a target that is not a record of a run, else where it was built.
+
+    Without either it is the file that the first record names, here or beside it, else the project here.
+    """
+    known = list(files)
+    for target in targets:
+        if Path(target) not in known:
+            return target
+    for path in known:
+        if is_folder(path.parent) and builds_in(path.parent):
+            return str(path.parent)
+    for path in known:
+        name = _source_in(path)
+        for place in (Path(), path.parent):
+            if name is not None and (place / name).is_file():
+                return str(place / name)
+    return project_here()
+
+
+def _source_in(path: Path) -> str | None:
+    """The file of the system, as a record of a run names it."""
+    try:
+        if path.suffix == ".json":
+            return str(_document(path)["source"])
+        header = next(iter(TraceReader(path))).record
+        return next((agent["source"] for agent in agents_of(header) if "source" in agent), None)
+    except (TraceError, StopIteration, KeyError, TypeError):
+        return None
+
+
+# ---- traces -----------------------------------------------------------------------------------------
+
+
+def read_runs(
+    model: Model, paths: Iterable[Path], seen: Seen, listeners: Sequence[Listener] = ()
+) -> tuple[Diagnostic, ...]:
+    """Add what traces, and files of earlier measurements, have shown; what is wrong with them.
+
+    `listeners` are given the records of the traces, too.
+    """
+    found: list[Diagnostic] = []
+    for path in paths:
+        try:
+            if path.suffix == ".json":
+                found += _read_measured(model, path, seen)
+            else:
+                found += _read_trace(model, path, seen, listeners)
+        except TraceError as problem:
+            found.append(Diagnostic(TraceNotRead(str(problem)), None, path=str(path)))
+    return tuple(found)
+
+
+def _read_trace(model: Model, path: Path, seen: Seen, listeners: Sequence[Listener]) -> Iterable[Diagnostic]:
+    reader = TraceReader(path)
+    charts = {chart.name: chart for chart in model.system.iacs}
+    following: Following | None = None
+    for line in reader:
+        record = line.record
+        if following is None:
+            wrong = _others(model, record)
+            if wrong:
+                return [Diagnostic(NotOfThisModel(model.system.name, wrong), None, path=str(path))]
+            following = Following(charts, seen, {a["name"]: a.get("role", "") for a in agents_of(record)})
+            seen.traces += 1
+        following(record)
+        for listener in listeners:
+            listener(record)
+        if record["kind"] in ("swap", "select") and record.get("model") not in (None, *model.hashes.values()):
+            following.leave(str(record.get("agent", "")))
+            seen.left_out["an agent changed to another model: the rest of its run was not counted"] += 1
+    if reader.problem is not None:
+        return [Diagnostic(TraceNotRead(reader.problem), None, path=str(path))]
+    return []
+
+
+def _others(model: Model, header: Record) -> tuple[str, ...]:
+    """The agents of a trace that did not run this model."""
+    return tuple(
+        agent["name"]
+        for agent in agents_of(header)
+        if agent.get("model", "") != model.hashes.get(agent.get("role", ""))
+    )
+
+
+# ---- files of measurements --------------------------------------------------------------------------
+
+
+def written(model: Model, seen: Seen) -> bytes:
+    """What was seen, as a file that `read_runs` reads."""
+    document = {
+        "kind": _MARK,
+        "format": FORMAT,
+        "system": model.system.name,
+        "source": model.system.span.source.path if model.system.span is not None else "",
+        "models": dict(model.hashes),
+        "scenarios": seen.scenarios,
+        "traces": seen.traces,
+        "left_out": dict(seen.left_out),
+        "roles": {
+            role: {
+                "entered": dict(item.entered),
+                "completed": dict(item.completed),
+                "taken": {str(number): times for number, times in sorted(item.taken.items())},
+                "ended": [[*place, times] for place, times in sorted(item.ended.items())],
+            }
+            for role, item in sorted(seen.roles.items())
+        },
+        "conditions": [
+            [role, number, sorted(found)] for (role, number), found in sorted(seen.evaluations.items())
+        ],
+    }
+    return f"{json.dumps(document, indent=1, ensure_ascii=False)}\n".encode()
+
+
+def _document(path: Path) -> Mapping[str, object]:
+    """Raises TraceError: it cannot be read, or is not one of ours."""
+    try:
+        document = json.loads(outside.read_bytes(path))
+        if document["kind"] != _MARK or document["format"] != FORMAT:
+            raise ValueError(document["kind"])
+    except OSError as problem:
+        raise TraceError(f"{path} cannot be read: {problem.strerror or problem}") from problem
+    except (KeyError, TypeError, ValueError, RecursionError) as problem:
+        raise TraceError(_NOT_OURS.format(path)) from problem
+    return cast("Mapping[str, object]", document)
+
+
+_NOT_OURS = "{} is not a file that `asemec test --coverage-file` has written"
+
+
+def _read_measured(model: Model, path: Path, seen: Seen) -> Iterable[Diagnostic]:
+    document = _document(path)
+    try:
+        read = _seen(document)
+        hashes = cast("Mapping[str, str]", document["models"])
+        models = {str(role): str(text) for role, text in hashes.items()}
+    except (KeyError, TypeError, ValueError, AttributeError) as problem:
+        raise TraceError(_NOT_OURS.format(path)) from problem
+    if models != dict(model.hashes):
+        roles = tuple(role for role, text in models.items() if model.hashes.get(role) != text)
+        wrong = NotOfThisModel(model.system.name, roles or tuple(model.hashes))
+        return [Diagnostic(wrong, None, path=str(path))]
+    seen.add(read)
+    return []
+
+
+def _seen(document: Mapping[str, object]) -> Seen:
+    """Raises KeyError, TypeError, ValueError, AttributeError: it is of another form."""
+    found = cast("Mapping[str, Mapping[str, Mapping[str, int]]]", document["roles"])
+    roles = {}
+    for role, item in found.items():
+        ended = cast("Sequence[tuple[str, str, int]]", item["ended"])
+        roles[role] = RoleSeen(
+            Counter({str(label): int(times) for label, times in item["entered"].items()}),
+            Counter({str(label): int(times) for label, times in item["completed"].items()}),
+            Counter({int(number): int(times) for number, times in item["taken"].items()}),
+            Counter({(str(label), str(outcome)): int(times) for label, outcome, times in ended}),
+        )
+    conditions = cast("Sequence[tuple[str, int, Sequence[str]]]", document["conditions"])
+    evaluations = {(str(role), int(number)): set(map(str, texts)) for role, number, texts in conditions}
+    left_out = cast("Mapping[str, int]", document["left_out"])
+    scenarios, traces = (int(cast(int, document[name])) for name in ("scenarios", "traces"))
+    return Seen(roles, evaluations, scenarios, traces, Counter(dict(left_out)))
+
+
+__all__ = ["Model", "coverage_of", "model_of", "read_runs", "source_of_runs", "written"]

@@ -1,0 +1,179 @@
+"""`asemec test --coverage` and `asemec coverage`: what is counted, and from what."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.cli.support import Here
+
+LIFT = """\
+system Lift
+message Call { int floor  bool urgent }
+topic panel { state Call }
+sag { actor lift { goal ride "One is taken to the floor."  goal rest "It does not burn."  goal fly "No." } }
+suc { usecase ride realises Travel  usecase rest realises Wait }
+srm lift {
+  liveness { lift = (Wait . [Travel])~ }
+  activities { Wait takes 1s simulated  Travel takes 3s simulated ends arrived, stuck }
+  control lift {
+    enter Travel : [panel.state.Call.floor > 3 && !panel.state.Call.urgent || false]
+    skip  Travel : else
+    exit  Travel : / start_timer(t, 1s)
+  }
+}
+scenario "high" { one : lift  at 100ms one receives panel.state.Call { floor = 4 }  by 2s one in Travel }
+scenario "urgent" {
+  one : lift
+  at 100ms one receives panel.state.Call { floor = 4  urgent = true }
+  never one in Travel
+  for 5s
+}
+scenario "low" {
+  one : lift
+  at 100ms one receives panel.state.Call { floor = 1 }
+  never one in Travel
+  for 5s
+}
+"""
+
+
+@pytest.fixture
+def lift(here: Here, folder: Path) -> Here:
+    (folder / "lift.aseme").write_text(LIFT)
+    return here
+
+
+def shares(found: Any) -> dict[str, tuple[int, int, int, int]]:
+    return {
+        kind: (item["covered"], item["total"], item["never"], item["not_measured"])
+        for kind, item in found["coverage"]["shares"].items()
+    }
+
+
+def statuses(found: Any, kind: str) -> dict[str, tuple[str, int]]:
+    items = found["coverage"]["items"]
+    return {item["name"]: (item["status"], item["times"]) for item in items if item["kind"] == kind}
+
+
+def test_scenarios_cover_parts_of_all_models(lift: Here) -> None:
+    done = lift("test", "lift.aseme", "--coverage", "--json")
+    assert done.code == 0
+    assert shares(done.json) == {
+        "goals": (2, 2, 1, 0),
+        "use_cases": (2, 2, 1, 0),
+        "formulas": (1, 1, 0, 0),
+        "states": (5, 5, 0, 0),
+        "transitions": (8, 10, 0, 0),
+        "conditions": (2, 2, 1, 0),
+        "outcomes": (0, 2, 0, 0),
+    }
+    goals = statuses(done.json, "goal")
+    assert (goals["ride"], goals["fly"]) == (("covered", 1), ("never", 0))
+    assert goals["rest"] == statuses(done.json, "state")["Wait"]
+    assert statuses(done.json, "outcome")["arrived of Travel"] == ("missed", 0)
+
+
+def test_a_part_is_covered_once_it_is_shown_to_decide(lift: Here) -> None:
+    def conditions(name: str) -> list[tuple[str, str]]:
+        done = lift("test", "lift.aseme", "--coverage", "--json", "-k", name)
+        items = done.json["coverage"]["items"]
+        return [(item["status"], item["reason"]) for item in items if item["kind"] == "condition"]
+
+    always, never, unasked = "it always held", "it never held", "it was never evaluated"
+    constant = ("never", "it is constant")
+    assert conditions("low") == [("missed", never), ("missed", unasked), constant]
+    assert conditions("high") == [("missed", always), ("missed", always), constant]
+    assert conditions("urgent") == [("missed", always), ("missed", never), constant]
+
+
+def test_traces_and_scenarios_count_together(lift: Here, folder: Path) -> None:
+    assert lift("run", "lift.aseme", "--for", "5s", "--quiet", "--allow", "waiting").code == 0
+    alone = lift("coverage", "out/trace.jsonl", "--json")
+    assert (alone.code, alone.json["coverage"]["traces"]) == (0, 1)
+    assert shares(alone.json)["conditions"] == (0, 2, 1, 2)
+    assert alone.json["coverage"]["shares"]["conditions"]["percent"] is None
+    assert lift("test", "lift.aseme", "--coverage-file", "some.json", "-k", "high").code == 0
+    both = lift("coverage", "some.json", "out/trace.jsonl", "--json")
+    assert shares(both.json)["states"] == (5, 5, 0, 0)
+    once = lift("coverage", "some.json", "--json")
+    waits = [statuses(item.json, "state")["Wait"][1] for item in (alone, once, both)]
+    assert waits[2] == waits[0] + waits[1] > waits[0] > 1
+    # A file, a project and an output directory stand for their last run.
+    assert lift("coverage", "lift.aseme", "--json").json == alone.json
+    assert lift("coverage", "out", "--json").json == alone.json
+    # By hand: a state is entered when a step takes a transition into it.
+    records = [json.loads(line) for line in (folder / "out/trace.jsonl").read_text().splitlines()]
+    ways = [way for record in records if record["kind"] == "step" for way in record["taken"]]
+    label = next(item["label"] for item in records if item.get("activity") == "Wait")
+    assert waits[0] == sum(way["target"] == label for way in ways)
+
+
+def test_less_than_wanted_is_an_error(lift: Here) -> None:
+    def under(*words: str) -> tuple[int, str]:
+        options = [item for word in words for item in ("--fail-under", word)]
+        done = lift("test", "lift.aseme", "-k", "low", *options)
+        return done.code, done.err
+
+    assert under("60") == (0, "")
+    assert under("80") == (0, "")
+    assert under("80.1") == (1, "80.0% of the states are covered, but 80.1% are wanted\n")
+    assert under("60", "use-cases=90")[1] == "50.0% of the use cases are covered, but 90% are wanted\n"
+    assert lift("run", "lift.aseme", "--for", "5s", "--quiet", "--allow", "waiting").code == 0
+    done = lift("coverage", "out", "--fail-under", "conditions=1")
+    assert (done.code, done.err) == (1, "conditions were not measured, but 1% of them are wanted\n")
+    assert [under(word)[0] for word in ("x", "101", "colours=3")] == [2, 2, 2]
+    assert "Did you mean 'states'?" in under("state=3")[1]
+
+
+def test_what_cannot_be_counted_is_said(lift: Here, folder: Path) -> None:
+    assert lift("run", "lift.aseme", "--for", "2s", "--quiet", "--allow", "waiting").code == 0
+    assert lift("test", "lift.aseme", "--coverage-file", "some.json").code == 0
+    (folder / "lift.aseme").write_text(LIFT.replace("> 3", "> 4"))
+    for file, who in (("out/trace.jsonl", "lift"), ("some.json", "lift")):
+        done = lift("coverage", file, "--source", "lift.aseme")
+        assert (done.code, done.out) == (1, "")
+        assert f"{file}: error[E035]: `{who}` ran another version of `Lift`" in done.err
+    for text in ("", "{}", "[1]", '{"kind": "asemec coverage", "format": 9}', "[" * 100_000, "\x00"):
+        (folder / "some.json").write_text(text)
+        done = lift("coverage", "some.json", "--source", "lift.aseme")
+        assert (done.code, done.err.count("error[E035]"), "Traceback" in done.err) == (1, 1, False)
+    assert "there is no file no.json" in lift("coverage", "no.json", "--source", "lift.aseme").err
+    assert lift("test", "lift.aseme", "--coverage-file", "cover.txt").code == 2
+    assert lift("test", "lift.aseme", "--coverage-file", "lift.aseme").code == 2
+
+
+def test_people_read_what_is_missing_with_its_place(lift: Here) -> None:
+    done = lift("test", "lift.aseme", "--coverage", "-k", "low")
+    assert done.out.endswith("""\
+coverage of Lift: 1 scenario
+             covered     of
+goals              1      2   50%   1 can never be reached
+use cases          1      2   50%   1 can never be reached
+formulas           1      1  100%
+states             4      5   80%
+transitions        7     10   70%
+conditions         0      2    0%   1 can never be reached
+outcomes           0      2    0%
+
+not covered
+  goal       lift: ride  lift.aseme:5:15
+  use case   lift: ride  lift.aseme:5:15
+  state      lift: Travel, with 2 transitions inside  lift.aseme:7:30
+  transition lift: choice in [Travel] -> Travel [panel.state.Call.floor > 3 && \
+!panel.state.Call.urgent || false]  lift.aseme:10:5
+  condition  lift: panel.state.Call.floor > 3 (choice in [Travel] -> Travel): \
+it never held  lift.aseme:10:21
+  condition  lift: !panel.state.Call.urgent (choice in [Travel] -> Travel): \
+it was never evaluated  lift.aseme:10:52
+  outcome    lift: arrived of Travel  lift.aseme:8:41
+  outcome    lift: stuck of Travel  lift.aseme:8:41
+
+can never be reached
+  goal       lift: fly: no state serves it  lift.aseme:4:96
+  use case   lift: fly: no state serves it  lift.aseme:4:96
+  condition  lift: false (choice in [Travel] -> Travel): it is constant  lift.aseme:10:79
+""")
