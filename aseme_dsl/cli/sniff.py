@@ -6,8 +6,8 @@ import json
 import re
 import sys
 import time
-from collections.abc import Sequence
-from dataclasses import asdict
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -78,6 +78,18 @@ _SUFFIX_OF = {"svg": ".svg", "mermaid": ".mmd", "text": ".txt"}
     help="Output file: .svg, .mmd or .txt. A long picture continues in FILE-2, FILE-3, …",
 )
 @click.option("--each", is_flag=True, help="One file per conversation: FILE-CONVERSATION.")
+@click.option(
+    "--group/--no-group",
+    "group",
+    default=None,
+    help="In diagrams, draw the agents of a role as one lifeline, from three on.  [default: with more than 12"
+    " agents]",
+)
+@click.option(
+    "--page",
+    type=click.Choice(["a4", "screen"]),
+    help="Divide a picture into pages of this size.  [default: pages of 60 rows]",
+)
 @json_option
 @colour_option
 def command(
@@ -91,6 +103,8 @@ def command(
     format_: str | None,
     output: Path | None,
     each: bool,
+    group: bool | None,
+    page: str | None,
     as_json: bool,
     colour: str,
 ) -> int:
@@ -105,6 +119,10 @@ def command(
     format_ = _format(format_, output)
     if each and output is None:
         raise click.UsageError("--each requires -o.")
+    if group is not None and format_ == "text":
+        raise click.UsageError("--group and --no-group require a diagram: -o FILE.svg or --format mermaid.")
+    if page is not None and (format_ != "svg" or output is None):
+        raise click.UsageError("--page requires a picture: -o FILE.svg.")
     if follow and (output is not None or format_ != "text"):
         raise click.UsageError("--follow prints text: not with --format or -o.")
     wanted = Wanted(conversations, protocols, agents, since, until)
@@ -115,10 +133,21 @@ def command(
     try:
         if follow:
             return _follow(paths, wanted, as_json, colour)
-        return _show(paths, wanted, format_, output, each, as_json, colour)
+        return _show(paths, wanted, _Form(format_, output, each, group, page), as_json, colour)
     except TraceError as problem:
         say_unreadable(problem, paths[0], colour)
         return 1
+
+
+@dataclass(frozen=True, slots=True)
+class _Form:
+    """How messages are shown: the format and the file, one for each conversation, in groups, in pages."""
+
+    format: str
+    output: Path | None
+    each: bool
+    group: bool | None
+    page: str | None
 
 
 def _format(given: str | None, output: Path | None) -> str:
@@ -182,9 +211,7 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -
 def _show(
     paths: Sequence[Path],
     wanted: Wanted,
-    format_: str,
-    output: Path | None,
-    each: bool,
+    form: _Form,
     as_json: bool,
     colour: str,
 ) -> int:
@@ -213,18 +240,18 @@ def _show(
         return refuse(unknown, as_json, colour)
     problems = [(reader.problem, reader.path) for reader in readers if reader.problem is not None]
     diagram = sniffer.diagram(rows)
-    if output is None:
+    if form.output is None:
         if as_json:
             print_json({"rows": [_row(row) for row in rows], "remarks": list(diagram.remarks)})
-        elif format_ == "text":
+        elif form.format == "text":
             width = max([5, *(len(line.name) for line in diagram.lifelines)])
             click.echo("\n".join(line_of(row, width) for row in rows) or "no agent messages in this trace")
             for text in diagram.remarks:
                 click.echo(text, err=True)
         else:
-            click.echo(_drawn(diagram, format_), nl=False)
+            click.echo(_drawn(_in_groups(diagram, form), form), nl=False)
     else:
-        files = _write(diagram, format_, output, each, paths)
+        files = _write(diagram, form, form.output, paths)
         if as_json:
             print_json({"files": [str(path) for path in files], "remarks": list(diagram.remarks)})
         else:
@@ -237,26 +264,23 @@ def _show(
     return int(bool(problems))
 
 
-def _write(
-    diagram: SequenceDiagram, format_: str, output: Path, each: bool, read: Sequence[Path]
-) -> list[Path]:
+def _write(diagram: SequenceDiagram, form: _Form, output: Path, read: Sequence[Path]) -> list[Path]:
     """The files: one a page of each picture."""
-    from aseme_dsl.diagrams.sequence.sequence import pages
     from aseme_dsl.project.files.outputs import marked
     from aseme_dsl.project.playing.sniff import of_conversation
 
-    pictures = [(output, diagram)]
-    if each:
-        pictures = [(_named(output, name), of_conversation(diagram, name)) for name in diagram.conversations]
-    files: list[tuple[Path, SequenceDiagram]] = []
-    for path, picture in pictures:
-        for number, part in enumerate([picture] if format_ == "text" else pages(picture), 1):
-            files.append((path if number == 1 else _named(path, str(number)), part))
+    diagrams = [(output, diagram)]
+    if form.each:
+        diagrams = [(_named(output, name), of_conversation(diagram, name)) for name in diagram.conversations]
+    files: list[tuple[Path, str]] = []
+    for path, item in diagrams:
+        for number, text in enumerate(_pages(_in_groups(item, form), form), 1):
+            files.append((path if number == 1 else _named(path, str(number)), text))
     check_outputs([(file, "talk") for file, _ in files], read)
-    for file, part in files:
+    for file, text in files:
         try:
             file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_bytes(marked(_drawn(part, format_).encode(), _SUFFIX_OF[format_], "sniff"))
+            file.write_bytes(marked(text.encode(), _SUFFIX_OF[form.format], "sniff"))
         except OSError as problem:
             raise click.ClickException(f"{file} cannot be written: {problem.strerror}") from problem
     return [file for file, _ in files]
@@ -267,14 +291,35 @@ def _named(path: Path, what: str) -> Path:
     return path.with_name(f"{path.stem}-{re.sub(r'[^A-Za-z0-9_.-]', '_', what)}{path.suffix}")
 
 
-def _drawn(diagram: SequenceDiagram, format_: str) -> str:
+def _in_groups(diagram: SequenceDiagram, form: _Form) -> SequenceDiagram:
+    """The diagram with groups where they are asked for, or where it has many agents."""
+    from aseme_dsl.diagrams.sequence.groups import MOST, grouped
+
+    if form.format == "text" or form.group is False:
+        return diagram
+    return grouped(diagram, 0 if form.group else MOST)
+
+
+def _pages(diagram: SequenceDiagram, form: _Form) -> Iterator[str]:
+    """The diagram in pages; what is text has one."""
+    from aseme_dsl.diagrams.look.drawing import PageSize
+    from aseme_dsl.diagrams.sequence.sequence import pages
+    from aseme_dsl.diagrams.sequence.sequence_svg import pictures
+
+    if form.format == "svg":
+        yield from pictures(diagram, PageSize(form.page) if form.page is not None else None)
+    else:
+        yield from (_drawn(part, form) for part in ([diagram] if form.format == "text" else pages(diagram)))
+
+
+def _drawn(diagram: SequenceDiagram, form: _Form) -> str:
     from aseme_dsl.diagrams.sequence.sequence_mermaid import mermaid
     from aseme_dsl.diagrams.sequence.sequence_svg import drawn
     from aseme_dsl.project.playing.sniff import line_of
 
-    if format_ == "svg":
+    if form.format == "svg":
         return drawn(diagram)
-    if format_ == "mermaid":
+    if form.format == "mermaid":
         return mermaid(diagram)
     width = max([5, *(len(line.name) for line in diagram.lifelines)])
     return "".join(f"{line}\n" for line in (*(line_of(row, width) for row in diagram.rows), *diagram.remarks))

@@ -22,6 +22,8 @@ from aseme_dsl.diagrams.sequence.sequence import Mark
 from aseme_dsl.project.playing.sniff import Sniffer
 from tests.cli.support import Here
 from tests.conftest import Snapshot
+from tests.diagrams.overlaps import Painted, overlaps
+from tests.diagrams.pictures import SVG
 
 SYSTEM = """
 system Kitchen
@@ -381,25 +383,114 @@ def test_no_file_of_the_user_becomes_a_picture(folder: Path, here: Here, name: s
     assert done.code == 2 and f"{name} is there already" in done.err and Path(name).read_text() == "mine"
 
 
-def test_nine_agents_and_sixty_messages_do_not_overlap(folder: Path, here: Here) -> None:
-    """Each label is in a row of its own, and inside the picture."""
-    names = [f"agent{n}" for n in range(9)]
-    said = [
-        mail(n, names[n % 9], [names[(n * 4 + 1) % 9]], n, content={"text": "what is said here is long " * 9})
-        for n in range(60)
+def said_by(names: Sequence[str], number: int) -> list[dict[str, object]]:
+    """Messages from one to another, of long content."""
+    last = len(names)
+    return [
+        mail(
+            n,
+            names[n % last],
+            [names[(n * 4 + 1) % last]],
+            n,
+            content={"text": "what is said here is long " * 9},
+        )
+        for n in range(number)
     ]
-    write(Path("t.jsonl"), header(*names), *said, FINISH)
+
+
+def texts_of(file: str) -> list[str]:
+    return ["".join(item.itertext()) for item in ElementTree.parse(file).iter(f"{SVG}text")]
+
+
+def test_nine_agents_and_sixty_messages_do_not_overlap(folder: Path, here: Here) -> None:
+    names = [f"agent{n}" for n in range(9)]
+    write(Path("t.jsonl"), header(*names), *said_by(names, 60), FINISH)
     here("sniff", "t.jsonl", "-o", "talk.svg")
-    root = ElementTree.parse("talk.svg").getroot()
     assert not Path("talk-2.svg").exists()
-    width = float(root.attrib["width"])
-    labels = [item for item in root.iter("{http://www.w3.org/2000/svg}text") if item.get("paint-order")]
-    assert len({item.attrib["y"] for item in labels}) == len(labels) == 60
-    for item in labels:
-        room = 6 * len("".join(item.itertext()))
-        x = float(item.attrib["x"])
-        left, right = (x - room, x) if item.get("text-anchor") == "end" else (x, x + room)
-        assert left >= 0 and right <= width
+    assert texts_of("talk.svg").count("inform Note") == 60
+    assert overlaps(Path("talk.svg").read_bytes()) == []
+
+
+def test_pages_have_the_size_that_is_asked_for(folder: Path, here: Here) -> None:
+    names = [f"agent{n}" for n in range(9)]
+    write(Path("t.jsonl"), header(*names), *said_by(names, 60), FINISH)
+    here("sniff", "t.jsonl", "-o", "talk.svg", "--page", "a4")
+    files = sorted(folder.glob("talk*.svg"))
+    assert len(files) == 6
+    for file in files:
+        drawn = Painted(file.read_bytes())
+        assert drawn.width <= 1320 and drawn.height <= 905
+        assert overlaps(file.read_bytes()) == []
+    assert sum(texts_of(str(file)).count("inform Note") for file in files) == 60
+
+
+def test_many_agents_of_a_role_are_one_lifeline(folder: Path, here: Here) -> None:
+    workers = [f"worker{n}" for n in range(1, 39)]
+    team = header("boss", "desk", "audit", *workers)
+    for agent in team["agents"][3:]:  # type: ignore[index]
+        agent["role"] = "worker"
+    job = {"conversation": "talk-boss-1", "content": {"n": 7}}
+    said = [
+        mail(1, "boss", workers, 1, **job),
+        *(
+            mail(2 + n / 10, name, ["boss"], n, performative="propose" if n % 3 else "refuse", **job)
+            for n, name in enumerate(workers)
+        ),
+        mail(7, "boss", ["worker7"], 2, **job),
+        mail(7, "boss", workers[:5], 3, **job),
+        mail(8, "worker7", ["worker8", "desk"], 4, **job),
+        mail(9, "desk", ["audit"], 5, **job),
+    ]
+    write(Path("t.jsonl"), team, *said, FINISH)
+    here("sniff", "t.jsonl", "-o", "talk.svg")
+    drawn = texts_of("talk.svg")
+    assert drawn.count("worker[1..38]") == 1
+    assert any(text.startswith("38 agents, worker:") for text in drawn)
+    rows = [text for text in drawn if text.startswith(("×", "to ", "worker7"))]
+    assert rows == [
+        "to all: n 7",
+        "× 13 until 5.6 s: n 7",
+        "× 25 until 5.7 s: n 7",
+        "to worker7: n 7",
+        "to 5 of 38: n 7",
+        "worker7 to worker8: n 7",
+    ]
+    assert overlaps(Path("talk.svg").read_bytes()) == []
+    assert "worker[1..38]" in here("sniff", "t.jsonl", "--format", "mermaid").out
+    here("sniff", "t.jsonl", "-o", "all.svg", "--no-group")
+    assert set(workers) <= set(texts_of("all.svg"))
+    assert overlaps(Path("all.svg").read_bytes()) == []
+
+
+def test_a_few_agents_are_a_group_where_that_is_asked_for(folder: Path, here: Here) -> None:
+    write(
+        Path("t.jsonl"),
+        header("ann", "bob", "cid"),
+        mail(1, "ann", ["bob"], 1),
+        mail(2, "cid", ["bob"], 3, performative="request"),
+        FINISH,
+    )
+    here("sniff", "t.jsonl", "-o", "talk.svg", "--group")
+    assert {"robot × 3", "ann to bob: n 1", "cid to bob: n 3"} <= set(texts_of("talk.svg"))
+    here("sniff", "t.jsonl", "-o", "talk.svg")
+    assert {"ann", "bob", "cid"} <= set(texts_of("talk.svg"))
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--page", "a4"), "--page requires a picture"),
+        (("--page", "a4", "-o", "talk.mmd"), "--page requires a picture"),
+        (("--group",), "--group and --no-group require a diagram"),
+        (("--no-group", "-o", "talk.txt"), "--group and --no-group require a diagram"),
+    ],
+)
+def test_options_of_a_diagram_are_refused_for_text(
+    folder: Path, here: Here, options: tuple[str, ...], words: str
+) -> None:
+    write(Path("t.jsonl"), header("one", "two"), mail(1, "one", ["two"], 1), FINISH)
+    done = here("sniff", "t.jsonl", *options)
+    assert done.code == 2 and words in done.err
 
 
 def test_names_that_mean_something_to_mermaid(folder: Path, here: Here) -> None:

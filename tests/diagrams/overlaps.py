@@ -33,11 +33,11 @@ class Text:
 
 @dataclass(frozen=True)
 class Line:
-    """A line or a border; `joins` says that it leads from something to something."""
+    """A line or a border; `edge` is the number of the edge that it is of, 0 for a border."""
 
     points: tuple[Point, ...]
     order: int
-    joins: bool
+    edge: int
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class Head:
     """The head of an arrow."""
 
     frame: Frame
-    order: int
+    edge: int
 
 
 class Painted:
@@ -69,25 +69,26 @@ class Painted:
         self.plates: list[Plate] = []
         self.heads: list[Head] = []
         self._order = 0
-        self._read(root, (0.0, 0.0), {"font-size": "12"}, joins=False)
+        self._read(root, (0.0, 0.0), {"font-size": "12"}, 0)
 
-    def _read(self, item: Element, at: Point, given: dict[str, str], *, joins: bool) -> None:
+    def _read(self, item: Element, at: Point, given: dict[str, str], edge: int) -> None:
         move = _MOVE.search(item.get("transform", ""))
         if move is not None:
             at = (at[0] + float(move[1]), at[1] + float(move[2]))
         given = given | item.attrib
-        joins = joins or "edge" in item.get("class", "").split()
         tag = item.tag.removeprefix(SVG)
         self._order += 1
+        if "edge" in item.get("class", "").split():
+            edge = self._order
         if tag == "text":
             self._text(item, at, given)
             return
         if tag in ("path", "polygon", "polyline", "ellipse", "circle", "rect", "line"):
             shapes = [[(x + at[0], y + at[1]) for x, y in shape] for shape in _shapes(tag, item)]
             if _is_seen(item.get("stroke", "none")):
-                self.lines += (Line(tuple(shape), self._order, joins and tag == "path") for shape in shapes)
-            if joins and tag == "polygon":
-                self.heads += (Head(_frame(shape), self._order) for shape in shapes)
+                self.lines += (Line(tuple(shape), self._order, edge * (tag == "path")) for shape in shapes)
+            if edge and tag == "polygon":
+                self.heads += (Head(_frame(shape), edge) for shape in shapes)
             elif _is_seen(item.get("fill", "black" if tag != "polyline" else "none")):
                 self.plates += (
                     Plate(_frame(shape), self._order)
@@ -95,7 +96,7 @@ class Painted:
                     if tag == "rect" or (tag == "polygon" and len(set(shape)) == 4)
                 )
         for child in item:
-            self._read(child, at, given, joins=joins)
+            self._read(child, at, given, edge)
 
     def _text(self, item: Element, at: Point, given: dict[str, str]) -> None:
         size = float(given["font-size"].removesuffix("px"))
@@ -147,7 +148,7 @@ def _outside(painted: Painted) -> Iterator[str]:
 
 
 def _along(painted: Painted) -> Iterator[str]:
-    lines = [item.points for item in painted.lines if item.joins]
+    lines = [item.points for item in painted.lines if item.edge]
     for one, other in combinations(lines, 2):
         if _meet(_frame(one), _frame(other), _NEAR) and not _join(one, other):
             there = list(_walk(other))
@@ -161,7 +162,7 @@ def _at_heads(painted: Painted) -> Iterator[str]:
     for head in painted.heads:
         x, y = (head.frame[0] + head.frame[2]) / 2, (head.frame[1] + head.frame[3]) / 2
         for line in painted.lines:
-            if not line.joins or not _meet(head.frame, _frame(line.points), _HEAD):
+            if line.edge in (0, head.edge) or not _meet(head.frame, _frame(line.points), _HEAD):
                 continue
             if math.dist((x, y), line.points[-1]) > _BESIDE and any(
                 math.dist((x, y), point) < _HEAD for point in _walk(line.points)

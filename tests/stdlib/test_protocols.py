@@ -14,6 +14,7 @@ from aseme_dsl.diagrams.sequence.sequence_svg import drawn
 from aseme_dsl.project.playing.sniff import Sniffer
 from aseme_dsl.source import Source
 from tests.conftest import Snapshot
+from tests.diagrams.overlaps import overlaps
 from tests.runtime.playing import SECOND, Played, play
 from tests.stdlib.hostile import endings
 from tests.stdlib.library import PROTOCOLS, Act, Protocol, act, disagreement, generated, kind_of, protocol
@@ -323,6 +324,7 @@ def test_the_pictures_of_the_documentation(item: Protocol, request: pytest.Fixtu
     diagram = sniffer.diagram([row for record in run.records for row in sniffer.rows(record)])
     lifelines = tuple(replace(line, role=item.parts[line.name]) for line in diagram.lifelines)
     picture = drawn(replace(diagram, title=item.name, lifelines=lifelines))
+    assert overlaps(picture) == []
     path = PICTURES / f"talk_{item.name}.svg"
     if request.config.getoption("--snapshot-update"):
         path.write_text(picture, "utf-8")

@@ -15,12 +15,9 @@ from aseme_dsl.diagrams.compact.ink.xdot import dot
 from aseme_dsl.diagrams.compact.layout import scale
 from aseme_dsl.diagrams.compact.pages import Page, divided, whole
 from aseme_dsl.diagrams.look.dot import Kind, Shown
-from aseme_dsl.diagrams.look.drawing import Drawing, NoSuchState, Options, PageSize, piece_name
+from aseme_dsl.diagrams.look.drawing import Drawing, NoSuchState, Options, piece_name
 
 __all__ = ["drawings"]
-
-_SIZES = {PageSize.A4: (1320.0, 905.0), PageSize.SCREEN: (1920.0, 1080.0)}
-"""How much room there is on a page, in px. On A4, 1320 px are 277 mm: the smallest text has 6.5 points."""
 
 
 def drawings(chart: Statechart, options: Options, activities: Iterable[Activity] = ()) -> list[Drawing] | str:
@@ -36,7 +33,7 @@ def drawings(chart: Statechart, options: Options, activities: Iterable[Activity]
         return f"state {top} is not an OR state"
     try:
         if options.page is not None:
-            pages: Sequence[Page] = tuple(divided(chart, known, top, _SIZES[options.page]))
+            pages: Sequence[Page] = tuple(divided(chart, known, top, options.page.room))
         else:
             pages = (whole(chart, known, top, options.depth),)
     except NotCompact as reason:
@@ -44,7 +41,7 @@ def drawings(chart: Statechart, options: Options, activities: Iterable[Activity]
     for page in pages:
         if found := faults(chart, page.picture, known):
             return f"the compact drawing is not right: {found[0]}"
-    size = _SIZES[options.page] if options.page is not None else None
+    size = options.page.room if options.page is not None else None
     files = {page.top: f"{_name(chart, page.top)}.svg" for page in pages}
     return [_drawing(chart, page, files, size) for page in pages]
 

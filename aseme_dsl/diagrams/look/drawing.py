@@ -29,10 +29,15 @@ class Layout(StrEnum):
 
 
 class PageSize(StrEnum):
-    """What a page of a compact drawing has to fit on."""
+    """What a page of a drawing has to fit on."""
 
     A4 = "a4"
     SCREEN = "screen"
+
+    @property
+    def room(self) -> tuple[float, float]:
+        """How wide and high it is, in px. On A4, 1320 px are 277 mm: the smallest text has 6.5 points."""
+        return (1320.0, 905.0) if self is PageSize.A4 else (1920.0, 1080.0)
 
 
 class NoSuchState(ValueError):

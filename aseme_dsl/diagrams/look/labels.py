@@ -82,9 +82,47 @@ def _parts(piece: str, width: int) -> Iterable[str]:
     ]
 
 
+def fitted(text: str, room: float, size: float, *, bold: bool = False, most: int = 0) -> tuple[str, ...]:
+    """The text in lines of at most `room` points, broken as by `wrapped`; of `most` lines the last has "…".
+
+    A single character stays, however little room there is.
+    """
+    room /= _BOLD if bold else _PLAIN
+    lines: list[str] = []
+    line = ""
+    for piece in _PIECES.findall(printable(text).strip()):
+        for part in [piece] if text_width(piece.rstrip(), size) <= room else _cut(piece, room, size):
+            if line and text_width((line + part).rstrip(), size) > room:
+                lines.append(line.rstrip())
+                line = ""
+            line += part
+    lines.append(line.rstrip())
+    if most and len(lines) > most:
+        last = lines[most - 1]
+        while last and text_width(f"{last} …", size) > room:
+            last = last[:-1].rstrip()
+        lines = [*lines[: most - 1], f"{last} …"]
+    return tuple(lines)
+
+
+def _cut(piece: str, room: float, size: float) -> Iterable[str]:
+    """A word that is too wide for a line, cut where its words join, else anywhere."""
+    for hump in _HUMPS.split(piece):
+        while text_width(hump.rstrip(), size) > room and len(hump) > 1:
+            end = next((at for at in range(2, len(hump)) if text_width(hump[:at], size) > room), 2) - 1
+            yield hump[:end]
+            hump = hump[end:]
+        yield hump
+
+
 def short(text: str, most: int) -> str:
     """The text, cut to `most` characters."""
     return text if len(text) <= most else f"{text[: most - 3]}..."
+
+
+def room_for(text: str, size: float, *, bold: bool = False) -> float:
+    """How much room a line of text takes, with a little more for other fonts."""
+    return text_width(text, size) * (_BOLD if bold else _PLAIN)
 
 
 def text_width(text: str, size: float) -> float:
@@ -128,7 +166,7 @@ class Cell:
     @property
     def width(self) -> float:
         """How wide its text is, with a little room for other fonts."""
-        return max(text_width(line, self.size) for line in self.lines) * (_BOLD if self.bold else _PLAIN)
+        return max(room_for(line, self.size, bold=self.bold) for line in self.lines)
 
 
 def cell_html(cell: Cell, padding: int = 4) -> str:

@@ -14,10 +14,11 @@ DECLINING = frozenset("refuse reject_proposal failure disconfirm cancel not_unde
 
 @dataclass(frozen=True, slots=True)
 class Lifeline:
-    """An agent that takes part; `role` is what it is, and what it plays."""
+    """An agent that takes part, or `count` of one role; `role` is what it is, and what it plays."""
 
     name: str
     role: str = ""
+    count: int = 1
 
 
 @dataclass(frozen=True, slots=True)

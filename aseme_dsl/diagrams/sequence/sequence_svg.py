@@ -2,212 +2,232 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from xml.sax.saxutils import escape
 
 from aseme_dsl.diagrams.look import style
-from aseme_dsl.diagrams.sequence.sequence import DECLINING, Arrow, Mark, Row, SequenceDiagram, seconds
+from aseme_dsl.diagrams.look.colours import LIGHT, night
+from aseme_dsl.diagrams.look.drawing import PageSize
+from aseme_dsl.diagrams.look.labels import fitted, printable, room_for
+from aseme_dsl.diagrams.sequence.columns import EDGE, PITCH, Columns, Text
+from aseme_dsl.diagrams.sequence.sequence import DECLINING, PAGE, Arrow, Mark, Row, SequenceDiagram, seconds
 
-_LETTER = 6.0
-"""How wide a letter of the text is at the most, on the average, in points: Arial's, a little more."""
-_NARROW, _WIDE, _ROOMY = 112.0, 230.0, 780.0
-"""How wide a column is at the least and at the most, and how wide all are together if they can."""
-_TIME = 66.0
-_ROW = 30.0
-_TITLE = 30.0
-_HEAD = 40.0
-_EDGE = 14.0
-_LONGEST = 90
-"""Letters of a label."""
-_FONTS = f"{style.FONT},Liberation Sans,Helvetica,sans-serif"
-_NO = "#b3261e"
-_COLOURS = ("#0057a8", "#8a3ffc", "#0b7a3b", "#a8510b", "#b0126b", "#00707a", "#5f5f5f", "#7a6a00")
+_TITLE = 34.0
+_LONG = 15
+"""A picture with more rows has the names of the agents below, too."""
+_COLOURS = tuple(LIGHT[name] for name in ("p0", "p1", "p2", "p3", "cut", "node-border"))
 """Of the conversations, in turn. Each is written out, too."""
+_SOFT = f' fill="{style.PALE_INK}"'
+_SMALL = f' font-size="{style.SMALL_SIZE}"'
+_BOLD = ' font-weight="bold"'
 
 
 def drawn(diagram: SequenceDiagram) -> str:
-    """The diagram as the text of an SVG file."""
-    return "\n".join([*_Sheet(diagram).lines(), ""])
+    """The diagram as the text of one SVG file."""
+    sheet = _Sheet(diagram, PageSize.SCREEN.room[0])
+    return sheet.svg(_Part(diagram.title, 0, diagram.rows))
+
+
+def pictures(diagram: SequenceDiagram, page: PageSize | None = None) -> Iterator[str]:
+    """The diagram as SVG files that follow each other.
+
+    They are pages of this size, as far as one can be as narrow; without one, each has at most `PAGE` rows.
+    """
+    width, height = (page or PageSize.SCREEN).room
+    sheet = _Sheet(diagram, width)
+    parts = list(sheet.parts(height) if page is not None else sheet.parts_of_rows())
+    for number, (first, last) in enumerate(parts, 1):
+        title = diagram.title if len(parts) == 1 else f"{diagram.title} · page {number} of {len(parts)}"
+        yield sheet.svg(_Part(title, first, diagram.rows[first:last]), width if page is not None else 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """The rows of one picture, and how many are on those before it."""
+
+    title: str
+    before: int
+    rows: Sequence[Row]
 
 
 class _Sheet:
-    """The measures of one diagram."""
+    """The measures of a diagram, and what is painted with them."""
 
-    def __init__(self, diagram: SequenceDiagram) -> None:
+    def __init__(self, diagram: SequenceDiagram, room: float) -> None:
         self.diagram = diagram
+        self.columns = Columns(diagram, room)
+        self.texts = [self.columns.text(row) for row in diagram.rows]
         conversations = diagram.conversations
         self.colours = {name: _COLOURS[i % len(_COLOURS)] for i, name in enumerate(conversations)}
-        longest = max((len(name) for name in conversations), default=0)
-        self.names = 0.0 if len(conversations) < 2 else 18 + 5.2 * longest
-        widest = max(
-            (_width(part) for line in diagram.lifelines for part in (line.name, line.role)), default=0
-        )
-        roomy = _ROOMY / max(1, len(diagram.lifelines))
-        self.column = max(_NARROW, min(_WIDE, roomy), widest + 16)
-        self.left = _EDGE + _TIME + self.names
-        ends = [self._reach(row) for row in diagram.rows]
-        remarks = [_EDGE + _width(text) for text in (diagram.title, *diagram.remarks)]
-        lifelines = self.left + self.column * len(diagram.lifelines)
-        self.width = max([lifelines, *ends, *remarks]) + _EDGE
-        self.top = _TITLE + _HEAD
-        self.bottom = self.top + _ROW * len(diagram.rows) + 16
-        self.height = self.bottom + _HEAD + 18 + 15 * len(diagram.remarks)
+        self.top = _TITLE + self.columns.head_height
+        lines = [fitted(text, room - 2 * EDGE, style.SMALL_SIZE) for text in diagram.remarks]
+        self.remarks = [line for text in lines for line in text]
+        self.room = room
 
-    def x(self, name: str) -> float:
-        """Where the lifeline of an agent is."""
-        names = [line.name for line in self.diagram.lifelines]
-        return self.left + self.column * (names.index(name) + 0.5)
+    # ---- pages -----------------------------------------------------------------------------------
 
-    def _reach(self, row: Row) -> float:
-        """How far to the right a row needs room."""
-        x, anchor, label = self._label(row)
-        return x + (_width(label) if anchor == "start" else 0)
+    def parts_of_rows(self) -> Iterator[tuple[int, int]]:
+        """The first row of each picture and the one after its last: equally many, at most `PAGE`."""
+        total = len(self.texts)
+        count = max(1, -(-total // PAGE))
+        each = max(1, -(-total // count))
+        yield from ((start, min(start + each, total)) for start in range(0, max(total, 1), each))
 
-    def _label(self, row: Row) -> tuple[float, str, str]:
-        """Where the label of a row begins, or ends, which of both, and what it is."""
-        if isinstance(row, Mark):
-            return self.x(row.agent) + 12, "start", _short(row.text)
-        content = f" ({row.content})" if row.content else ""
-        label = _short(f"{row.text}{content}")
-        start = self.x(row.sender)
-        others = [self.x(name) for name in row.receivers]
-        if others and max(others) <= start:  # to the left: it ends at the sender, if there is room
-            if start - 10 - _width(label) > self.left - 30:
-                return start - 10, "end", label
-            return min(others) + 10, "start", label
-        return start + 10, "start", label
+    def parts(self, height: float) -> Iterator[tuple[int, int]]:
+        """The same for as many rows as fit in a height, at least one."""
+        room = height - self.top - self._foot(_LONG + 1)
+        first, used = 0, 0.0
+        for number, text in enumerate(self.texts):
+            if used + text.up + text.down > room and number > first:
+                yield first, number
+                first, used = number, 0.0
+            used += text.up + text.down
+        yield first, len(self.texts)
 
-    def lines(self) -> Iterator[str]:
-        diagram = self.diagram
-        yield (
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width:.0f}" height="{self.height:.0f}"'
-            f' viewBox="0 0 {self.width:.0f} {self.height:.0f}" font-family="{_FONTS}" font-size="11"'
-            f' fill="{style.INK}">'
-        )
-        yield f"<title>{escape(diagram.title)}</title>"
-        yield f'<rect width="100%" height="100%" fill="{style.PAPER}"/>'
-        yield f'<text x="{_EDGE}" y="20" font-size="13" font-weight="bold">{escape(diagram.title)}</text>'
-        yield from self._lifelines()
-        for number, row in enumerate(diagram.rows):
-            y = self.top + _ROW * (number + 1)
-            yield from self._side(row, y, number)
-            yield from self._arrow(row, y) if isinstance(row, Arrow) else self._mark(row, y)
-        for number, text in enumerate(diagram.remarks):
-            y = self.bottom + _HEAD + 22 + 15 * number
-            yield f'<text x="{_EDGE}" y="{y:.0f}" fill="{style.PALE_INK}">{escape(text)}</text>'
-        yield "</svg>"
+    def _foot(self, rows: int) -> float:
+        """How high is what stands below that many rows."""
+        names = self.columns.head_height if rows > _LONG else 0.0
+        return 10 + names + 8 + PITCH * len(self.remarks) + (6 if self.remarks else 0)
 
-    def _lifelines(self) -> Iterator[str]:
-        over = self._ends()
-        for line in self.diagram.lifelines:
-            x = self.x(line.name)
-            end = over.get(line.name, self.bottom)
-            yield (
-                f'<path d="M{x:.1f} {self.top:.1f}V{end:.1f}" stroke="{style.PARENT_COLOUR}"'
-                ' stroke-dasharray="3 3" fill="none"/>'
+    # ---- one picture -----------------------------------------------------------------------------
+
+    def svg(self, part: _Part, page: float = 0.0) -> str:
+        """The text of an SVG file; `page` is how wide it should be."""
+        ys: list[float] = []
+        y = self.top
+        for text in self.texts[part.before : part.before + len(part.rows)]:
+            ys.append(y + text.up)
+            y += text.up + text.down
+        remarks = list(self.remarks)
+        if page and self.columns.width > page:
+            remarks.append(f"this page fits at {page / self.columns.width:.0%}")
+        room = max(self.room, self.columns.width) - 2 * EDGE
+        (title,) = fitted(part.title, room, style.TITLE_SIZE, bold=True, most=1)
+        wide = [room_for(line, style.SMALL_SIZE) for line in remarks]
+        wide.append(room_for(title, style.TITLE_SIZE, bold=True))
+        width = max(self.columns.width, max(wide) + 2 * EDGE)
+        height = y + self._foot(len(part.rows)) + PITCH * (len(remarks) - len(self.remarks))
+        about = escape(printable(part.title), {'"': "&quot;"})
+        painted = [
+            f'<rect width="{width:.0f}" height="{height:.0f}" fill="{style.PAPER}"/>',
+            _text(EDGE, 22, title, f' font-size="{style.TITLE_SIZE}"{_BOLD}'),
+            *self._lifelines(part, ys, y + 10),
+        ]
+        for number, row in enumerate(part.rows):
+            before = part.rows[number - 1] if number else None
+            text = self.texts[part.before + number]
+            painted += self._side(row, ys[number], before)
+            made = (
+                self._arrow(row, ys[number], text)
+                if isinstance(row, Arrow)
+                else self._mark(row, ys[number], text)
             )
-            for y in (_TITLE, self.bottom):
-                wide = self.column - 10
-                yield (
-                    f'<rect x="{x - wide / 2:.1f}" y="{y:.1f}" width="{wide:.1f}" height="{_HEAD - 4:.0f}"'
-                    f' rx="4" fill="{style.HEAD_COLOUR}" stroke="{style.LINE}"/>'
-                )
-                high = y + (15 if line.role else 22)
-                yield (
-                    f'<text x="{x:.1f}" y="{high:.1f}" text-anchor="middle" font-size="12"'
-                    f' font-weight="bold">{escape(line.name)}</text>'
-                )
-                if line.role:
-                    yield (
-                        f'<text x="{x:.1f}" y="{y + 29:.1f}" text-anchor="middle"'
-                        f' font-size="10">{escape(line.role)}</text>'
-                    )
+            painted += made
+        first = height - 8 - PITCH * (len(remarks) - 1)
+        painted += (_text(EDGE, first + PITCH * at, line, _SMALL + _SOFT) for at, line in enumerate(remarks))
+        body = "\n".join([f'<g fill="{style.INK}">', *painted, "</g>"])
+        return (
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}"'
+            f' viewBox="0 0 {width:.0f} {height:.0f}" class="aseme-drawing aseme-talk" role="img"'
+            f' aria-label="{about}" font-family="{style.FONTS}" font-size="{style.TEXT_SIZE}"'
+            f">\n<title>{about}</title>\n<style>{night(body)}</style>\n{body}\n</svg>\n"
+        )
 
-    def _ends(self) -> dict[str, float]:
-        """Where the lifelines end of lost agents."""
-        found: dict[str, float] = {}
-        for number, row in enumerate(self.diagram.rows):
-            y = self.top + _ROW * (number + 1)
-            if isinstance(row, Mark) and row.ends:
-                found[row.agent] = y
-        return found
+    def _lifelines(self, part: _Part, ys: Sequence[float], bottom: float) -> Iterator[str]:
+        over = {
+            row.agent: 0.0 for row in self.diagram.rows[: part.before] if isinstance(row, Mark) and row.ends
+        }
+        over |= {
+            row.agent: y for row, y in zip(part.rows, ys, strict=True) if isinstance(row, Mark) and row.ends
+        }
+        tops = [_TITLE] + ([bottom] if len(part.rows) > _LONG else [])
+        for line, head in zip(self.diagram.lifelines, self.columns.heads, strict=True):
+            x, end = self.columns.x(line.name), over.get(line.name, bottom)
+            if end:
+                yield (
+                    f'<path d="M{x:.1f} {self.top:.1f}V{end:.1f}" stroke="{style.RULE_COLOUR}"'
+                    ' stroke-dasharray="3 3" fill="none"/>'
+                )
+            for top in tops:
+                yield from self._head(x, top, head.width, line.count > 1)
+                y = top + (self.columns.head_height - head.height) / 2 + 2
+                for text in head.name:
+                    y += 15
+                    given = f' font-size="{style.NAME_SIZE}"{_BOLD} text-anchor="middle"'
+                    yield _text(x, y - 1, text, given)
+                for text in head.role:
+                    y += PITCH
+                    yield _text(x, y - 1, text, f'{_SMALL}{_SOFT} text-anchor="middle"')
 
-    def _side(self, row: Row, y: float, number: int) -> Iterator[str]:
+    def _head(self, x: float, y: float, wide: float, several: bool) -> Iterator[str]:
+        """The box at the head of a lifeline; two for a group."""
+        colours = f'fill="{LIGHT["pill"]}" stroke="{style.RULE_COLOUR}"'
+        size = f'width="{wide:.1f}" height="{self.columns.head_height:.1f}" rx="8"'
+        for off in (3.0, 0.0) if several else (0.0,):
+            yield f'<rect x="{x - wide / 2 + off:.1f}" y="{y - off:.1f}" {size} {colours}/>'
+
+    def _side(self, row: Row, y: float, before: Row | None) -> Iterator[str]:
         """The time of a row, where it is another one than above, and its conversation."""
-        before = self.diagram.rows[number - 1] if number else None
         if before is None or seconds(before.moment) != seconds(row.moment):
-            yield (
-                f'<text x="{_EDGE + _TIME - 12}" y="{y + 4:.1f}" text-anchor="end"'
-                f' fill="{style.PALE_INK}">{seconds(row.moment)}</text>'
-            )
-        if self.names and row.conversation:
-            colour = self.colours[row.conversation]
-            x = _EDGE + _TIME
+            yield _text(self.columns.time, y + 4, seconds(row.moment), f'{_SMALL}{_SOFT} text-anchor="end"')
+        if len(self.colours) > 1 and row.conversation:
+            colour, x = self.colours[row.conversation], self.columns.time + 12
             yield f'<circle cx="{x + 3:.1f}" cy="{y:.1f}" r="3.5" fill="{colour}"/>'
             if before is None or before.conversation != row.conversation:
-                yield (
-                    f'<text x="{x + 10:.1f}" y="{y + 3.5:.1f}" font-size="10"'
-                    f' fill="{colour}">{escape(row.conversation)}</text>'
-                )
+                yield _text(x + 11, y + 4, row.conversation, f'{_SMALL} fill="{colour}"')
 
-    def _arrow(self, row: Arrow, y: float) -> Iterator[str]:
-        colour = _NO if row.performative in DECLINING else style.INK
-        dashes = ' stroke-dasharray="6 3"' if row.performative in DECLINING else ""
-        start = self.x(row.sender)
-        ends = [self.x(name) for name in row.receivers]
+    def _arrow(self, row: Arrow, y: float, text: Text) -> Iterator[str]:
+        declines = row.performative in DECLINING
+        colour = LIGHT["error"] if declines else style.INK
+        line = f'stroke="{colour}" stroke-width="1.3" fill="none"' + (
+            ' stroke-dasharray="5 3"' if declines else ""
+        )
+        start = self.columns.x(row.sender)
+        ends = [self.columns.x(name) for name in row.receivers]
         to = ", ".join(row.receivers) or "nobody"
         whole = f"{seconds(row.moment)}  {row.sender} → {to}\n{row.text} {row.whole}".rstrip()
-        yield f"<g><title>{escape(whole)}</title>"
-        if ends == [start]:
-            yield (
-                f'<path d="M{start:.1f} {y - 8:.1f}h14v10h-12" stroke="{colour}" fill="none"{dashes}/>'
-                f"{_head(start, y + 2, -1, colour)}"
-            )
-        elif ends:
-            left, right = min([start, *ends]), max([start, *ends])
-            yield f'<path d="M{left:.1f} {y:.1f}H{right:.1f}" stroke="{colour}" fill="none"{dashes}/>'
-            for end in ends:
-                if end != start:
-                    yield _head(end, y, 1 if end > start else -1, colour)
-            if len(ends) > 1 or left < start < right:
-                yield f'<circle cx="{start:.1f}" cy="{y:.1f}" r="2.5" fill="{colour}"/>'
-        else:
-            yield f'<circle cx="{start:.1f}" cy="{y:.1f}" r="3" fill="none" stroke="{colour}"/>'
-        x, anchor, label = self._label(row)
-        said, rest = label[: len(row.text)], label[len(row.text) :]
-        pale = f'<tspan font-weight="normal" fill="{style.PALE_INK}">{escape(rest)}</tspan>' if rest else ""
-        given = f' font-weight="bold" fill="{colour}" text-anchor="{anchor}"'
-        yield _text(x, y - 5, f"{escape(said)}{pale}", given)
+        yield f'<g class="edge"><title>{escape(printable(whole))}</title>'
+        if start in ends:
+            yield f'<path d="M{start:.1f} {y - 14:.1f}h14v10h-12" {line}/>{_point(start, y - 4, -1, colour)}'
+        others = [end for end in ends if end != start]
+        if others:
+            left, right = min([start, *others]), max([start, *others])
+            yield f'<path d="M{left:.1f} {y:.1f}H{right:.1f}" {line}/>'
+            yield from (_point(end, y, 1 if end > start else -1, colour) for end in others)
+        if len(ends) > 1:
+            yield f'<circle cx="{start:.1f}" cy="{y:.1f}" r="2.5" fill="{colour}"/>'
+        elif not ends:
+            yield f'<circle cx="{start:.1f}" cy="{y:.1f}" r="3" fill="{style.PAPER}" stroke="{colour}"/>'
+        anchor = ' text-anchor="end"' if text.ends else ""
+        for number, said in enumerate(reversed(text.above)):
+            yield _text(text.x, y - 5 - PITCH * number, said, f'{_BOLD}{anchor} fill="{colour}"')
+        for number, said in enumerate(text.below):
+            yield _text(text.x, y + 13 + PITCH * number, said, f"{_SMALL}{anchor}{_SOFT}")
         yield "</g>"
 
-    def _mark(self, row: Mark, y: float) -> Iterator[str]:
-        x = self.x(row.agent)
-        yield f"<g><title>{escape(f'{seconds(row.moment)}  {row.agent}: {row.text}')}</title>"
+    def _mark(self, row: Mark, y: float, text: Text) -> Iterator[str]:
+        x, colour = self.columns.x(row.agent), LIGHT["error" if row.ends else "cut"]
+        whole = f"{seconds(row.moment)}  {row.agent}: {row.text}"
+        yield f"<g><title>{escape(printable(whole))}</title>"
         if row.ends:
-            yield f'<path d="M{x - 5:.1f} {y - 5:.1f}l10 10m0 -10l-10 10" stroke="{_NO}" stroke-width="2"/>'
+            cross = f"M{x - 5:.1f} {y - 5:.1f}l10 10m0 -10l-10 10"
+            yield f'<path d="{cross}" stroke="{colour}" stroke-width="2"/>'
         else:
-            yield f'<path d="M{x:.1f} {y - 5:.1f}l5 5l-5 5l-5 -5z" fill="{style.PAPER}" stroke="{_NO}"/>'
-        yield _text(x + 12, y + 4, escape(_short(row.text)), f' font-style="italic" fill="{_NO}"')
+            yield f'<path d="M{x:.1f} {y - 5:.1f}l5 5l-5 5l-5 -5z" fill="{style.PAPER}" stroke="{colour}"/>'
+        for number, said in enumerate(text.below):
+            yield _text(text.x - 10, y + 4 + PITCH * number, said, f' font-style="italic" fill="{colour}"')
         yield "</g>"
 
 
-def _head(x: float, y: float, way: int, colour: str) -> str:
+def _point(x: float, y: float, way: int, colour: str) -> str:
     """The head of an arrow that ends at x."""
-    return f'<path d="M{x:.1f} {y:.1f}l{-7 * way} -3.5v7z" fill="{colour}"/>'
+    corners = f"{x:.1f},{y:.1f} {x - 7 * way:.1f},{y - 3.5:.1f} {x - 7 * way:.1f},{y + 3.5:.1f}"
+    return f'<polygon points="{corners}" fill="{colour}"/>'
 
 
-def _text(x: float, y: float, inside: str, attributes: str) -> str:
-    """A text with a border of paper around it, so that lines behind it do not disturb."""
-    halo = f' stroke="{style.PAPER}" stroke-width="3" paint-order="stroke"'
-    return f'<text x="{x:.1f}" y="{y:.1f}"{halo}{attributes}>{inside}</text>'
+def _text(x: float, y: float, said: str, attributes: str) -> str:
+    return f'<text x="{x:.1f}" y="{y:.1f}"{attributes}>{escape(said)}</text>'
 
 
-def _width(text: str) -> float:
-    return _LETTER * len(text)
-
-
-def _short(text: str) -> str:
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
-
-
-__all__ = ["drawn"]
+__all__ = ["drawn", "pictures"]

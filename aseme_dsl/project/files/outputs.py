@@ -54,7 +54,8 @@ _OURS: Mapping[Kind, re.Pattern[bytes]] = {
     ),
     "study": re.compile(rb'\A(?:# .*\n\nMeasured: |\{\s*"format": (?s:.*)"less_is_better": )'),
     "talk": re.compile(
-        rb"""\A<svg\ [^\n]*font-family="Arial,Liberation\ Sans[^\n]*\n<title>  # drawn
+        rb"""\A<svg\ [^\n]*class="aseme-drawing\ aseme-talk"  # drawn
+        | \A<svg\ [^\n]*font-family="Arial,Liberation\ Sans[^\n]*\n<title>  # by earlier versions
         | \A\ *[\d.]+\ s\ \ \S  # a line of text
         | asemec\ sniff""",
         re.VERBOSE,
