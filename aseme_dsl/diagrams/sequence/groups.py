@@ -12,7 +12,7 @@ from aseme_dsl.diagrams.sequence.sequence import Arrow, Lifeline, Mark, Row, Seq
 MOST = 12
 """A diagram with more lifelines is drawn with groups."""
 _LEAST = 3
-"""Fewer agents are no group."""
+"""Fewer agents stay apart."""
 _NUMBERED = re.compile(r"(.*?)(\d+)")
 
 
@@ -53,7 +53,7 @@ def _roles(diagram: SequenceDiagram) -> Mapping[str, tuple[str, ...]]:
 
 
 def _called(role: str, members: Sequence[str]) -> str:
-    """`worker[1..38]`, `worker[1..3, 7]`, or `cook × 3` where the names are no row of numbers."""
+    """`worker[1..38]`, `worker[1..3, 7]`, or `cook × 3` where the names do not end with numbers."""
     parts = [_NUMBERED.fullmatch(name) for name in members]
     stems = {part[1] for part in parts if part is not None}
     if None in parts or len(stems) != 1:
