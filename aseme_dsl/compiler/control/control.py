@@ -19,7 +19,7 @@ from aseme_dsl.compiler.formula.reactive import choices_in, no_choice, reconside
 from aseme_dsl.compiler.formula.renames import SAME, rename
 from aseme_dsl.compiler.formula.resuming import RESUME, check_resuming
 from aseme_dsl.compiler.formula.staying import IGNORING, STAYING, check_ignoring, check_staying, is_abandon
-from aseme_dsl.compiler.formula.terms import Played, terms_of, way
+from aseme_dsl.compiler.formula.terms import Played, Terms, home, terms_of, way
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.types.given import inside_formula
 from aseme_dsl.compiler.types.typecheck import type_expression
@@ -104,6 +104,7 @@ def read_lines(
 ) -> tuple[Lines, tuple[Diagnostic, ...]]:
     """The lines of `controls`, each given with the name of the formula that it is about.
 
+    A line whose term stands in one other formula only is a line of that formula.
     `played` are the formulas of the participants that a role plays, which have control of their own, and
     `played_names` what its formulas call them.
     Reports E400, E401, E402, E411 and what is wrong with the expressions.
@@ -111,13 +112,21 @@ def read_lines(
     by_way: dict[Way, list[Line]] = {}
     labelled: list[LabelledLine] = []
     blocks: dict[str, tree.Control] = {}
+    elsewhere: dict[str, tree.Control] = {}
     found: list[Diagnostic] = []
     unsure: set[str] = set()
     reactive: set[Formula] = set()
     abandon: list[Line] = []
     position = 0
-    for control, name in controls:
-        first = blocks.setdefault(name, control)
+    controls = tuple(controls)
+    decided_again = {name for control, name in controls if control.reactive is not None}
+
+    def of_formula(name: str) -> Terms:
+        title = scope.participant if of_participant and name == formulas.root else None
+        return terms_of(formulas, name, title or name, played)
+
+    for control, owner in controls:
+        first = blocks.setdefault(owner, control)
         if first is not control:
             found.append(
                 Diagnostic(
@@ -126,15 +135,21 @@ def read_lines(
                     (Related(first.name.span, "the first one"),),
                 )
             )
-        terms = terms_of(formulas, name, control.name.text, played)
+        own = of_formula(owner)
         if control.reactive is not None:
-            branches = choices_in(terms)
+            branches = choices_in(own)
             reactive.update(branches)
             if not branches:
-                found.append(no_choice(control, control.reactive, formulas.named[name]))
-        inner = inside_formula(scope, formulas, name)
+                found.append(no_choice(control, control.reactive, formulas.named[owner]))
         for entry in control.entries:
             written = entry.expression
+            name, terms = owner, own
+            if isinstance(entry, tree.Way) and not (of_participant and is_abandon(entry)):
+                other = home(own, entry.verb, entry.term)
+                if other is not None:
+                    name, terms = other, of_formula(other)
+                    elsewhere.setdefault(name, control)
+            inner = inside_formula(scope, formulas, name)
             if isinstance(entry, tree.Way) and (paces := tuple(_pace(entry))):
                 found += paces
                 written = replace(written, every=None)
@@ -143,7 +158,7 @@ def read_lines(
             found += check_ignoring(entry, typed)
             line = Line(written, typed, IGNORING if written.ignores else position, entry.span)
             position += 1
-            if written.weight is not None and (control.reactive or isinstance(entry, tree.LabelledWay)):
+            if written.weight is not None and (name in decided_again or isinstance(entry, tree.LabelledWay)):
                 found.append(Diagnostic(WeightMisplaced(), written.weight.span))
             if isinstance(entry, tree.LabelledWay):
                 labelled.append(LabelledLine(entry.source, entry.target, line))
@@ -167,6 +182,9 @@ def read_lines(
             elif key is not None:
                 by_way.setdefault(key, []).append(line)
     placed = {key: tuple(items) for key, items in by_way.items()}
+    blocks |= {
+        name: control for name, control in elsewhere.items() if name not in blocks or not blocks[name].entries
+    }
     lines = Lines(placed, tuple(labelled), blocks, frozenset(unsure), frozenset(reactive), tuple(abandon))
     return lines, tuple(found)
 

@@ -91,6 +91,16 @@ def way(terms: Terms, verb: tree.Name, written: tree.Term) -> tuple[Way | None, 
     return found, None
 
 
+def home(terms: Terms, verb: tree.Name, written: tree.Term) -> str | None:
+    """The one other formula of the owner that has the term of a line, where the text of this one has none."""
+    key = term_key(written.formula)
+    is_whole = key in (terms.title, terms.formula) and verb.text in ("start", "finish")
+    if is_whole or key in terms.places or key in terms.bare:
+        return None
+    others = _elsewhere(terms, key)
+    return others[0] if len(others) == 1 else None
+
+
 def ways(terms: Terms, term: Formula) -> dict[str, Way]:
     """The verbs that a term has, each with the edge that it means. The order is that of the template."""
     found: dict[str, Way] = {}
@@ -187,11 +197,7 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
     named = terms.formulas.named
     place = Related(named[terms.formula].formula.span, f"the text of `{terms.title}`")
     related: tuple[Related, ...] = (place,)
-    elsewhere = [
-        name
-        for name, item in named.items()
-        if name != terms.formula and any(_spelt(node, key) for node in _terms(item.formula))
-    ]
+    elsewhere = _elsewhere(terms, key)
     short = [place for place in terms.places if len(place) <= QUOTED] if len(key) <= QUOTED else []
     near = closest(key, short)
     inside = next((owner for owner, other in terms.played.items() if _has_term(other, key)), None)
@@ -202,7 +208,7 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
         terms.title,
     )
     if elsewhere:
-        problem = problem.but(formula=elsewhere[0])
+        problem = problem.but(formulas=elsewhere)
     elif inside is not None:
         protocol, participant = inside
         problem = problem.but(protocol=protocol, participant=participant)
@@ -214,6 +220,15 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
         if fix is not None and written.formula.operator is Operator.GROUP:
             fix = f"({fix})"  # keep the parentheses of the source
     return Diagnostic(problem, written.span, related, fix)
+
+
+def _elsewhere(terms: Terms, key: str) -> tuple[str, ...]:
+    """The other formulas of the owner in which a term of this spelling stands."""
+    return tuple(
+        name
+        for name, item in terms.formulas.named.items()
+        if name != terms.formula and any(_spelt(node, key) for node in _terms(item.formula))
+    )
 
 
 def _has_term(formulas: Formulas, key: str) -> bool:

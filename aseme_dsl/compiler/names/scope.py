@@ -23,6 +23,8 @@ class Party:
     span: Span
     wrong: frozenset[str] = frozenset()
     """The words of what it says it sends and receives, where that could not be understood."""
+    lists: bool = True
+    """Whether it says what it sends and receives; else its lines do."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from aseme_dsl.compiler.read.exchanged import with_exchange
 from aseme_dsl.compiler.read.homonyms import told_apart
 from aseme_dsl.compiler.read.names import declared_twice
 from aseme_dsl.diagnostics import Diagnostic
@@ -44,6 +45,7 @@ def blocks_of(files: Iterable[tree.File]) -> tuple[Blocks, tuple[Diagnostic, ...
                 case tree.Suc():
                     sucs.append(item)
                 case tree.Aip():
+                    item = with_exchange(item)
                     protocol = aips.setdefault(item.name.text, item)
                     if protocol is not item:
                         found.append(declared_twice("protocol", item.name, protocol.name.span))

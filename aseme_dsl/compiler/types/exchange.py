@@ -301,7 +301,7 @@ def _lists(checker: Checker, party: Party, verb: Verb, performative: tree.Name, 
         return False  # it may be what is wrong there
     first, _, near = (closest(said, texts) or "").partition(" ")
     close = near if first == performative.text else None
-    problem = NotListed(message.text, close, tuple(texts), party.name, verb, performative.text)
+    problem = NotListed(message.text, close, tuple(texts), party.name, verb, performative.text, party.lists)
     span = message.span if close is not None else performative.span.to(message.span)
     related = (Related(party.span, "the participant"),)
     checker.report(problem, span, related, close)
@@ -315,7 +315,7 @@ def _somebody_receives(checker: Checker, performative: tree.Name, message: tree.
         return True
     if any(not party.wrong.isdisjoint(said) for party in parties):
         return False
-    problem = problems.NobodyReceives(performative.text, message.text)
+    problem = problems.NobodyReceives(performative.text, message.text, all(party.lists for party in parties))
     checker.report(problem, performative.span.to(message.span))
     return False
 

@@ -13,6 +13,7 @@ from aseme_dsl.compiler.names.bounds import bounds_of, list_variable
 from aseme_dsl.compiler.names.scope import Party, Scope, TypedLet
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.builtins import OTHER_SPELLINGS, PERFORMATIVES, reserved
+from aseme_dsl.compiler.read.exchanged import lists, with_exchange
 from aseme_dsl.compiler.read.names import declared_twice, unknown, unknown_performative
 from aseme_dsl.compiler.types.typecheck import constant, measure, paths_in, type_value
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -67,6 +68,8 @@ def protocol_scopes(
     """
     diagnostics: list[Diagnostic] = []
     first: dict[str, tree.Participant] = {}
+    listing = {item.span for item in protocol.participants if lists(item)}
+    protocol = with_exchange(protocol)
     for item in protocol.participants:
         if first.setdefault(item.name.text, item) is not item:
             diagnostics.append(declared_twice("participant", item.name, first[item.name.text].name.span))
@@ -80,7 +83,7 @@ def protocol_scopes(
             name.text for name in (*(v.name for v in _variables_of(item)), *(v.name for v in item.inputs))
         )
         unread = _words(item.sends, sends) | _words(item.receives, receives)
-        parties[name] = Party(name, sends, receives, variables, item.name.span, unread)
+        parties[name] = Party(name, sends, receives, variables, item.name.span, unread, item.span in listing)
     scope, wrong_lets = with_lets(replace(outer, parties=parties), protocol.lets)
     diagnostics += wrong_lets
     typed = {}

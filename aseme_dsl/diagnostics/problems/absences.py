@@ -250,14 +250,14 @@ class NoPlaceOfClause(Absent):
 
 
 class NoTerm(Absent):
-    """`formula` is another one that has it, `protocol` and `participant` one that the role plays.
+    """`formulas` are others that have it, `protocol` and `participant` one that the role plays.
 
     With `is_abandon` it is said of a formula that is not a participant's process.
     """
 
     code = "E400"
     title: str
-    formula: str | None = None
+    formulas: tuple[str, ...] = ()
     protocol: str | None = None
     participant: str | None = None
     is_abandon: bool = False
@@ -270,9 +270,10 @@ class NoTerm(Absent):
     def certain(self) -> str | None:
         if self.is_abandon:
             return "`on abandon` stands in the control of a participant: write it in the `aip`"
-        if self.formula is not None:
-            name = self.formula
-            return f"it stands in `{name}`: write this line in `control {name} {{ … }}`"
+        if self.formulas:
+            name = self.formulas[0]
+            where = first_of(self.formulas, _LISTED)
+            return f"it stands in {where}: write this line in `control {name} {{ … }}`, if that one is meant"
         if self.protocol is not None:
             owner = f"{self.protocol}.{self.participant}"
             return f"it stands in {owner}, whose control is the protocol's: say it in `aip {self.protocol}`"
@@ -363,19 +364,27 @@ class NoCommunicationClass(Unknown):
 
 
 class NotListed(Absent):
-    """`others` are what the participant sends or receives, `close` another type with this performative."""
+    """`others` are what the participant sends or receives, `close` another type with this performative.
+
+    One that lists nothing receives what its lines take.
+    """
 
     code = "E511"
     participant: str
     verb: Verb
     performative: str
+    lists: bool = True
 
     @property
     def message(self) -> str:
+        if not self.lists:
+            return f"no line of `{self.participant}` takes `{self.performative} {self.name}`"
         return f"`{self.participant}` does not list `{self.verb} {self.performative} {self.name}`"
 
     @property
     def advice(self) -> str:
+        if not self.lists:
+            return f"write a line in its control that takes it: `{self.performative} {self.name} from …`"
         rest = f"; it {self.verb} {', '.join(self.others)}" if self.others else ""
         return f"write `{self.verb} {self.performative} {self.name}` there{rest}"
 

@@ -101,6 +101,7 @@ class NobodyReceives(Problem):
     code = "E532"
     performative: str
     type: str
+    lists: bool
 
     @property
     def message(self) -> str:
@@ -109,6 +110,8 @@ class NobodyReceives(Problem):
     @property
     def hint(self) -> str:
         said = f"{self.performative} {self.type}"
+        if not self.lists:
+            return f"write a line in its control that takes it: `{said} from …`"
         return f"write `receives {said}` in the participant that shall get it"
 
 

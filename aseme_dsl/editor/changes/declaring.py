@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from aseme_dsl.amola.messages import BOOL, ChannelKind, Type
 from aseme_dsl.compiler.names.scope import Scope
+from aseme_dsl.compiler.read.exchanged import lists
 from aseme_dsl.compiler.types.scopes import protocol_scopes, role_scope
 from aseme_dsl.compiler.types.typecheck import type_value
 from aseme_dsl.diagnostics import Diagnostic, Edit
@@ -251,7 +252,7 @@ def _exchange(view: View, span: Span) -> Iterator[Declaration]:
     part, _ = _with_scope(view, piece, control)
     for node in nodes(control):
         if isinstance(node, (tree.Send, tree.Received)) and _covers(node.span, span, piece):
-            if not isinstance(part, tree.Participant):
+            if not isinstance(part, tree.Participant) or not lists(part):
                 return
             sent = isinstance(node, tree.Send)
             said = f"{node.performative} {node.message}"

@@ -36,6 +36,55 @@ srm q { plays p.b  liveness { q = b }  activities { X takes 1s } }
 """
 
 
+LISTS = (
+    "    sends cfp Note, accept_proposal Note\n    receives propose Bid, refuse Note\n",
+    "    sends propose Bid, refuse Note\n    receives cfp Note, accept_proposal Note\n",
+)
+LINES = """
+    enter A : / send cfp Note { .. } to b; send accept_proposal Note { .. } to b
+    enter B : propose Bid from b or refuse Note from b
+  }
+  control b {
+    enter X : cfp Note from a / send propose Bid { .. } to a
+    enter X : accept_proposal Note from a
+"""
+WITH_LINES = PROTOCOL.replace("    LINE\n", LINES).replace(
+    "control b { enter X : / send propose Bid to a }", ""
+)
+
+
+def test_lines_say_what_a_participant_exchanges_that_lists_nothing() -> None:
+    """The models are those of the lists; `refuse` may come from a role that is busy, or from an activity."""
+    written = WITH_LINES.replace("plays p.b", "plays p.b when busy refuse")
+    bare = written
+    for lists in LISTS:
+        assert lists in bare
+        bare = bare.replace(lists, "\n\n")
+    assert codes(written) == codes(bare)
+    assert models_json(system(written))["aip.p.json"] == models_json(system(bare))["aip.p.json"]
+    half = written.replace(LISTS[0], "\n\n")
+    assert models_json(system(written))["aip.p.json"] == models_json(system(half))["aip.p.json"]
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "said"),
+    [
+        (("cfp Note from a", "inform Note from a"), "E511", "no line of `b` takes `cfp Note`"),
+        (
+            ("to b; send accept", "to best; send inform Note { .. } to best; send accept"),
+            "E532",
+            "Note from …`",
+        ),
+    ],
+)
+def test_a_message_that_no_line_takes(change: tuple[str, str], code: str, said: str) -> None:
+    text = WITH_LINES.replace(*change)
+    for lists in LISTS:
+        text = text.replace(lists, "")
+    found = printed(text)
+    assert f"error[{code}]" in found and said in found, found
+
+
 @pytest.mark.parametrize(
     ("line", "code", "said"),
     [

@@ -112,6 +112,47 @@ def test_terms_are_found_in_the_formulas_own_text_only() -> None:
     assert said(chart) == ["0.1->0.2 after(1s)"]
 
 
+FORMULAS = "R = (sub~ [> Halt)~\nsub = A(n) . [B] . rest\nrest = C | D"
+OWN = "exit C : / n = 4 enter B : [n > 2] skip B : else enter C : [n > 1] enter D : else enter A : / n = 1"
+WHOLE = "enter Halt : stop leave Halt : go on sub : hit / n = 2 repeat sub :"
+
+
+@pytest.mark.parametrize("block", ["R", "sub", "rest"])
+def test_a_line_may_stand_in_the_block_of_another_formula(block: str) -> None:
+    """Its term stands in one formula of the role: the chart is that of a block for each formula."""
+    lines = OWN.split(" enter C")
+    apart = f"""
+        control R {{ {WHOLE} }}
+        control sub {{ {lines[0].removeprefix("exit C : / n = 4 ")} enter A : / n = 1 }}
+        control rest {{ exit C : / n = 4 enter C{lines[1].removesuffix("enter A : / n = 1")} }}
+    """
+    declared = "var n : int = 3 activities { A(m : int) takes 1s }"
+    one = role_chart(FORMULAS, f"{declared} control {block} {{ {WHOLE} {OWN} }}")
+    assert said(one) == said(role_chart(FORMULAS, declared + apart))
+    assert [item.priority for item in one.transitions] == [
+        item.priority for item in role_chart(FORMULAS, declared + apart).transitions
+    ]
+
+
+def test_a_line_for_a_term_of_several_other_formulas_is_reported() -> None:
+    formulas = "R = one . two one = A . B two = C . B . A#2"
+    for line in ("enter B : after(1s)", "exit A : / n = 1"):
+        text = f"system T srm R {{ var n : int = 1 liveness {{ {formulas} }} control R {{ {line} }} }}"
+        (found,) = [item for item in analysis(text.replace("#2", "")).diagnostics if item.code[0] == "E"]
+        assert (found.code, found.hint) == (
+            "E400",
+            "it stands in `one` and `two`: write this line in `control one { … }`, if that one is meant",
+        )
+
+
+def test_what_a_block_says_of_its_choices_is_said_of_its_own_formula() -> None:
+    """`reactive` of a block does not reach formulas whose lines stand in it; nor do their weights matter."""
+    formulas, declared = "R = A | part\npart = X | Y", "var n : int = 1 control R reactive "
+    own, of_part = "enter A : [n > 1] enter part : else", "enter X : weight 3 enter Y : weight 1"
+    one = role_chart(formulas, f"{declared} {{ {own} {of_part} }}")
+    assert said(one) == said(role_chart(formulas, f"{declared} {{ {own} }} control part {{ {of_part} }}"))
+
+
 def test_several_lines_of_one_way_are_parallel_transitions_tried_in_order() -> None:
     chart = role_chart("R = A . B", "control R { enter B :  enter B : after(10s)  enter B : [true] }")
     assert said(chart) == ["0.2->0.3 after(10s)", "0.2->0.3 [true]", "0.2->0.3"]
