@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import assert_never
 
-from aseme_dsl.amola.liveness import Formula, canonical, term_key, ungrouped
+from aseme_dsl.amola.liveness import Formula, canonical, names, rewritten, term_key, ungrouped
 from aseme_dsl.amola.operators import INFIX, Operator, Template
 from aseme_dsl.compiler.formula.formula_to_statechart import Way
 from aseme_dsl.compiler.formula.formulas import QUOTED, VERBS, Formulas, cut
@@ -48,7 +48,7 @@ class Terms:
     places: Mapping[str, tuple[Formula, ...]]
     played: Played
     bare: Mapping[str, tuple[Formula, ...]] = field(default_factory=dict)
-    """The places of each name that has arguments, regardless of their values."""
+    """The places of each term with arguments, by its spelling without them."""
 
 
 def terms_of(formulas: Formulas, formula: str, control: str, played: Played | None = None) -> Terms:
@@ -58,21 +58,26 @@ def terms_of(formulas: Formulas, formula: str, control: str, played: Played | No
     keys: dict[Formula, str] = {}
     places: dict[str, list[Formula]] = {}
     bare: dict[str, list[Formula]] = {}
+    has_arguments = any(node.arguments for node in names(whole))
     stack: list[tuple[Formula, Formula | None]] = [(whole, None)]
     while stack:
         term, parent = stack.pop()
         parents[term] = parent
         keys[term] = canonical(term)
         places.setdefault(keys[term], []).append(term)
-        if term.arguments:
-            bare.setdefault(term.name, []).append(term)
+        if has_arguments and (short := canonical(_without_arguments(term))) != keys[term]:
+            bare.setdefault(short, []).append(term)
         operands = term.operands
         if term.operator.row.template is Template.CUT:
             operands = (operands[0], *formulas.interrupts(term))
         stack += [(ungrouped(operand), term) for operand in reversed(operands)]
     found = {key: tuple(terms) for key, terms in places.items()}
-    short = {name: tuple(terms) for name, terms in bare.items()}
-    return Terms(formulas, formula, control, whole, parents, keys, found, played or {}, short)
+    bare_places = {name: tuple(terms) for name, terms in bare.items()}
+    return Terms(formulas, formula, control, whole, parents, keys, found, played or {}, bare_places)
+
+
+def _without_arguments(term: Formula) -> Formula:
+    return rewritten(term, lambda node: replace(node, arguments=()) if node.arguments else node)
 
 
 def way(terms: Terms, verb: tree.Name, written: tree.Term) -> tuple[Way | None, Diagnostic | None]:
@@ -244,9 +249,7 @@ def _terms(formula: Formula) -> Iterator[Formula]:
 
 
 def _spelt(term: Formula, key: str) -> bool:
-    if term.operator is Operator.NAME and term.name == key:
-        return True
-    return canonical(term) == key
+    return canonical(term) == key or canonical(_without_arguments(term)) == key
 
 
 def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Term) -> Diagnostic:
