@@ -12,8 +12,8 @@ from aseme_dsl.amola.python_names import taken_as_member
 from aseme_dsl.compiler.names.bounds import bounds_of, list_variable
 from aseme_dsl.compiler.names.scope import Party, Scope, TypedLet
 from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.compiler.read.blocks import lists, with_exchange
 from aseme_dsl.compiler.read.builtins import OTHER_SPELLINGS, PERFORMATIVES, reserved
-from aseme_dsl.compiler.read.exchanged import lists, with_exchange
 from aseme_dsl.compiler.read.names import declared_twice, unknown, unknown_performative
 from aseme_dsl.compiler.types.typecheck import constant, measure, paths_in, type_value
 from aseme_dsl.diagnostics import Diagnostic, Related

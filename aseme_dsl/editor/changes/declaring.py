@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from aseme_dsl.amola.messages import BOOL, ChannelKind, Type
 from aseme_dsl.compiler.names.scope import Scope
-from aseme_dsl.compiler.read.exchanged import lists
+from aseme_dsl.compiler.read.blocks import lists
 from aseme_dsl.compiler.types.scopes import protocol_scopes, role_scope
 from aseme_dsl.compiler.types.typecheck import type_value
 from aseme_dsl.diagnostics import Diagnostic, Edit
