@@ -202,7 +202,8 @@ def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice] |
         )
         if isinstance(built, int):
             return built
-        report, configuration, choice, bare = built
+        report, compiled, choice, bare = built
+        configuration = compiled.configuration
         if not options.quiet:
             for line in lines_without_code(bare, options.target, options.output):
                 click.echo(line)

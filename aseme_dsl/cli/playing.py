@@ -29,6 +29,7 @@ from aseme_dsl.source import Source, Span
 if TYPE_CHECKING:
     from aseme_dsl.cli.telling import Telling
     from aseme_dsl.project.building.build import Choice, Report
+    from aseme_dsl.project.building.project import Compiled
     from aseme_dsl.project.code.activity_files import WithoutCode
     from aseme_dsl.project.settings.configuration import Configuration
     from aseme_dsl.runtime.team.network import Network
@@ -154,7 +155,7 @@ def build_target(
     as_json: bool,
     colour: str,
     backends: Sequence[str] = (),
-) -> tuple[Report, Configuration, Choice, WithoutCode] | int:
+) -> tuple[Report, Compiled, Choice, WithoutCode] | int:
     """Build the one system that the target means; or the exit code, after saying what is wrong.
 
     No activity is started: that is what `build` and `scaffold` are for.
@@ -187,7 +188,7 @@ def build_target(
         print_diagnostics(report.diagnostics, colour)
         click.echo(f"{report.system} -> {report.folder}: {written_summary(report.written)}")
     folder = activities_folder(report.folder, choice)
-    return report, compiled.configuration, choice, without_code(compiled.system, folder)
+    return report, compiled, choice, without_code(compiled.system, folder)
 
 
 def lines_without_code(found: WithoutCode, target: str, output: Path | None) -> list[str]:

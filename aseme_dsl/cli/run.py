@@ -67,13 +67,15 @@ from aseme_dsl.diagnostics.problems.scenarios.network import NetworkInRealTime, 
 from aseme_dsl.project.settings.platform_settings import IN_PROCESS, PLATFORMS, ZENOH
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from aseme_dsl.cli.telling import Telling
     from aseme_dsl.project.building.build import Choice, Report
+    from aseme_dsl.project.building.project import Compiled
     from aseme_dsl.project.code.activity_files import WithoutCode
     from aseme_dsl.project.playing.play import Played, Request
     from aseme_dsl.project.settings.configuration import Configuration
+    from aseme_dsl.project.testing.watching import Watch, Watched
     from aseme_dsl.runtime.version.loading import Loaded
 
 
@@ -103,6 +105,7 @@ class _Options:
     bodies: dict[str, str]
     force: bool
     allowed: tuple[str, ...]
+    strict: bool
     quiet: bool
     verbose: bool
     stats: bool
@@ -120,6 +123,8 @@ class _Prepared:
     choice: Choice
     report: Report | None
     bare: WithoutCode | None
+    compiled: Compiled | None = None
+    """The source, if it was built from that."""
 
 
 @click.command(
@@ -168,6 +173,9 @@ class _Prepared:
 @body_option("Factory function of the body, for AGENT or all agents. Repeatable.")
 @click.option("--force", is_flag=True, help="Overwrite edited files and files that asemec did not write.")
 @allow_option
+@click.option(
+    "--strict", is_flag=True, help="End the run when a property or a clause is broken; in virtual time."
+)
 @stats_option
 @telling_options
 @json_option
@@ -203,6 +211,8 @@ def _check_usage(options: _Options) -> None:
         raise click.UsageError("--role runs one role in this process: not with --platform.")
     if options.process_per_agent and platform == IN_PROCESS:
         raise click.UsageError("--process-per-agent needs a transport between processes, such as zenoh.")
+    if options.strict and _real_time_option(options) is not None:
+        raise click.UsageError("--strict watches a run in virtual time: not with --real.")
     if options.trace is not None:
         inputs: list[Path | str] = [options.target, *([options.script] if options.script is not None else [])]
         check_outputs([(options.trace, "trace")], inputs)
@@ -292,9 +302,10 @@ def _prepared(options: _Options) -> _Prepared | int:
     )
     if isinstance(built, int):
         return built
-    report, configuration, choice, bare = built
+    report, compiled, choice, bare = built
+    configuration = compiled.configuration
     system = load(report.folder, report.system, configuration, choice)
-    return _Prepared((system,), report.folder, configuration, choice, report, bare)
+    return _Prepared((system,), report.folder, configuration, choice, report, bare, compiled)
 
 
 def _run(options: _Options, prepared: _Prepared) -> int:
@@ -387,6 +398,7 @@ def _run_here(
         progress=not options.quiet,
         stream=sys.stderr if options.as_json else sys.stdout,
     )
+    watch = _watch(options, prepared, loaded, plan, real, telling)
     with ending_left_processes():
         played = play(
             loaded,
@@ -396,13 +408,39 @@ def _run_here(
             tell=telling.line,
             listeners=(telling,),
             tick=telling.tick,
+            watch=watch,
         )
     telling.end()
+    watched = () if watch is None else watch.end(played.result.end_ns)
     code = exit_code(played.result, options.allowed, INTERRUPTED)
-    _print(options, prepared, played, loaded, telling, real)
+    if code == 0 and any(item.verdict == "broken" for item in watched):
+        code = 1
+    _print(options, prepared, played, loaded, telling, real, watched)
     if played.result.left:
         leave_at_once(code)
     return code
+
+
+def _watch(
+    options: _Options, prepared: _Prepared, loaded: Loaded, plan: str | None, real: bool, telling: Telling
+) -> Watch | None:
+    """What watches the properties and clauses of the system; None, and told, if nothing can."""
+    from aseme_dsl.play.scenario import Refused
+    from aseme_dsl.project.testing.watching import Watch, script_for
+
+    if prepared.compiled is None:
+        return None
+    team = dict(loaded.team) if plan is None else {options.agent or plan: plan}
+    script = script_for(prepared.compiled, team or {name: name for name in loaded.charts})
+    if script is None:
+        return None
+    if isinstance(script, Refused):
+        telling.line(f"properties and clauses are not watched: {script.span}: {script.reason}")
+        return None
+    if real:
+        telling.line("properties and clauses are not watched in real time")
+        return None
+    return Watch(script, telling.line, options.strict)
 
 
 def _options_of_robots(options: _Options) -> list[str]:
@@ -509,7 +547,13 @@ def _list(systems: Iterable[Loaded], as_json: bool) -> int:
 
 
 def _print(
-    options: _Options, prepared: _Prepared, played: Played, loaded: Loaded, telling: Telling, real: bool
+    options: _Options,
+    prepared: _Prepared,
+    played: Played,
+    loaded: Loaded,
+    telling: Telling,
+    real: bool,
+    watched: Sequence[Watched],
 ) -> None:
     """How it ended, and what is left behind."""
     from dataclasses import asdict
@@ -529,6 +573,15 @@ def _print(
                     **end_data(result),
                     "untaken": telling.untaken,
                     "unexpected": telling.unexpected,
+                    "watched": [
+                        {
+                            "of": item.of,
+                            "at": str(item.span),
+                            "verdict": item.verdict,
+                            "time_ns": item.time_ns,
+                        }
+                        for item in watched
+                    ],
                     "summary": played.summary,
                     "folder": str(prepared.folder),
                     "trace": str(played.trace),
@@ -555,6 +608,11 @@ def _print(
             click.echo(f"  {agent.name} ({agent.role}) completed")
     for line in end_lines(result):
         click.echo(f"  {line}")
+    for item in watched:
+        if item.verdict != "kept":
+            click.echo(f"  {item.text}")
+    if kept := sum(item.verdict == "kept" for item in watched):
+        click.echo(f"  {kept} of {len(watched)} statements of properties and clauses are kept")
     for line in lines_without_code(bare, options.target, options.output) if bare is not None else ():
         click.echo(f"  {line}")
     if result.trace_error is not None:

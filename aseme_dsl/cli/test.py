@@ -215,6 +215,7 @@ _COLOURS = {"passed": "32", "failed": "31", "error": "31", "vacuous": "33"}
 
 def _lines(tested: Sequence[ScenarioResult], is_coloured: bool) -> Iterator[str]:
     """The verdicts for people: the reason of each with its place and what happened last, then the numbers."""
+    from aseme_dsl.project.testing.verdicts import never_met
     from aseme_dsl.runtime.time.clock import shown
 
     width = max((len(item.name) for item in tested), default=0)
@@ -228,6 +229,8 @@ def _lines(tested: Sequence[ScenarioResult], is_coloured: bool) -> Iterator[str]
     counts = [(sum(item.verdict == verdict for item in tested), verdict) for verdict in _COLOURS]
     said = ", ".join(f"{number} {verdict}" for number, verdict in counts if number)
     yield f"{plural(len(tested), 'scenario')}{': ' if said else ''}{said}"
+    for of, span in never_met(tested):
+        yield f"note: {span}: {of}: what it speaks of has not happened in any run"
     points = [(item.points, item.verdict == "passed") for item in tested if item.points is not None]
     if points:
         got = sum(number for number, has_passed in points if has_passed)

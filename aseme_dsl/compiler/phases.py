@@ -104,6 +104,17 @@ def scenarios_of(inspection: Inspection, bound: Mapping[str, str]) -> tuple[Scen
     return played(files, known, charts, found.blocks, bound)
 
 
+def watched_of(inspection: Inspection, team: Mapping[str, str]) -> Scenario:
+    """What the properties and clauses of a system without errors say of a team, as it is watched."""
+    from aseme_dsl.compiler.requirements.played import watched
+    from aseme_dsl.compiler.requirements.statements import known_by
+
+    found, files = inspection, inspection.loaded.files
+    known = known_by(files, found.top, found.scopes, found.blocks, (), found.iacs, found.activities)
+    charts = {role: chart for role, chart in found.iacs.items() if chart is not None}
+    return watched(files, known, charts, found.blocks, team)
+
+
 def _inspecting(
     root: Source | Path | str,
     sources: Mapping[str, str] | None,

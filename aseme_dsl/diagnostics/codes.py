@@ -301,8 +301,6 @@ _TABLE: dict[str, tuple[str, str]] = {
     # Networks and clocks (N77x)
     "N770": ("note", "network setting ignored in real time"),
     "N771": ("note", "radio message age without a declared delay"),
-    # Scenarios (N78x)
-    "N780": ("note", "property without a scenario"),
 }
 
 CODES: dict[str, Code] = {code: Code(code, severity, title) for code, (severity, title) in _TABLE.items()}

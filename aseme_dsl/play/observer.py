@@ -8,6 +8,7 @@ from typing import assert_never, cast
 
 from aseme_dsl.amola.expression import At, Mean
 from aseme_dsl.play.assumptions import Assumptions
+from aseme_dsl.play.conversations import Clauses
 from aseme_dsl.play.evaluate import Known, Told, ages, asked, counted, timers, value_of
 from aseme_dsl.play.followed import Followed, answer, around, entered_by
 from aseme_dsl.play.scenario import (
@@ -22,6 +23,7 @@ from aseme_dsl.play.scenario import (
     Says,
     Script,
 )
+from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
@@ -43,6 +45,7 @@ _KINDS = frozenset(
         "fault",
         "error",
         "activity",
+        "conversation",
     )
 )
 
@@ -90,6 +93,7 @@ class Observer:
         self.waiting: dict[int, list[Callable[[int], None]]] = {}
         """Called with the moment at which a condition occurs for the first time, in the midst of a step."""
         self.assumed = Assumptions(script.assumptions)
+        self._clauses = Clauses(script.expectations, script.conditions)
         self._inputs = inputs
         self._agents = {name: Followed() for name, _ in script.team}
         self._last: dict[str, dict[str, int]] = {name: {} for name, _ in script.team}
@@ -135,6 +139,10 @@ class Observer:
                 self.failures[record["agent"]] = record["reason"]
                 self._note(record["agent"], f"fails: {record['reason']}")
                 self._look(_Happening(failed=record["agent"]))
+            case "conversation" if self._clauses and record["agent"] in self._agents:
+                info = self._running(record["agent"]).branch_info(record["branch"])
+                self._clauses.conversation(record, info.protocol, self._now)
+                self._take_clauses()
             case "activity" if record["what"] in ("end", "crash"):
                 self._note(record["agent"], _ending(record))
 
@@ -149,6 +157,9 @@ class Observer:
         """Time passes: until then all has rested."""
         if moment > self._now:
             self._show(self._view(_NOTHING, self._now, moment - 1, rests=True))
+            if self._clauses:
+                self._clauses.rest(self._now, moment - 1)
+                self._take_clauses()
             self._now = moment
 
     def look(self) -> None:
@@ -163,8 +174,23 @@ class Observer:
             self._pass_to(moment + 1)
             self.assumed.pass_to(moment + 1)
             for place, item in enumerate(self.script.expectations):
-                self._take(place, ended(item.rule, self.states[place], moment))
+                if item.protocol is None:
+                    self._take(place, ended(item.rule, self.states[place], moment))
+            self._clauses.end(moment)
+            self._take_clauses()
         self._is_over = True
+
+    def rest(self, moment: int) -> None:
+        """A run that may have been cut off ended at this moment: what is still awaited stays so."""
+        self._pass_to(moment + 1)
+
+    def is_awaited(self, number: int, moment: int) -> bool:
+        """Whether something that an expectation speaks of has still to come."""
+        rule = self.script.expectations[number].rule
+        if self.script.expectations[number].protocol is not None:
+            return self._clauses.is_awaited(number, moment)
+        state = self.states[number]
+        return state.verdict is Verdict.OPEN and ended(rule, state, moment).verdict is Verdict.BROKEN
 
     # ---- what happens ------------------------------------------------------------------------
 
@@ -173,6 +199,7 @@ class Observer:
         assert self._team is not None
         self.assumed.crash(agent, self._team.driver.clock.now())
         self._agents[agent].forget()
+        self._clauses.step(agent, (), _NONE, _NONE, self._now)
         self._note(agent, "crashes")
         self.look()
 
@@ -205,6 +232,15 @@ class Observer:
         if self._timers:
             self._wake_for_timers(agent)
         self._look(_Happening({agent: frozenset(entered)}, received=tuple(received)))
+        if self._clauses:
+            branches = (info.label for info in plan.branches)
+            self._clauses.step(agent, branches, frozenset(entered), followed.active, self._now)
+            self._take_clauses()
+
+    def _take_clauses(self) -> None:
+        """A clause that is broken in one conversation is broken."""
+        if self._clauses.broken is not None:
+            self._take(*self._clauses.broken)
 
     def _wake_for_timers(self, agent: str) -> None:
         """Look again when a timer that a condition asks for runs out."""
@@ -249,8 +285,11 @@ class Observer:
             self._look(_Happening(sent=said))
 
     def _plan(self, agent: str) -> Plan:
+        return self._running(agent).plan
+
+    def _running(self, agent: str) -> Agent:
         assert self._team is not None
-        return self._team.agent(agent).plan
+        return self._team.agent(agent)
 
     def _note(self, agent: str, text: str) -> None:
         last = self._last.get(agent)
@@ -325,8 +364,7 @@ class Observer:
         return is_held, is_held and number not in self._held
 
     def _known(self, agent: str, bound: Told | None = None) -> Known:
-        assert self._team is not None
-        followed, running = self._agents[agent], self._team.agent(agent)
+        followed, running = self._agents[agent], self._running(agent)
         plan, chart = running.plan, running.chart
         return Known(
             self._now,
@@ -364,7 +402,8 @@ class Observer:
     def _show(self, view: View) -> None:
         self.met |= view.holds | view.occurs
         for place, item in enumerate(self.script.expectations):
-            self._take(place, seen(item.rule, self.states[place], view))
+            if item.protocol is None:
+                self._take(place, seen(item.rule, self.states[place], view))
 
     def _take(self, place: int, state: State) -> None:
         self.states[place] = state

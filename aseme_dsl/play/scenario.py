@@ -135,12 +135,18 @@ Assumption = PaceAssumed | DurationAssumed | CrashesAssumed | NetworkAssumed
 
 @dataclass(frozen=True, slots=True)
 class Expectation:
-    """A rule, with its place. It is vacuous if one of the `witnesses` was met in no run."""
+    """A rule, with its place. It is vacuous if one of the `witnesses` was met in no run.
+
+    `of` says of which property or clause it is, if it is not of the scenario itself. With a `protocol` it is
+    about each conversation of that.
+    """
 
     rule: Rule
     span: Span
     witnesses: tuple[int, ...] = ()
     share: Share | None = None
+    of: str = ""
+    protocol: str | None = None
 
 
 # ---- what happens -----------------------------------------------------------------------------------

@@ -134,3 +134,33 @@ scenario "worth three" { points 3  at 0ms any robot in Walk }
     wrong = here("test", "good.aseme", "--role", "robt=one")
     assert (wrong.code, "Did you mean 'robot'?" in wrong.err) == (2, True)
     assert here("test", "good.aseme", "--role", "robot").code == 2
+
+
+WATCHED = """
+property "it moves" { always some robot in robot  every one in Stand leads to one in Walk within 2s }
+property "it never sits" { every two in Walk leads to two in Stand  eventually one in Walk }
+"""
+
+
+def test_a_run_watches_properties(here: Here, folder: Path) -> None:
+    (folder / "good.aseme").write_text(GOOD + WATCHED)
+    done = here("run", "good.aseme", "-o", "out", "--for", "9s", "--allow", "waiting")
+    told = [line.strip() for line in done.out.splitlines() if "good.aseme:" in line or "kept" in line]
+    assert done.code == 1
+    assert told == [
+        'broken at 2 s: property "it moves" (good.aseme:16:51)',
+        'broken at 2 s: property "it moves" (good.aseme:16:51)',
+        'vacuous: property "it never sits" (good.aseme:17:28)',
+        'open: property "it never sits" (good.aseme:17:69)',
+        "1 of 4 statements of properties and clauses are kept",
+    ], done.out
+    strict = here("run", "good.aseme", "-o", "out", "--for", "9s", "--strict", "--json")
+    found = strict.json["result"]
+    assert (strict.code, found["time"], [item["verdict"] for item in found["watched"]]) == (
+        1,
+        3_000_000_000,  # the next moment at which something happens
+        ["kept", "broken", "vacuous", "open"],
+    )
+    assert here("run", "good.aseme", "-o", "out", "--strict", "--real").code == 2
+    alone = here("run", "good.aseme", "-o", "out", "--role", "robot", "--agent", "two", "--for", "1s")
+    assert (alone.code, "1 of 2 statements" in alone.out) == (0, True), alone.out

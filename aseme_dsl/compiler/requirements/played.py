@@ -32,7 +32,7 @@ from aseme_dsl.play.evaluate import not_evaluated
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.monitor import rules
 from aseme_dsl.runtime.team.network import Network
-from aseme_dsl.source import Span
+from aseme_dsl.source import Source, Span
 
 
 class _NotPlayed(Exception):
@@ -67,10 +67,32 @@ def played(
     )
 
 
+def watched(
+    files: Iterable[tree.File],
+    known: Known,
+    charts: Mapping[str, Statechart],
+    blocks: Blocks,
+    team: Mapping[str, str],
+) -> play.Scenario:
+    """What properties and clauses of files without errors say of a run of a team.
+
+    It is a scenario in which nothing is given; it may be refused.
+    """
+    check = Check(known, team, is_listed=False, is_broken=False, is_read=True)
+    places = Places(charts, blocks, known.aliases)
+    span = next((item.title.span for file in files for item in file.must_hold), Span(Source("", ""), 0, 0))
+    try:
+        lowering = _Lowering(check, places, span, {}, {})
+        script = lowering.script((), properties(files), None, may_fail=True)
+    except _NotPlayed as problem:
+        return play.Scenario("", span, (), problem.refused)
+    return play.Scenario("", span, (script,))
+
+
 def _scenario(
     item: tree.Scenario,
     statements: Sequence[nodes.Statement],
-    always: Sequence[nodes.Statement],
+    always: Sequence[tuple[str, nodes.Statement]],
     check: Check,
     places: Places,
     bound: Mapping[str, str],
@@ -124,7 +146,11 @@ class _Lowering:
         return self.check.agents
 
     def script(
-        self, statements: Sequence[nodes.Statement], always: Sequence[nodes.Statement], row: Span | None
+        self,
+        statements: Sequence[nodes.Statement],
+        always: Sequence[tuple[str, nodes.Statement]],
+        row: Span | None,
+        may_fail: bool = False,
     ) -> play.Script:
         """What is played; `always` is what the properties say."""
         values = {
@@ -145,9 +171,12 @@ class _Lowering:
         self.network = networks[-1] if networks else None
         for item in sorted(statements, key=_comes_last):
             self._statement(item, given)
-        for item in always:
-            self._always(item)
-        self._add_failures(statements)
+        for name, item in always:
+            self._always(name, item)
+        for protocol in self.places.blocks.aips:
+            self._clauses(protocol)
+        if not may_fail:
+            self._add_failures(statements)
         return play.Script(
             tuple(self.team.items()),
             tuple(self.activities.values()),
@@ -177,12 +206,41 @@ class _Lowering:
         is_whole = self.check.parameters[item.name.text] != DOUBLE
         return play.Given(item.name.text, least, most, is_whole)
 
-    def _always(self, item: nodes.Statement) -> None:
+    def _always(self, name: str, item: nodes.Statement) -> None:
         """What a property says of those that take part. It may say nothing in this run."""
         before = len(self.expectations)
         with suppress(_NotThere):
             self._statement(item, ())
-        self.expectations[before:] = [replace(new, witnesses=()) for new in self.expectations[before:]]
+        of = f'property "{name}"'
+        self.expectations[before:] = [replace(new, of=of) for new in self.expectations[before:]]
+
+    def _clauses(self, protocol: tree.Aip) -> None:
+        """What the clauses of a protocol say of those that take part, in each conversation if it has some."""
+        name = protocol.name.text
+        has_messages = any(item.sends or item.receives for item in protocol.participants)
+        for item in protocol.clauses:
+            before = len(self.expectations)
+            with suppress(_NotThere):
+                self._clause(item)
+            self.expectations[before:] = [
+                replace(new, of=f"clause of {name}", protocol=name if has_messages else None)
+                for new in self.expectations[before:]
+            ]
+
+    def _clause(self, item: tree.Clause) -> None:
+        first, *others = (
+            self._in_places(self.team, places, item) for places in (item.first, item.second) if places
+        )
+        if item.kind == "at most":
+            rule = rules.Never(self._number(play.InPlaces(first, item.count + 1)))
+            self._expect(rule, item.span, None, (self._number(play.InPlaces(first)),))
+            return
+        one, two = (self._number(play.InPlaces(places)) for places in (first, others[0]))
+        if item.kind == "before":
+            self._expect(rules.Before(one, two), item.span, None, (two,))
+        else:
+            within = None if item.within is None else item.within.nanoseconds
+            self._expect(rules.LeadsTo(one, two, within), item.span, None, (one,))
 
     def _add_failures(self, statements: Iterable[nodes.Statement]) -> None:
         """No agent may fail but those that are to."""
@@ -493,7 +551,10 @@ class _Lowering:
         return value
 
     def _in_places(
-        self, agents: Iterable[str], places: Iterable[tree.Place], item: nodes.Statement | nodes.Condition
+        self,
+        agents: Iterable[str],
+        places: Iterable[tree.Place],
+        item: nodes.Statement | nodes.Condition | tree.Clause,
     ) -> dict[str, frozenset[str]]:
         """The labels of the places in the statechart of each agent that has some."""
         found: dict[str, frozenset[str]] = {}
@@ -580,4 +641,4 @@ def _end(statements: Sequence[nodes.Statement]) -> tuple[int, bool]:
     return (max(moments) + max(delays), is_open) if moments else (0, True)
 
 
-__all__ = ["played"]
+__all__ = ["played", "watched"]

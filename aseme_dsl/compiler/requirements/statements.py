@@ -163,7 +163,6 @@ def check_statements(
         found += _each_cause(check.found, wrong)
     for file in files:
         found += _titled_twice(file)
-    found += _not_watched(files)
     return tuple(dict.fromkeys(found))
 
 
@@ -175,14 +174,6 @@ def _titled_twice(file: tree.File) -> Iterator[Diagnostic]:
         place = first.setdefault((type(item), item.title.text), item.title.span)
         if place != item.title.span:
             yield declared_twice(kind, item.title, place)
-
-
-def _not_watched(files: Sequence[tree.File]) -> Iterator[Diagnostic]:
-    """Once, if there are properties, but no scenario that checks them."""
-    blocks = [item for file in files for item in file.must_hold]
-    if not any(isinstance(item, tree.Scenario) for item in blocks):
-        for item in blocks[:1]:
-            yield Diagnostic(problems.PropertyNotWatched(), item.title.span)
 
 
 def scenarios(
@@ -199,10 +190,10 @@ def scenarios(
                 yield item, statements, check
 
 
-def properties(files: Iterable[tree.File]) -> tuple[nodes.Statement, ...]:
-    """What the properties of files without errors say of every run."""
+def properties(files: Iterable[tree.File]) -> tuple[tuple[str, nodes.Statement], ...]:
+    """What the properties of files without errors say of every run, each with the title of its property."""
     return tuple(
-        statement
+        (item.title.text, statement)
         for file in files
         for item in file.must_hold
         if isinstance(item, tree.Property)

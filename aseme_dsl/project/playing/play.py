@@ -9,7 +9,7 @@ from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass, field, fields, replace
 from numbers import Integral
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Protocol, cast
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics import Diagnostic, Problem, closest
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.team.network import Network
     from aseme_dsl.runtime.team.team import RunResult, Team
     from aseme_dsl.runtime.team.timed_inputs import TimedInput
+    from aseme_dsl.runtime.trace.records import Record
     from aseme_dsl.runtime.trace.trace import Listener
     from aseme_dsl.runtime.transport.port import Transport
     from aseme_dsl.runtime.version.loading import Loaded, RoleBackends
@@ -123,6 +124,19 @@ class Played:
 
 
 Tell = Callable[[str], None]
+
+
+class Watching(Protocol):
+    """What watches a run in virtual time, and may end it."""
+
+    def begin(self, team: Team) -> None:
+        """The run of the team begins."""
+
+    def __call__(self, record: Record) -> None:
+        """A line of its trace."""
+
+    def settled(self, team: Team) -> str | None:
+        """Nothing is left to do at this instant; why the run ends, if it does."""
 
 
 def carried(folder: Path, configuration: Configuration, choice: Choice) -> tuple[Loaded, ...]:
@@ -236,11 +250,12 @@ def play(
     tell: Tell,
     listeners: Iterable[Listener] = (),
     tick: Callable[[int], None] | None = None,
+    watch: Watching | None = None,
 ) -> Played:
     """Run a system's team, or one plan, to the end.
 
     `tell` is given each line of the project's `progress`. `tick` is given the time, at every instant at which
-    nothing is left to do. `listeners` are given every line of the trace.
+    nothing is left to do. `listeners` are given every line of the trace, and so is `watch`, in virtual time.
 
     Raises:
         PlayError: it cannot be run like that; or the project's own functions fail.
@@ -257,7 +272,14 @@ def play(
         check_installed(platform)
         with provided(platform, loaded, configuration, tell):
             return _play_here(
-                loaded, activities, configuration, request, tell=tell, listeners=listeners, tick=tick
+                loaded,
+                activities,
+                configuration,
+                request,
+                tell=tell,
+                listeners=listeners,
+                tick=tick,
+                watching=watch,
             )
     except (TransportError, PlatformError) as problem:
         raise PlayError(NotPlayed(str(problem))) from problem
@@ -285,6 +307,7 @@ def _play_here(
     tell: Tell,
     listeners: Iterable[Listener],
     tick: Callable[[int], None] | None,
+    watching: Watching | None,
 ) -> Played:
     """Run a system's team, or one plan, in this process."""
     from aseme_dsl.project.playing.operable import operable, others
@@ -303,7 +326,9 @@ def _play_here(
         made_by = request.world or (project.world if project and not request.bodies else None)
         world = made_world(made_by, seed) if made_by else None
         bodies = _bodies(request.bodies, loaded, request.plan, agent)
-        watch = _Watch(world, project.progress if project and world is not None else None, tell, tick)
+        watch = _Watch(
+            world, project.progress if project and world is not None else None, tell, tick, watching
+        )
         script = _script(request.script, loaded)
         trace = request.trace or (project.trace if project and project.trace else None)
         try:
@@ -322,7 +347,8 @@ def _play_here(
                 stop=watch,
                 timed_inputs=script,
                 trace=trace,
-                listeners=listeners,
+                before=None if watching is None else watching.begin,
+                listeners=listeners if watching is None else (*listeners, watching),
                 path=folders,
                 real_time=_real_time(project),
                 carried=lambda: others(loaded, activities, configuration),
@@ -550,9 +576,15 @@ class _Watch:
     """What is asked at every instant: it tells what is new, and ends the run when the world is over."""
 
     def __init__(
-        self, world: object, progress: str | None, tell: Tell, tick: Callable[[int], None] | None
+        self,
+        world: object,
+        progress: str | None,
+        tell: Tell,
+        tick: Callable[[int], None] | None,
+        watching: Watching | None,
     ) -> None:
         self._world = world
+        self._watching = watching
         self._progress = Progress(world, progress, tell)
         self._tick = tick
         self._next = 0
@@ -564,6 +596,9 @@ class _Watch:
         if now >= self._next:
             self._next = now + LOOK_NS
             self.look(team)
+        ended = self._watching.settled(team) if self._watching is not None else None
+        if ended is not None:
+            return ended
         return "the world is over" if getattr(self._world, "over", False) is True else None
 
     def look(self, team: Team) -> None:

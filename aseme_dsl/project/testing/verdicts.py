@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import assert_never
 
@@ -54,6 +54,8 @@ class ScenarioResult:
     runs: int = 0
     points: int | None = None
     """What a teacher gives for it if it passes."""
+    general: tuple[tuple[str, Span, bool], ...] = ()
+    """What properties and clauses say, and whether what each speaks of has happened in some run."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,11 +81,31 @@ def verdict_of(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played 
             if run.assumption is not None and run.assumption[1] <= run.end:
                 assumed, since = run.assumption
                 reason = f"assumption broken at {shown(since)} ({assumed.span}): {reason}"
+            if item.of:
+                reason = f"{item.of}: {reason}"
             return _result(
                 scenario, Verdict.FAILED, cases, place, run.end, reason, item.span, run.inputs, run.story
             )
     found = _missed_share(scenario, cases, played) or _vacuous(scenario, cases, played)
-    return found or _result(scenario, Verdict.PASSED, cases, 0, played[0].end if played else 0)
+    if found is None:
+        found = _result(scenario, Verdict.PASSED, cases, 0, played[0].end if played else 0)
+    return replace(found, general=tuple(_general(scenario, played)))
+
+
+def _general(scenario: Scenario, runs: Sequence[Played]) -> Iterator[tuple[str, Span, bool]]:
+    """What properties and clauses say, and whether it was about something."""
+    for item in scenario.scripts[0].expectations if scenario.scripts else ():
+        if item.of:
+            yield item.of, item.span, any(run.met.issuperset(item.witnesses) for run in runs)
+
+
+def never_met(results: Sequence[ScenarioResult]) -> tuple[tuple[str, Span], ...]:
+    """The properties and clauses that were about nothing in any run, with their statements."""
+    spoken: dict[tuple[str, Span], bool] = {}
+    for result in results:
+        for of, span, was_met in result.general:
+            spoken[of, span] = was_met or spoken.get((of, span), False)
+    return tuple(what for what, was_met in spoken.items() if not was_met)
 
 
 def _result(
@@ -152,6 +174,8 @@ def _vacuous(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played]) 
     if not scenario.scripts:
         return None
     for item in scenario.scripts[0].expectations:
+        if item.of:  # properties and clauses are looked at over all scenarios
+            continue
         # The scripts of a table differ in values only: their conditions have the same numbers.
         if any(all(witness not in run.met for run in runs) for witness in item.witnesses):
             reason = "what it speaks of has not happened"
@@ -159,4 +183,4 @@ def _vacuous(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played]) 
     return None
 
 
-__all__ = ["NotRun", "ScenarioResult", "Verdict", "verdict_of"]
+__all__ = ["NotRun", "ScenarioResult", "Verdict", "never_met", "verdict_of"]

@@ -201,7 +201,9 @@ def _sometime(rule: Sometime, state: State, view: View) -> State:
     if view.first > rule.until:
         return _broken(state, rule.until)
     is_in_time = view.last >= rule.since
-    return _kept(state, view) if is_in_time and view.is_met(rule.condition) else state
+    if is_in_time and view.is_met(rule.condition):
+        return _kept(state, view)
+    return _broken(state, rule.until) if view.last > rule.until else state
 
 
 def _at(condition: int, moment: int, state: State, view: View) -> State:
@@ -216,7 +218,9 @@ def _leads_to(rule: LeadsTo, state: State, view: View) -> State:
         return _broken(state, state.due)
     if state.due is None and rule.first in view.occurs:  # of several that wait, the first is due first
         state = replace(state, due=NEVER if rule.within is None else view.first + rule.within)
-    return replace(state, due=None) if view.is_met(rule.second) else state
+    if view.is_met(rule.second):
+        return replace(state, due=None)
+    return _broken(state, state.due) if state.due is not None and view.last > state.due else state
 
 
 def ended(rule: Rule, state: State, moment: int) -> State:

@@ -10,7 +10,7 @@ import pytest
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import compile_root
 from aseme_dsl.project.testing.playing import play_scenarios, scenarios_in
-from aseme_dsl.project.testing.verdicts import ScenarioResult
+from aseme_dsl.project.testing.verdicts import ScenarioResult, never_met
 
 SYSTEM = """system Walk
 enum Mood { CALM ANGRY }
@@ -431,3 +431,48 @@ scenario "s" { at 500ms a in Ball }
     )
     (found,) = play(path)
     assert found.verdict == "failed", found.story
+
+
+CLAUSES = [
+    ("passed", "Ask@boss before Hear@hand"),
+    ("failed", "Hear@hand before Ask@boss"),
+    ("passed", "every Ask@boss leads to (Wait@boss or GiveUp@boss) within 300ms"),  # both ask bob
+    ("failed", "every Ask@boss leads to (Wait@boss or GiveUp@boss) within 299ms"),
+    ("failed", "every Ask@boss leads to Work@hand"),
+    # In each conversation: there are two at once.
+    ("passed", "at most one boss"),
+    ("passed", "at most 1 Hear@hand"),
+    ("failed", "at most 0 hand"),
+    ("vacuous", "every Work@hand leads to Wait@boss"),
+]
+
+
+@pytest.mark.parametrize(("verdict", "line"), CLAUSES)
+def test_clauses_are_checked_in_each_conversation(verdict: str, line: str, tmp_path: Path) -> None:
+    """One that was about nothing is noted for the whole, and fails no scenario."""
+    path = tmp_path / "talk.aseme"
+    text = TALK.replace("  control boss {", f"  clause {line}\n  control boss {{", 1)
+    text = text.replace("request Job { size = 3 } to hand", "request Job { size = 3 } to one hand")
+    path.write_text(text + 'scenario "s" { ann, eve : chief  bob, joe : clerk  for 3s }\n')
+    (found,) = play(path)
+    assert found.verdict == verdict.replace("vacuous", "passed"), (found.reason, found.story)
+    assert bool(never_met([found])) == (verdict == "vacuous")
+
+
+def test_clauses_of_a_protocol_without_messages_hold_in_the_whole_team(tmp_path: Path) -> None:
+    path = tmp_path / "light.aseme"
+    path.write_text(
+        """system Light
+aip cross { participant car { process = Wait . Go }  clause at most one Go@car }
+srm driver { plays cross.car  liveness { driver = car }  activities { Wait takes 1s  Go takes 1s } }
+scenario "alone" { a : driver  for 3s }
+scenario "one after the other" { a, b : driver  activity Wait takes 1s..9s  in order Go@car, Go@car }
+scenario "together" { a, b : driver  for 3s }
+"""
+    )
+    found = [(item.name, item.verdict, item.reason) for item in play(path)]
+    assert found == [
+        ("alone", "passed", ""),
+        ("one after the other", "passed", ""),
+        ("together", "failed", "clause of cross: came at 1 s"),
+    ]

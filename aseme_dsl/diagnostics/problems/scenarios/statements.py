@@ -1,5 +1,4 @@
-"""Scenarios and properties: their statements, the names in them, what does not fit, and what is not
-watched (E117, E229, E230, N780)."""
+"""Scenarios and properties: their statements, the names in them, and what does not fit (E117, E229, E230)."""
 
 from __future__ import annotations
 
@@ -278,12 +277,3 @@ class FaultNotNever(Problem):
     code = "E230"
     message = "a fault cannot be expected"
     hint = "write `never fault`"
-
-
-# ---- N780: what is not watched -----------------------------------------------------------------
-
-
-class PropertyNotWatched(Problem):
-    code = "N780"
-    message = "no run is checked for this property: there is no scenario"
-    hint = "write a scenario: `asemec test` checks properties in each"
