@@ -50,6 +50,8 @@ PROVEN = "the other end has proven that it is of this team"
 LISTED: dict[str, str] = {
     "amola/as_json.py: schema: json.loads": OWN,
     "amola/as_json.py: schema: read_text": OWN,
+    "project/testing/coverage_page.py: page: read_text": OWN,
+    "project/testing/coverage_page.py: _coloured: fromstring": JUST_WRITTEN,
     "project/testing/coverage.py: _document: json.loads": CAUGHT,
     "project/settings/configuration.py: configuration_of: tomllib.loads": CAUGHT,
     "runtime/workers/descendants.py: _children: read_bytes": SYSTEM,

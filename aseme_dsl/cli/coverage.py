@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
 
-from aseme_dsl.cli.covering import Wanted, fail_under_option, too_little
+from aseme_dsl.cli.covering import Wanted, check_page, fail_under_option, html_option, too_little, write_page
 from aseme_dsl.cli.shared import (
     colour_option,
     json_option,
@@ -31,10 +33,18 @@ from aseme_dsl.diagnostics import Severity, has_errors
     metavar="FILE",
     help="The .aseme file or project directory of the system.  [default: that of the traces]",
 )
+@html_option
 @fail_under_option
 @json_option
 @colour_option
-def command(targets: tuple[str, ...], source: str | None, wanted: Wanted, as_json: bool, colour: str) -> int:
+def command(
+    targets: tuple[str, ...],
+    source: str | None,
+    html: Path | None,
+    wanted: Wanted,
+    as_json: bool,
+    colour: str,
+) -> int:
     """Print the coverage; 1 if something cannot be read, or too little is covered."""
     from aseme_dsl.play.coverage.seen import Seen
     from aseme_dsl.project.building.build import choose
@@ -43,6 +53,7 @@ def command(targets: tuple[str, ...], source: str | None, wanted: Wanted, as_jso
     from aseme_dsl.project.testing.coverage_report import data, lines
 
     files, problems = all_traces_of(targets)
+    check_page(html, files)
     if has_errors(problems):
         return refuse(problems, as_json, colour)
     compiled = one_system(source or source_of_runs(targets, files))
@@ -61,4 +72,5 @@ def command(targets: tuple[str, ...], source: str | None, wanted: Wanted, as_jso
     else:
         for line in lines(coverage):
             click.echo(line)
-    return max(int(has_errors(found)), too_little(coverage, wanted))
+    written = write_page(html, model.system, coverage, colour)
+    return max(written, int(has_errors(found)), too_little(coverage, wanted))

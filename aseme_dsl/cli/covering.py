@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
+from aseme_dsl.cli.shared import FilePath, check_outputs, print_diagnostics
+from aseme_dsl.diagnostics import has_errors
+
 if TYPE_CHECKING:
+    from aseme_dsl.amola.system import System
     from aseme_dsl.play.coverage.measure import Coverage, Kind
 
 Wanted = tuple[tuple["Kind", float], ...]
@@ -57,4 +62,32 @@ def too_little(coverage: Coverage, wanted: Wanted) -> int:
     return int(bool(said))
 
 
-__all__ = ["Wanted", "fail_under_option", "too_little"]
+html_option = click.option(
+    "--html",
+    type=FilePath(path_type=Path),
+    metavar="FILE",
+    help="Output file of a page (.html) with the coverage and the statecharts in colours.",
+)
+
+
+def check_page(page: Path | None, inputs: Iterable[Path | str]) -> None:
+    """Refuse a page that has the name of something else, or would be written over a file of the user."""
+    if page is not None:
+        if page.suffix not in (".html", ".htm"):
+            raise click.UsageError("--html: the name of the file must end in .html.")
+        check_outputs([(page, "coverage")], inputs)
+
+
+def write_page(page: Path | None, system: System, coverage: Coverage, colour: str) -> int:
+    """Write the page, if one is wanted; 1 if it cannot be written."""
+    if page is None:
+        return 0
+    from aseme_dsl.project.files.write import write_file
+    from aseme_dsl.project.testing.coverage_page import page as made
+
+    found = write_file(page, made(system, coverage).encode()).diagnostics
+    print_diagnostics(found, colour)
+    return int(has_errors(found))
+
+
+__all__ = ["Wanted", "check_page", "fail_under_option", "html_option", "too_little", "write_page"]

@@ -34,6 +34,7 @@ COMMANDS = (
     "run",
     "test",
     "coverage",
+    "goals",
     "node",
     "status",
     "switch",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from aseme_dsl.cli.covering import Wanted, fail_under_option, too_little
+from aseme_dsl.cli.covering import Wanted, check_page, fail_under_option, html_option, too_little, write_page
 from aseme_dsl.cli.progress import Progress
 from aseme_dsl.cli.report import form_of
 from aseme_dsl.cli.shared import (
@@ -71,6 +71,7 @@ if TYPE_CHECKING:
     metavar="FILE",
     help="Output file (.json) of the coverage, for `asemec coverage`.",
 )
+@html_option
 @fail_under_option
 @click.option(
     "--format",
@@ -90,6 +91,7 @@ def command(
     activities: Path | None,
     measures: bool,
     coverage_file: Path | None,
+    html: Path | None,
     wanted: Wanted,
     form: str | None,
     as_json: bool,
@@ -110,6 +112,7 @@ def command(
         if coverage_file.suffix != ".json":
             raise click.UsageError("--coverage-file: the name of the file must end in .json.")
         check_outputs([(coverage_file, "coverage")], [target])
+    check_page(html, [target])
     compiled = one_system(target, activities)
     wrong = [item for item in compiled.diagnostics if item.severity is not Severity.NOTE]
     if compiled.system is None or has_errors(wrong):
@@ -120,7 +123,7 @@ def command(
     choice = choose(configuration, activities=activities)
     project_seed = configuration.run.seed if configuration.run is not None else None
     progress = Progress(form != "text")
-    seen = Seen() if measures or coverage_file is not None or wanted else None
+    seen = Seen() if measures or coverage_file is not None or html is not None or wanted else None
     try:
         tested = play_scenarios(
             compiled.system,
@@ -146,6 +149,7 @@ def command(
             found = write_file(coverage_file, written(model, seen)).diagnostics
             print_diagnostics(found, colour)
             code = max(code, int(has_errors(found)))
+        code = max(code, write_page(html, model.system, coverage, colour))
     file = str(compiled.root if isinstance(compiled.root, Path) else target)
     _print(tested, form, file, colour, coverage if measures else None)
     return code if coverage is None else max(code, too_little(coverage, wanted))

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 
@@ -144,6 +146,49 @@ def test_what_cannot_be_counted_is_said(lift: Here, folder: Path) -> None:
     assert "there is no file no.json" in lift("coverage", "no.json", "--source", "lift.aseme").err
     assert lift("test", "lift.aseme", "--coverage-file", "cover.txt").code == 2
     assert lift("test", "lift.aseme", "--coverage-file", "lift.aseme").code == 2
+
+
+def test_a_page_has_the_statecharts_in_colours(lift: Here, folder: Path) -> None:
+    assert lift("test", "lift.aseme", "-k", "low", "--html", "page.html").code == 0
+    text = (folder / "page.html").read_text("utf-8")
+    assert not re.search(r"<script|https?://(?!www.w3.org/)|<link|@import|url[(]", text)
+    assert text.count("prefers-color-scheme:dark") == 2
+    drawing = ElementTree.fromstring(re.findall(r"<svg.*?</svg>", text, re.DOTALL)[0])
+    groups = [item for item in drawing.iter("{http://www.w3.org/2000/svg}g") if item.get("class")]
+    titles = [(item.findtext("{*}title", "").split(), item.get("class")) for item in groups]
+    states = {words[2]: name for words, name in titles if words[1:2] == ["BASIC"]}
+    assert (states["Wait"], states["Travel"]) == ("state covered", "state missed")
+    tips = {item.get("class"): item.findtext("{*}title", "") for item in groups if item.get("data-c")}
+    assert {"line covered", "line missed"} <= set(tips)
+    assert "it never held" in tips["line missed"] or "taken 0 times" in tips["line missed"]
+    # Again over its own, but not over the user's.
+    assert lift("test", "lift.aseme", "-k", "low", "--html", "page.html").code == 0
+    (folder / "page.html").write_text("<p>mine</p>")
+    assert lift("test", "lift.aseme", "--html", "page.html").code == 2
+    assert lift("coverage", "out", "--html", "page.svg").code != 0
+    done = lift("test", "lift.aseme", "--html", "no/page.html")
+    assert (done.code, "Traceback" in done.err) in ((0, False), (1, False))
+
+
+def test_goals_have_what_serves_them(lift: Here) -> None:
+    found = lift("goals", "lift.aseme", "--json").json["goals"]
+    ride, rest, fly = found["goals"]
+    assert [item["name"] for item in ride["states"]] == ["Travel"]
+    assert [item["name"] for item in ride["scenarios"]] == ["high", "urgent", "low"]
+    assert [item["name"] for item in ride["formulas"]] == ["lift"]
+    assert ([item["name"] for item in rest["states"]], rest["scenarios"]) == (["Wait"], [])
+    assert fly["states"] == []
+    dangling = [(item["kind"], item["name"], item["reason"]) for item in found["dangling"]]
+    assert dangling == [
+        ("goal", "fly", "no state serves it"),
+        ("goal", "rest", "no scenario names a state that serves it"),
+    ]
+    assert lift("run", "lift.aseme", "--for", "5s", "--quiet", "--allow", "waiting").code == 0
+    assert lift("test", "lift.aseme", "--coverage-file", "some.json", "-k", "high").code == 0
+    found = lift("goals", "lift.aseme", "out", "some.json", "--json").json["goals"]
+    assert found["runs"] == 2
+    assert [(goal["name"], goal["runs"]) for goal in found["goals"]] == [("ride", 1), ("rest", 2), ("fly", 0)]
+    assert "  reached once, in 1 of 2 runs\n" in lift("goals", "lift.aseme", "out", "some.json").out
 
 
 def test_people_read_what_is_missing_with_its_place(lift: Here) -> None:

@@ -20,7 +20,7 @@ def percent_text(share: Share) -> str:
 
 def lines(coverage: Coverage) -> Iterator[str]:
     """A table of all kinds, then what was not covered, with its place."""
-    yield f"coverage of {coverage.system}: {_from(coverage)}"
+    yield f"coverage of {coverage.system}: {origin(coverage)}"
     for note in coverage.notes:
         yield f"  {note}"
     yield f"{'':12} {'covered':>7} {'of':>6}"
@@ -43,7 +43,7 @@ _TITLES = {
 }
 
 
-def _from(coverage: Coverage) -> str:
+def origin(coverage: Coverage) -> str:
     """What it was measured from."""
     counts = [(coverage.scenarios, "scenario"), (coverage.traces, "trace")]
     said = [f"{count} {noun}{'' if count == 1 else 's'}" for count, noun in counts if count]
@@ -63,11 +63,11 @@ def _listed(items: Sequence[Item], status: Status) -> Iterator[str]:
     """The items with their places. What is inside a state that was missed is only counted."""
     missed = {(item.of, item.label) for item in items if item.kind is Kind.STATES}
     inside: Counter[tuple[str, str, Kind]] = Counter()
-    counted: Counter[tuple[Kind, str]] = Counter()
+    alike: Counter[tuple[Kind, str]] = Counter()
     shown: list[Item] = []
     for item in items:
         if status is Status.UNMEASURED and item.kind is Kind.CONDITIONS:
-            counted[item.kind, item.reason] += 1
+            alike[item.kind, item.reason] += 1
         elif (top := _missed_around(item, missed)) is not None:
             inside[item.of, top, item.kind] += 1
         else:
@@ -76,15 +76,15 @@ def _listed(items: Sequence[Item], status: Status) -> Iterator[str]:
         of = f"{item.of}: " if item.of else ""
         reason = f": {item.reason}" if item.reason else ""
         hidden = [
-            _counted(inside[item.of, item.label, kind], kind)
+            counted(inside[item.of, item.label, kind], kind)
             for kind in Kind
             if item.kind is Kind.STATES and inside[item.of, item.label, kind]
         ]
         behind = f", with {', '.join(hidden)} inside" if hidden else ""
         place = "" if item.span is None else f"  {item.span}"
         yield f"  {_SINGULAR[item.kind]:10} {of}{_cut(item.name)}{reason}{behind}{place}"
-    for (kind, reason), count in counted.items():
-        yield f"  {_counted(count, kind)}: {reason}"
+    for (kind, reason), count in alike.items():
+        yield f"  {counted(count, kind)}: {reason}"
 
 
 def _missed_around(item: Item, missed: Collection[tuple[str, str]]) -> str | None:
@@ -97,7 +97,8 @@ def _missed_around(item: Item, missed: Collection[tuple[str, str]]) -> str | Non
     return next((label for label in around if (item.of, label) in missed), None)
 
 
-def _counted(count: int, kind: Kind) -> str:
+def counted(count: int, kind: Kind) -> str:
+    """A number of items of a kind."""
     return f"{count} {_SINGULAR[kind] if count == 1 else kind}"
 
 
@@ -171,4 +172,4 @@ def kind_of(word: str) -> Kind | None:
     return next((kind for kind in Kind if kind == found), None)
 
 
-__all__ = ["below", "data", "kind_of", "lines", "percent_text"]
+__all__ = ["below", "counted", "data", "kind_of", "lines", "origin", "percent_text"]
