@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -29,8 +28,8 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
 
 @click.command(
     short_help="Draw the models of a system.",
-    help="Draw all models of a system, or each MODEL: sag, iac.player, eac, 'srm.*'. A statechart gives two"
-    f" diagrams: nested states and a tree (iac.player.tree). {TARGET_HELP}",
+    help="Draw all models of a system, or each MODEL: sag, iac.player, eac, 'srm.*'. A statechart has three"
+    f" layouts: iac.player is compact, the others are iac.player.nested and iac.player.tree. {TARGET_HELP}",
     epilog="Example: asemec diagram team.aseme iac.player --at 0.2.5 --depth 2 -o player.svg",
 )
 @target_argument
@@ -52,7 +51,7 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
 @click.option(
     "--expressions",
     type=click.Choice(["numbered", "inline", "none"]),
-    help="Transition expressions in the diagram.  [default: the project's, else numbered]",
+    help="Transition expressions in the layouts nested and tree.  [default: the project's, else numbered]",
 )
 @click.option("--at", metavar="LABEL", help="Draw only the state with this label and its content.")
 @click.option(
@@ -60,11 +59,15 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
     type=click.IntRange(min=1),
     help="Levels of nested states to draw; in the compact layout, of formulas.",
 )
-@click.option("--layout", type=click.Choice(["nested", "tree", "compact"]), help="Draw only this view.")
+@click.option(
+    "--layout",
+    type=click.Choice(["compact", "nested", "tree"]),
+    help="Layout of statecharts.  [default: compact]",
+)
 @click.option(
     "--page",
     type=click.Choice(["a4", "screen"]),
-    help="With --layout compact: divide each chart into pages of this size.",
+    help="In the compact layout: divide each chart into pages of this size.",
 )
 @click.option(
     "--labels",
@@ -96,10 +99,8 @@ def command(
     from aseme_dsl.project.files.outputs import marked
     from aseme_dsl.project.files.write import write_file
 
-    if layout == "compact" and expressions is not None:
-        raise click.UsageError("--layout compact has one way to show expressions: leave out --expressions.")
-    if page is not None and (layout != "compact" or depth is not None):
-        raise click.UsageError("--page is for --layout compact, without --depth.")
+    if page is not None and (layout not in (None, "compact") or depth is not None):
+        raise click.UsageError("--page is for the compact layout, without --depth.")
     compiled = one_system(target)
     if compiled.system is None:
         if as_json:
@@ -107,12 +108,11 @@ def command(
         else:
             print_diagnostics(compiled.diagnostics, colour)
         return 1
-    expressions = expressions or compiled.configuration.expressions or "numbered"
     options = Options(
-        Expressions(expressions),
+        Expressions(expressions or compiled.configuration.expressions or "numbered"),
         at,
         depth,
-        Layout(layout) if layout else None,
+        Layout(layout or "compact"),
         PageSize(page) if page else None,
     )
     suffix = Path(output).suffix[1:]
@@ -123,9 +123,8 @@ def command(
     try:
         system = with_labels(compiled.system, labels or compiled.configuration.labels or "plain")
         chosen = choose(system, models, options)
-        if to_file and len(chosen) != 1 and layout is None:
-            nested = choose(system, models, replace(options, layout=Layout.NESTED))
-            chosen = nested if len(nested) == 1 else chosen
+        if expressions is not None and any(item.picture for item in chosen):
+            raise click.UsageError("--expressions is for --layout nested and --layout tree: add one of them.")
         if to_file and len(chosen) != 1:
             names = ", ".join(item.name for item in chosen) or "none"
             raise click.UsageError(

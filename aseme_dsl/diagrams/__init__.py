@@ -1,4 +1,4 @@
-"""Diagrams: every model of a system as Graphviz drawings in the look of the papers.
+"""Diagrams: every model of a system as drawings: of our own or by Graphviz, in the look of the papers.
 
 `drawings` is pure and needs no Graphviz; `render` and `draw` run it and check what it has drawn.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
-from typing import assert_never
+from typing import Literal, assert_never
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.sag import Sag
@@ -67,8 +67,8 @@ __all__ = [
 def drawings(system: System, options: Options = DEFAULT) -> list[Drawing]:
     """A drawing of every model that the system has, named as its file will be.
 
-    `sag`, `suc`, `aip.<protocol>`, `srm.<role>`, `eac.<protocol>`, `iac.<role>`, and for the trees of the
-    statecharts `eac.<protocol>.tree`, `iac.<role>.tree`. With `options.at`, only statecharts that have this
+    `sag`, `suc`, `aip.<protocol>`, `srm.<role>`, `eac.<protocol>`, `iac.<role>`, and with other layouts than
+    the compact one `iac.<role>.nested`, `iac.<role>.tree`. With `options.at`, only statecharts that have this
     state are drawn, and its label is added to the name; raises NoSuchState if none has.
     """
     if options.at is not None:
@@ -80,7 +80,7 @@ def drawings(system: System, options: Options = DEFAULT) -> list[Drawing]:
 
 
 def draw_model(model: Sag | Suc | Aip | Srm | Statechart) -> Drawing:
-    """The drawing of a model alone: a statechart nested, a role without what its activities say elsewhere."""
+    """The drawing of a model alone: a role or a statechart without what its activities say elsewhere."""
     match model:
         case Sag():
             (drawing,) = _goals(model)
@@ -91,7 +91,7 @@ def draw_model(model: Sag | Suc | Aip | Srm | Statechart) -> Drawing:
         case Srm():
             (drawing,) = _role(model, (None,) * len(model.activities))
         case Statechart():
-            (drawing,) = draw_statechart(model, Options(layout=Layout.NESTED))
+            (drawing,) = draw_statechart(model)
         case _:
             assert_never(model)
     return drawing
@@ -103,7 +103,7 @@ Maker = tuple[Callable[..., list[Drawing]], tuple[object, ...]]
 
 def makers(system: System, options: Options = DEFAULT) -> list[Maker]:
     """What makes the drawings of a system, in their order; `options.at` is nothing that they care for."""
-    known = system.activities if options.layout is Layout.COMPACT else ()
+    known = system.activities if options.layout in (Layout.COMPACT, None) else ()
     charts = [(draw_statechart, (chart, options, known)) for chart in system.statecharts]
     return [*_sheets(system).values(), *charts]
 
@@ -111,11 +111,14 @@ def makers(system: System, options: Options = DEFAULT) -> list[Maker]:
 def draw_one(system: System, name: str, options: Options = DEFAULT) -> Drawing | None:
     """The drawing of one model: `sag`, `suc`, `aip.<protocol>`, `srm.<role>`, `eac.<protocol>`, `iac.<role>`.
 
-    Statecharts are drawn as `options` say, with both layouts as the nested one. None if the system has no
-    such model. Raises NoSuchState if the statechart has no state `options.at`.
+    A statechart is drawn as `options` say, with all layouts as the compact one; of several pages, it is the
+    first. None if the system has no such model. Raises NoSuchState if the statechart has no state
+    `options.at`.
     """
     chart = system.chart(name)
     if chart is not None:
+        if options.page is not None:
+            return _compact(chart, options, system.activities, alone=True)[0]
         return draw_statechart(chart, options, system.activities)[0]
     maker = _sheets(system).get(name)
     return maker[0](*maker[1])[0] if maker is not None else None
@@ -158,34 +161,46 @@ def _role(role: Srm, activities: tuple[Activity | None, ...]) -> list[Drawing]:
     return [of_sheet(srm.sheet(role, activities, f"srm.{role.name}"))]
 
 
-def _compact(chart: Statechart, options: Options, activities: Iterable[Activity]) -> list[Drawing]:
-    """The compact drawing; the nested one with a note where there is no right compact one."""
+def _compact(
+    chart: Statechart, options: Options, activities: Iterable[Activity], alone: bool = False
+) -> list[Drawing]:
+    """The compact drawing, or its first page `alone`; the nested one with a note where none is right."""
     from aseme_dsl.diagrams import compact  # here: no other drawing needs it
 
-    found = compact.drawings(chart, options, activities)
+    found = compact.drawings(chart, options, activities, alone)
     if isinstance(found, list):
         return found
-    (nested,) = draw_statechart(chart, replace(options, layout=Layout.NESTED))
+    nested = _by_graphviz(chart, options, Layout.NESTED, "")
     return [replace(nested, note=f"{nested.name} is drawn nested: {found}")]
+
+
+def _by_graphviz(
+    chart: Statechart, options: Options, layout: Literal[Layout.NESTED, Layout.TREE], ending: str
+) -> Drawing:
+    shown = view(chart, at=options.at, depth=options.depth)
+    name = f"{chart.kind.lower()}.{chart.name}{ending}"
+    name = piece_name(name, options.at) if options.at is not None else name
+    sheet = tree.sheet if layout is Layout.TREE else statechart.sheet
+    drawer = partial(sheet, expressions=options.expressions)
+    pieces = partial(division.pieces, shown, name, drawer)
+    return of_sheet(drawer(shown, name, {}), states=len(shown.states), pieces=pieces)
 
 
 def draw_statechart(
     chart: Statechart, options: Options = DEFAULT, activities: tuple[Activity, ...] = ()
 ) -> list[Drawing]:
-    """The nested drawing and the tree of a statechart, or the one that `options.layout` asks for.
+    """The drawings of a statechart in the layout that `options` ask for, or in all.
 
     A compact drawing says what is known of the `activities`.
     Raises NoSuchState if the chart has no state `options.at`.
     """
-    shown = view(chart, at=options.at, depth=options.depth)
-    made = []
-    if options.layout is Layout.COMPACT:
-        return _compact(chart, options, activities)
-    for layout in (Layout.NESTED, Layout.TREE) if options.layout is None else (options.layout,):
-        name = f"{chart.kind.lower()}.{chart.name}{'.tree' if layout is Layout.TREE else ''}"
-        name = piece_name(name, options.at) if options.at is not None else name
-        sheet = tree.sheet if layout is Layout.TREE else statechart.sheet
-        drawer = partial(sheet, expressions=options.expressions)
-        pieces = partial(division.pieces, shown, name, drawer)
-        made.append(of_sheet(drawer(shown, name, {}), states=len(shown.states), pieces=pieces))
+    made: list[Drawing] = []
+    for layout in Layout if options.layout is None else (options.layout,):
+        match layout:
+            case Layout.COMPACT:
+                made += _compact(chart, options, activities)
+            case Layout.NESTED | Layout.TREE:
+                made.append(_by_graphviz(chart, options, layout, f".{layout}"))
+            case _:
+                assert_never(layout)
     return made

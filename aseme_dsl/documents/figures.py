@@ -83,9 +83,9 @@ class Drawer:
         configuration = compiled.configuration
         system = with_labels(compiled.system, request.labels or configuration.labels or "plain")
         try:
-            drawings = choose(
-                system, request.models, request.options(configuration.expressions or "numbered")
-            )
+            asked = request.options(configuration.expressions or "numbered")
+            chosen = [item for options in asked for item in choose(system, request.models, options)]
+            drawings = {item.name: item for item in chosen}.values()
             if not drawings:
                 raise NoSuchDrawing(f"{system.name} has nothing to draw")
             for drawing in drawings:

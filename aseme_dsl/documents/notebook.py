@@ -14,7 +14,7 @@ from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Analysis
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.diagrams import Drawing, Layout, Options, draw, draw_model, drawings, render
+from aseme_dsl.diagrams import Drawing, draw, draw_model, drawings, render
 from aseme_dsl.diagrams.look.words import words
 from aseme_dsl.diagrams.rendering.drawn import WHOLE
 from aseme_dsl.display import Displays
@@ -32,9 +32,7 @@ def _as_svg(value: object) -> str | None:
 
 def _as_html(value: object) -> str | None:
     if isinstance(value, System):
-        return "".join(
-            _figure(item, words(value, item)) for item in drawings(value, Options(layout=Layout.NESTED))
-        )
+        return "".join(_figure(item, words(value, item)) for item in drawings(value))
     if isinstance(value, RunResult):
         return _result(value)
     if isinstance(value, Analysis):

@@ -10,8 +10,7 @@ from aseme_dsl.diagnostics import closest
 from aseme_dsl.diagrams import Expressions, Layout, Options
 from aseme_dsl.runtime.message.by_name import made
 
-BOTH = "both"
-"""The layout that is nested and tree."""
+_LAYOUTS = {**{str(item): (item,) for item in Layout}, "both": (Layout.NESTED, Layout.TREE)}
 
 
 class WrongOption(ValueError):
@@ -31,23 +30,24 @@ class Request:
     expressions: str | None = None
     at: str | None = None
     depth: int | None = None
-    layout: Layout | None = Layout.NESTED
+    layouts: tuple[Layout, ...] = (Layout.COMPACT,)
     labels: str | None = None
     caption: str = ""
     alt: str = ""
     source: bool = False
     beside: bool = False
 
-    def options(self, expressions: str) -> Options:
+    def options(self, expressions: str) -> tuple[Options, ...]:
         """What to draw, where `expressions` is what holds unless the page says something else."""
-        return Options(Expressions(self.expressions or expressions), self.at, self.depth, self.layout)
+        shown = Expressions(self.expressions or expressions)
+        return tuple(Options(shown, self.at, self.depth, layout) for layout in self.layouts)
 
 
 def request_of(options: Mapping[str, str]) -> Request:
     """The request that options, as texts, mean.
 
     Raises:
-        WrongOption: there is no such option, or not with this value.
+        WrongOption: there is no such option, or not with this value, or not with the others.
     """
     known: dict[str, object] = {}
     for name, text in options.items():
@@ -57,7 +57,12 @@ def request_of(options: Mapping[str, str]) -> Request:
             raise WrongOption(f"a diagram has no option {name!r}; {hint}")
         field, read = _READERS[name]
         known[field] = read(name, text.strip())
-    return made(Request, **known)  # `_READERS` gives each field what it has to be
+    request = made(Request, **known)  # `_READERS` gives each field what it has to be
+    if request.expressions and Layout.COMPACT in request.layouts:
+        raise WrongOption(
+            "'expressions' is for the layouts nested, tree and both: add one of them as 'layout'"
+        )
+    return request
 
 
 OPTIONS = ("model", "at", "depth", "layout", "expressions", "labels", "caption", "alt", "source", "embed")
@@ -87,9 +92,8 @@ def _depth(name: str, text: str) -> int:
     return int(text)
 
 
-def _layout(name: str, text: str) -> Layout | None:
-    chosen = _one_of("nested", "tree", "compact", BOTH)(name, text)
-    return None if chosen == BOTH else Layout(chosen)
+def _layout(name: str, text: str) -> tuple[Layout, ...]:
+    return _LAYOUTS[_one_of(*_LAYOUTS)(name, text)]
 
 
 def _one_of(*values: str) -> Callable[[str, str], str]:
@@ -113,7 +117,7 @@ _READERS: dict[str, tuple[str, Callable[[str, str], object]]] = {
     "model": ("models", _models),
     "at": ("at", _label),
     "depth": ("depth", _depth),
-    "layout": ("layout", _layout),
+    "layout": ("layouts", _layout),
     "expressions": ("expressions", _one_of("numbered", "inline", "none")),
     "labels": ("labels", _one_of("plain", "original")),
     "caption": ("caption", _text),

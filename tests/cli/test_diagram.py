@@ -9,7 +9,7 @@ import pytest
 from aseme_dsl.diagrams import writes_pdf
 from tests.cli.support import Here
 
-ALL = {"srm.robot", "iac.robot", "iac.robot.tree"}
+ALL = {"srm.robot", "iac.robot"}
 
 
 def stems(folder: Path) -> set[str]:
@@ -18,16 +18,17 @@ def stems(folder: Path) -> set[str]:
 
 def test_all_models_into_a_folder(here: Here, folder: Path) -> None:
     done = here("diagram", "good.aseme")
-    assert (done.code, done.out) == (0, "files: 3 created\n")
+    assert (done.code, done.out) == (0, "files: 2 created\n")
     assert stems(folder / "diagrams") == ALL
-    assert here("diagram", "good.aseme").out == "files: 3 unchanged\n"
+    assert here("diagram", "good.aseme").out == "files: 2 unchanged\n"
 
 
 @pytest.mark.parametrize(
     ("models", "drawn"),
     [
         (["srm.robot"], {"srm.robot"}),
-        (["iac"], {"iac.robot", "iac.robot.tree"}),
+        (["iac"], {"iac.robot"}),
+        (["iac.robot.nested"], {"iac.robot.nested"}),
         (["iac.robot.tree", "srm"], {"iac.robot.tree", "srm.robot"}),
         (["*.tree"], {"iac.robot.tree"}),
     ],
@@ -61,17 +62,18 @@ def test_standard_output(here: Here, folder: Path) -> None:
 def test_one_file_takes_one_drawing(here: Here, folder: Path) -> None:
     done = here("diagram", "good.aseme", "-o", "all.svg")
     assert done.code == 2
-    assert "is a file for one diagram, but 3 are selected" in done.err
+    assert "is a file for one diagram, but 2 are selected" in done.err
     assert not (folder / "all.svg").exists()
 
 
-def test_a_statechart_in_one_file_is_drawn_nested(here: Here, folder: Path) -> None:
+def test_a_statechart_in_one_file(here: Here, folder: Path) -> None:
     # As the example of `--help` has it.
     done = here("diagram", "good.aseme", "iac.robot", "--at", "0.2", "--depth", "2", "-o", "robot.dot")
     assert done.code == 0, done.err
-    assert "subgraph" in (folder / "robot.dot").read_text()
-    assert here("diagram", "good.aseme", "iac.robot", "--layout", "tree", "-o", "robot.dot").code == 0
-    assert "subgraph" not in (folder / "robot.dot").read_text()
+    assert "_background" in (folder / "robot.dot").read_text()
+    for layout, groups in (("nested", True), ("tree", False)):
+        assert here("diagram", "good.aseme", "iac.robot", "--layout", layout, "-o", f"{layout}.dot").code == 0
+        assert ("subgraph" in (folder / f"{layout}.dot").read_text()) is groups
 
 
 @pytest.mark.parametrize("name", ["robot.gif", "robot.jpeg", "robot.ps"])
@@ -89,8 +91,8 @@ def test_a_drawing_takes_the_place_of_a_drawing_and_of_nothing_else(
     if format == "pdf" and not writes_pdf():
         pytest.skip("needs Graphviz' own dot")
     one = folder / f"one.{format}"
-    for model in ("srm", "iac.robot", "srm"):
-        assert here("diagram", "good.aseme", model, "--layout", "nested", "-o", one).code == 0
+    for model in ("srm", "iac.robot", "iac.robot.nested", "srm"):
+        assert here("diagram", "good.aseme", model, "-o", one).code == 0
     one.write_text("mine")
     done = here("diagram", "good.aseme", "srm", "-o", one)
     assert done.code == 2 and "is not a drawing that asemec wrote" in done.err
@@ -193,11 +195,11 @@ def test_progress_is_shown_on_a_terminal_alone(
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setenv("CI", "")
     said = here(*arguments).err
-    assert "drawing 1 of 2: iac.robot" in said and said.endswith("\r\x1b[K")
+    assert "drawing 1 of 1: iac.robot" in said and said.endswith("\r\x1b[K")
 
 
 def test_the_compact_layout(here: Here, folder: Path) -> None:
-    assert here("diagram", "good.aseme", "iac", "--layout", "compact", "-o", "one.svg").code == 0
+    assert here("diagram", "good.aseme", "iac", "-o", "one.svg").code == 0
     assert 'class="aseme-compact"' in (folder / "one.svg").read_text("utf-8")
     assert here("diagram", "good.aseme", "iac", "--layout", "compact", "-o", "one.png").code == 0
     done = here("diagram", "good.aseme", "iac", "--layout", "compact", "--page", "a4", "-o", "pages")
@@ -207,9 +209,9 @@ def test_the_compact_layout(here: Here, folder: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (["--page", "a4"], "--page is for --layout compact"),
+        (["--page", "a4", "--layout", "tree"], "--page is for the compact layout"),
         (["--page", "a4", "--layout", "compact", "--depth", "1"], "without --depth"),
-        (["--layout", "compact", "--expressions", "none"], "leave out --expressions"),
+        (["--expressions", "none"], "--expressions is for --layout nested and --layout tree: add one"),
         (["--layout", "compact", "--at", "9"], "no statechart of"),
     ],
 )

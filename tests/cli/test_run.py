@@ -137,7 +137,7 @@ def test_a_team_plays_until_all_have_finished(here: Here, script: Path) -> None:
     done = here("run", "good.aseme", "--input", "script.jsonl")
     assert done.code == 0, done.err
     lines = done.out.splitlines()
-    assert lines[0] == "Walker -> out: files: 13 created"
+    assert lines[0] == "Walker -> out: files: 14 created"
     assert "    0.00 s  one  Stand" in lines
     assert "    3.00 s  one  Walk" in lines
     assert "    3.00 s  two  Walk" in lines

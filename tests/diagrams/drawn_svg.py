@@ -37,7 +37,7 @@ def elements_of(root: Element) -> Iterator[Line | Shape | Text]:
 
 
 def _line(item: Element) -> Line:
-    path, *heads = item.findall(f"{SVG}path")
+    path, *heads = item.iter(f"{SVG}path")
     chain = tuple(_link(part, ",") for part in item.get("data-c", "").split("|") if part)
     found = _corners(path.get("d", ""))
     return Line(found, chain, Stroke(path.get("class", "")), bool(heads))
@@ -45,7 +45,7 @@ def _line(item: Element) -> Line:
 
 def _shape(item: Element) -> Shape:
     state, *also = item.get("data-n", "").split()
-    body = next(part for part in item if part.tag != f"{SVG}title")
+    body = next(part for part in item.iter() if part.tag not in (f"{SVG}title", f"{SVG}g"))
     kind = body.get("class", "")
     form = Form.PROTOCOL if re.fullmatch(r"p\d", kind) else Form(kind)
     marks = _link(item.get("data-t", ""), " ")
@@ -72,7 +72,8 @@ def _text(item: Element, sign: str) -> Text:
     x, y = float(item.get("x", "")), float(item.get("y", ""))
     said = f"{sign} {item.text or ''}".strip() if sign else item.text or ""
     of = item.get("data-of")
-    return Text(x - (ICON if sign else 0), y, said, look, width(said, look), None if of is None else int(of))
+    left, place = x - (ICON if sign else 0), None if of is None else int(of)
+    return Text(left, y, said, look, width(said, look), place, item.get("data-n", ""))
 
 
 def _link(text: str, separator: str) -> Link:

@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 from xml.etree import ElementTree
 
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.diagrams import Drawing, Expressions, Layout, Options, draw_statechart
+
 SVG = "{http://www.w3.org/2000/svg}"
 TITLE = "{http://www.w3.org/1999/xlink}title"
 
@@ -81,3 +84,12 @@ def distance_to_border(frame: Frame, point: Point) -> float:
 def is_deep_inside(frame: Frame, point: Point, depth: float) -> bool:
     left, top, right, bottom = frame
     return left + depth < point[0] < right - depth and top + depth < point[1] < bottom - depth
+
+
+def by_graphviz(chart: Statechart, expressions: Expressions = Expressions.NUMBERED) -> list[Drawing]:
+    """The drawings of a statechart that Graphviz lays out."""
+    return [
+        drawing
+        for layout in (Layout.NESTED, Layout.TREE)
+        for drawing in draw_statechart(chart, Options(expressions, layout=layout))
+    ]

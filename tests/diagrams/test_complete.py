@@ -8,7 +8,7 @@ from aseme_dsl.amola.expression import expression_text
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagrams import Expressions, Layout, Options, draw_statechart, render
 from tests.diagrams.building import FIGURE_4, random_statechart, statechart
-from tests.diagrams.pictures import Picture, distance_to_border, is_deep_inside
+from tests.diagrams.pictures import Picture, by_graphviz, distance_to_border, is_deep_inside
 
 SEEDS = range(36)
 
@@ -77,7 +77,7 @@ def test_lines_do_not_run_into_the_composites_that_they_join(seed: int) -> None:
 def test_the_player_of_figure_4_is_drawn_whole(expressions: Expressions) -> None:
     chart = statechart(FIGURE_4)
     assert (len(chart.states), len(chart.transitions), chart.levels) == (124, 92, 19)
-    for drawing in draw_statechart(chart, Options(expressions=expressions)):
+    for drawing in by_graphviz(chart, expressions=expressions):
         shown = Picture(render(drawing, "svg"))
         assert {f"n{node.label}" for node in chart.states} <= shown.ids
         assert {f"t{place}" for place in range(92)} <= shown.ids

@@ -12,7 +12,7 @@ from aseme_dsl.diagrams import Layout, Options, draw, draw_statechart
 from aseme_dsl.diagrams.models.division import PIECE
 from aseme_dsl.source import Source
 from tests.diagrams.building import random_statechart, statechart
-from tests.diagrams.pictures import Picture
+from tests.diagrams.pictures import Picture, by_graphviz
 
 
 def deep(depth: int) -> Statechart:
@@ -25,7 +25,7 @@ def deep(depth: int) -> Statechart:
 
 def test_pieces_are_small_and_together_they_are_the_whole() -> None:
     chart = random_statechart(7, size=40, extra=10)
-    for drawing in draw_statechart(chart):
+    for drawing in by_graphviz(chart):
         assert drawing.pieces is not None
         index, *pieces = drawing.pieces()
         assert index.name == drawing.name
@@ -57,16 +57,16 @@ def test_a_part_that_is_asked_for_is_divided_like_a_whole() -> None:
     (drawing,) = draw_statechart(chart, Options(layout=Layout.NESTED, at=at))
     assert drawing.pieces is not None
     index, top, *_ = drawing.pieces()
-    assert (index.name, top.name) == (f"iac.Test.{at}", f"iac.Test.{at}.{at}")
+    assert (index.name, top.name) == (f"iac.Test.nested.{at}", f"iac.Test.nested.{at}.{at}")
 
 
 def test_what_nobody_can_read_is_not_attempted_in_one_picture() -> None:
     (drawing,) = draw_statechart(statechart("(A . B) | C"), Options(layout=Layout.NESTED))
     drawn = draw(replace(drawing, states=5000), "svg")
-    assert [name for name, _ in drawn.files] == ["iac.Test.svg", "iac.Test.0.svg"]
+    assert [name for name, _ in drawn.files] == ["iac.Test.nested.svg", "iac.Test.nested.0.svg"]
     assert drawn.notes == (
-        "iac.Test has 5000 states, which is too much for one picture; "
-        "it is drawn in 2 files, iac.Test.svg is where to begin",
+        "iac.Test.nested has 5000 states, which is too much for one picture; "
+        "it is drawn in 2 files, iac.Test.nested.svg is where to begin",
     )
 
 
@@ -82,7 +82,7 @@ def test_a_thousand_operands_are_one_picture() -> None:
 def test_a_deep_chart_is_drawn_in_pieces_whose_names_files_can_have() -> None:
     chart = deep(400)
     assert len(chart.states) > 1500
-    for drawing in draw_statechart(chart):
+    for drawing in by_graphviz(chart):
         drawn = draw(drawing, "svg")
         assert len(drawn.files) > 10
         assert len(drawn.notes) == 1

@@ -8,12 +8,12 @@ import pytest
 
 from aseme_dsl.amola.sag import Actor, Goal, Sag
 from aseme_dsl.amola.statechart import Statechart
-from aseme_dsl.diagrams import Drawing, Expressions, Layout, Options, draw_statechart, render
+from aseme_dsl.diagrams import Drawing, Expressions, draw_statechart, render
 from aseme_dsl.diagrams.look.drawing import of_sheet
 from aseme_dsl.diagrams.look.labels import wrapped
 from aseme_dsl.diagrams.models import sag as sag_drawing
 from tests.diagrams.building import SPAN, says, statechart
-from tests.diagrams.pictures import Picture
+from tests.diagrams.pictures import Picture, by_graphviz
 
 AWKWARD = [
     'a "quoted" word',
@@ -52,7 +52,9 @@ def test_a_requirement_is_shown_as_it_is(text: str) -> None:
 def test_a_string_in_an_expression_is_shown_as_it_is_written(text: str, expressions: Expressions) -> None:
     chart = statechart("A . B", {("0.2", "0.3"): says(text)})
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    for drawing in draw_statechart(chart, Options(expressions=expressions)):
+    (compact,) = draw_statechart(chart)
+    assert without_blanks(f'[name == "{escaped}"]') in without_blanks(Picture(render(compact, "svg")).text)
+    for drawing in by_graphviz(chart, expressions=expressions):
         shown = Picture(render(drawing, "svg"))
         assert without_blanks(f'[name == "{escaped}"]') in without_blanks(shown.text)
         assert f'[name == "{escaped}"]' in shown.tip("t1")
@@ -64,8 +66,9 @@ def test_a_state_may_have_any_name(text: str) -> None:
     names = {"0.2": text, "0.3": text}
     nodes = tuple(replace(node, name=names.get(node.label, node.name)) for node in plain.states)
     chart = Statechart(text, "Test", "IAC", nodes, plain.transitions)
-    for layout in (Layout.NESTED, Layout.TREE):
-        (drawing,) = draw_statechart(chart, Options(layout=layout))
+    (compact,) = draw_statechart(chart)
+    assert without_blanks(text) in without_blanks(Picture(render(compact, "svg")).text)
+    for drawing in by_graphviz(chart):
         shown = Picture(render(drawing, "svg"))
         assert without_blanks(text) in without_blanks(shown.says("n0.2"))
         assert without_blanks(text) in without_blanks(shown.says("n0.3"))
@@ -95,7 +98,7 @@ def test_a_name_of_a_thousand_words_is_cut() -> None:
     name = " || ".join(f"Activity{n}" for n in range(1000))
     chart = statechart(" || ".join(f"Activity{n}" for n in range(3)))
     nodes = tuple(replace(n, name=name) if n.label == "0.2" else n for n in chart.states)
-    for drawing in draw_statechart(replace(chart, states=nodes)):
+    for drawing in by_graphviz(replace(chart, states=nodes)):
         shown = Picture(render(drawing, "svg"))
         assert len(shown.says("n0.2").split("\n")[0]) < 40
         assert shown.says("n0.2").count("…") == 1

@@ -27,7 +27,7 @@ def test_dot_text_needs_no_graphviz(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "")
     (drawing,) = draw_statechart(statechart("A . B"), Options(layout=Layout.NESTED))
     assert render(drawing, "dot") == drawing.dot.encode()
-    assert drawing.dot.startswith('digraph "iac.Test" {\n')
+    assert drawing.dot.startswith('digraph "iac.Test.nested" {\n')
 
 
 @pytest.mark.skipif(PURE or shutil.which("pdftotext") is None, reason="needs Graphviz' own dot and pdftotext")

@@ -81,7 +81,7 @@ def test_what_went_wrong_is_said(how: str, fake: Fake) -> None:
     fake(fails)
     with pytest.raises(DrawingFailed, match=words) as failure:
         render(drawing(), "svg")
-    assert str(failure.value).startswith("iac.Test could not be drawn: ")
+    assert str(failure.value).startswith("iac.Test.nested could not be drawn: ")
 
 
 def test_a_program_that_hangs_is_ended_with_all_that_it_started(
@@ -153,11 +153,11 @@ def test_where_nothing_draws_it_whole_it_is_drawn_in_pieces(fake: Fake, tmp_path
     )
     drawn = draw(whole, "svg")
     names = [name for name, _ in drawn.files]
-    assert names[:2] == ["iac.Test.svg", "iac.Test.0.svg"]
+    assert names[:2] == ["iac.Test.nested.svg", "iac.Test.nested.0.svg"]
     assert len(names) > 2
     (note,) = drawn.notes
     assert "trouble" in note
-    assert f"{len(names)} files, iac.Test.svg is where to begin" in note
+    assert f"{len(names)} files, iac.Test.nested.svg is where to begin" in note
     index = Picture(drawn.files[0][1])
     for name in names[1:]:
         assert name in index.text
@@ -194,7 +194,7 @@ def test_without_graphviz_it_is_said_what_to_install(tmp_path: Path, monkeypatch
     monkeypatch.setattr(layout_module.sysconfig, "get_path", lambda name: str(tmp_path))
     with pytest.raises(GraphvizMissing, match=r"apt install graphviz.*pip install graphviz-pure"):
         draw(drawing(), "svg")
-    assert draw(drawing(), "dot").files == (("iac.Test.dot", drawing().dot.encode()),)
+    assert draw(drawing(), "dot").files == (("iac.Test.nested.dot", drawing().dot.encode()),)
 
 
 def test_dot_on_the_path_is_preferred(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

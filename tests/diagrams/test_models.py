@@ -13,9 +13,12 @@ from tests.diagrams.texts import TEAM, compiled
 
 NAMES = [
     *("sag", "suc", "aip.attack", "srm.player", "srm.goalie"),
-    *("eac.attack", "eac.attack.tree"),
-    *("iac.player", "iac.player.tree", "iac.goalie", "iac.goalie.tree"),
+    *("eac.attack", "eac.attack.nested", "eac.attack.tree"),
+    *("iac.player", "iac.player.nested", "iac.player.tree"),
+    *("iac.goalie", "iac.goalie.nested", "iac.goalie.tree"),
 ]
+BY_GRAPHVIZ = [name for name in NAMES if name not in ("eac.attack", "iac.player", "iac.goalie")]
+ALL = Options(layout=None)
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +28,7 @@ def team() -> System:
 
 @pytest.fixture(scope="module")
 def drawn(team: System) -> dict[str, Drawing]:
-    return {drawing.name: drawing for drawing in drawings(team)}
+    return {drawing.name: drawing for drawing in drawings(team, ALL)}
 
 
 def picture(drawing: Drawing) -> Picture:
@@ -38,10 +41,10 @@ def test_every_model_has_a_drawing(drawn: dict[str, Drawing]) -> None:
 
 def test_models_that_a_file_lacks_are_not_drawn() -> None:
     system = compiled("system Small\nsrm r { liveness { r = A . B } }\n")
-    assert [drawing.name for drawing in drawings(system)] == ["srm.r", "iac.r", "iac.r.tree"]
+    assert [drawing.name for drawing in drawings(system)] == ["srm.r", "iac.r"]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", BY_GRAPHVIZ)
 def test_the_dot_text_is_as_it_was(name: str, drawn: dict[str, Drawing], snapshot: Snapshot) -> None:
     snapshot(drawn[name].dot, f"{name}.dot")
 
@@ -52,7 +55,7 @@ def test_each_drawing_is_described_in_words(name: str, team: System, drawn: dict
 
 
 def test_dot_texts_are_made_the_same_again(drawn: dict[str, Drawing]) -> None:
-    again = {drawing.name: drawing.dot for drawing in drawings(compiled(TEAM))}
+    again = {drawing.name: drawing.dot for drawing in drawings(compiled(TEAM), ALL)}
     assert again == {name: drawing.dot for name, drawing in drawn.items()}
 
 
@@ -110,14 +113,16 @@ def test_the_srm_shows_all_that_is_known_of_a_role(drawn: dict[str, Drawing]) ->
 
 
 def test_a_layout_can_be_chosen(team: System) -> None:
-    names = [drawing.name for drawing in drawings(team, Options(layout=Layout.TREE))]
-    assert names == [name for name in NAMES if not name.startswith(("eac", "iac")) or name.endswith(".tree")]
-    names = [drawing.name for drawing in drawings(team, Options(layout=Layout.NESTED))]
-    assert names == [name for name in NAMES if not name.endswith(".tree")]
+    charts = ("eac.attack", "iac.player", "iac.goalie")
+    others = [name for name in NAMES if not name.startswith(charts)]
+    for layout, ending in ((Layout.COMPACT, ""), (Layout.NESTED, ".nested"), (Layout.TREE, ".tree")):
+        names = [drawing.name for drawing in drawings(team, Options(layout=layout))]
+        assert names == [*others, *(f"{name}{ending}" for name in charts)]
+    assert drawings(team) == drawings(team, Options(layout=Layout.COMPACT))
 
 
 def test_a_part_is_drawn_of_the_charts_that_have_it(team: System) -> None:
     names = [drawing.name for drawing in drawings(team, Options(at="0.2.2.2", layout=Layout.NESTED))]
-    assert names == ["eac.attack.0.2.2.2", "iac.player.0.2.2.2"]
+    assert names == ["eac.attack.nested.0.2.2.2", "iac.player.nested.0.2.2.2"]
     with pytest.raises(NoSuchState, match=r"no statechart of Team has a state 0\.9"):
         drawings(team, Options(at="0.9"))

@@ -81,7 +81,7 @@ def test_a_model_of_a_file_is_drawn_inside_the_page(site: Site) -> None:
     (svg,) = svgs(site.page())
     assert svg.get("role") == "img"
     assert svg.get("aria-label") == "Statechart of the role robot: 9 states; activities Walk and Stand"
-    assert {"Walk", "Stand", "(Walk | Stand)", "[eyes.state.Seen.home]"} <= set(texts(svg))
+    assert {"Walk", "Stand", "[Seen.home]"} <= set(texts(svg))
     assert re.search(r"<figure [^>]*id=\"walks\"", site.page())
     assert "How it <em>walks</em>" in site.page()
     assert "<a xlink" not in site.page()
@@ -165,7 +165,8 @@ def test_what_cannot_be_drawn(site: Site) -> None:
         (":at: 0.9", "", "walker.aseme", "0.9"),
         (":at: here", "", "walker.aseme", "the label of a state"),
         (":depth: 0", "", "walker.aseme", "at least 1"),
-        (":layout: square", "", "walker.aseme", "nested, tree, compact or both"),
+        (":layout: square", "", "walker.aseme", "compact, nested, tree or both"),
+        (":expressions: none", "", "walker.aseme", "add one of them as 'layout'"),
         ("", SMALL, "walker.aseme", "a file or a text, not both"),
         ("", "", "", "needs a file, or the text"),
         ("", "system Nothing", "", "nothing to draw"),

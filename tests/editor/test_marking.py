@@ -28,8 +28,8 @@ OPTIONS = (
     " --disable-component-update --disable-sync --virtual-time-budget=2000 --dump-dom"
 ).split()
 
-SHAPES = "path, polygon, ellipse, polyline"
-MARKED = {"cluster": "n0.2", "node": "n0.2.3", "start": "n0.2.1", "edge": "t4", "edge in parts": "t1"}
+SHAPES = "path, polygon, ellipse, polyline, rect, circle"
+MARKED = {"choice": "n0.2.2", "node": "n0.2.3", "start": "n0.1", "edge": "t4", "line back": "t1"}
 
 VSCODE = """
 <!DOCTYPE html><meta charset="utf-8"><style>%(css)s</style>
@@ -52,7 +52,7 @@ for (const [name, id] of Object.entries(%(marked)s)) {
   report[name] = inside.filter((shape) => shape.getAttribute("stroke") !== "transparent")
     .map((shape) => getComputedStyle(shape).stroke);
 }
-const other = document.querySelector("#picture [id='n0.2.4'] path, #picture [id='n0.2.4'] polygon");
+const other = document.querySelector("#picture [id='n0.2.4'] rect");
 report.other = [getComputedStyle(other).stroke];
 document.body.dataset.report = JSON.stringify(report);
 """
@@ -104,8 +104,7 @@ def test_in_vs_code_every_kind_of_element_is_marked(tmp_path: Path) -> None:
     other = found.pop("other")
     for name, strokes in found.items():
         assert strokes and set(strokes) == {"rgb(194, 65, 12)"}, name
-    assert other == ["rgb(60, 60, 60)"]
-    assert len(found["edge in parts"]) > len(found["edge"])
+    assert other == ["rgb(77, 122, 44)"]
 
 
 def test_in_the_browser_every_kind_of_element_is_marked(tmp_path: Path) -> None:
@@ -119,18 +118,18 @@ def test_in_the_browser_every_kind_of_element_is_marked(tmp_path: Path) -> None:
     other = found.pop("other")
     for name, strokes in found.items():
         assert strokes and set(strokes) == {"rgb(200, 51, 10)"}, name
-    assert other == ["rgb(60, 60, 60)"]
+    assert other == ["rgb(77, 122, 44)"]
 
 
 @pytest.mark.parametrize("element", MARKED.values())
-def test_the_shapes_of_an_element_are_in_a_link_and_not_its_children(element: str) -> None:
+def test_the_shapes_of_an_element_are_in_it_and_those_of_others_are_not(element: str) -> None:
     """What the style sheets rely on: a marked element has its own shapes inside, and no other element's."""
     import xml.etree.ElementTree as ElementTree
 
     tree = ElementTree.fromstring(state()["svg"])
     (group,) = [item for item in tree.iter() if item.get("id") == element]
     inside = [item.tag.rpartition("}")[2] for item in group.iter()]
-    assert set(inside) & {"path", "polygon", "ellipse"}
+    assert set(inside) & {"path", "rect", "circle"}
     assert [item.get("id") for item in group.iter() if item.get("id") in state()["elements"]] == [element]
     css = (MEDIA / "diagram.css").read_text("utf-8")
     assert not re.search(r"\.here\s*>", css) and not re.search(r":hover\s*>", css)

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from itertools import islice
+from typing import assert_never
 
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagrams.compact.blocks import NotCompact
 from aseme_dsl.diagrams.compact.check import faults
-from aseme_dsl.diagrams.compact.elements import Line, Picture, Shape
-from aseme_dsl.diagrams.compact.ink.svg import svg
+from aseme_dsl.diagrams.compact.elements import Form, Line, Picture, Shape, Text
+from aseme_dsl.diagrams.compact.ink.svg import svg, text_id
 from aseme_dsl.diagrams.compact.ink.xdot import dot
 from aseme_dsl.diagrams.compact.layout import scale
 from aseme_dsl.diagrams.compact.pages import Page, divided, whole
@@ -20,9 +23,12 @@ from aseme_dsl.diagrams.look.drawing import Drawing, NoSuchState, Options, piece
 __all__ = ["drawings"]
 
 
-def drawings(chart: Statechart, options: Options, activities: Iterable[Activity] = ()) -> list[Drawing] | str:
+def drawings(
+    chart: Statechart, options: Options, activities: Iterable[Activity] = (), alone: bool = False
+) -> list[Drawing] | str:
     """The compact drawing of a chart, in pages if `options` ask for them, or why there is none that is right.
 
+    If it is to stand `alone`, it is the first page, which leads to no other.
     Raises NoSuchState if the chart has no state `options.at`.
     """
     known = tuple(activities)
@@ -33,7 +39,8 @@ def drawings(chart: Statechart, options: Options, activities: Iterable[Activity]
         return f"state {top} is not an OR state"
     try:
         if options.page is not None:
-            pages: Sequence[Page] = tuple(divided(chart, known, top, options.page.room))
+            most = 1 if alone else None
+            pages: Sequence[Page] = tuple(islice(divided(chart, known, top, options.page.room), most))
         else:
             pages = (whole(chart, known, top, options.depth),)
     except NotCompact as reason:
@@ -56,7 +63,9 @@ def _drawing(
 ) -> Drawing:
     picture, name = page.picture, _name(chart, page.top)
     drawn = svg(chart, picture, files={top: name for top, name in files.items() if top != page.top})
-    made = Drawing(name, dot(chart, picture), _shown(picture), picture=drawn)
+    shapes = (item for item in picture.elements if isinstance(item, Shape))
+    closed = tuple(item.state for item in shapes if item.form is Form.CLOSED)
+    made = Drawing(name, dot(chart, picture), _shown(picture), picture=drawn, closed=closed)
     if size is None or scale(picture, size) >= 1:
         return made
     percent = f"{scale(picture, size):.0%}"
@@ -64,11 +73,20 @@ def _drawing(
 
 
 def _shown(picture: Picture) -> tuple[Shown, ...]:
-    """The elements that have an id: states, and lines by their first transition."""
+    """The elements that have an id: states, and transitions with their lines and texts."""
     found: list[Shown] = []
+    texts: Counter[int] = Counter()
     for item in picture.elements:
-        if isinstance(item, Shape):
-            found.append(Shown(f"n{item.state}", Kind.BOX))
-        elif isinstance(item, Line) and item.chain:
-            found.append(Shown(f"t{item.chain[0][0]}", Kind.LINE))
+        match item:
+            case Shape():
+                found += (Shown(f"n{label}", Kind.BOX) for label in (item.state, *item.also))
+            case Line():
+                found += (Shown(f"t{place}", Kind.LINE) for link in item.chain for place in link)
+            case Text(of=int(place)):
+                found.append(Shown(text_id(place, texts[place]), Kind.LINE))
+                texts[place] += 1
+            case Text():
+                found += [Shown(f"n{item.state}", Kind.LINE)] if item.state else []
+            case _:
+                assert_never(item)
     return tuple(found)

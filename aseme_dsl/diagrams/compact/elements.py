@@ -100,7 +100,10 @@ class Shape:
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """One line of text, with its left end; `of` is the transition that it belongs to, if to one."""
+    """One line of text, with its left end; `of` is the transition that it belongs to, if to one.
+
+    A text with a `state` is the name of a formula that has no border.
+    """
 
     x: float
     y: float
@@ -108,6 +111,7 @@ class Text:
     look: Look
     width: float
     of: int | None = None
+    state: str = ""
 
 
 Element = Line | Shape | Text

@@ -192,7 +192,8 @@ class Placer:
         room.put(placed)
         top = -placed.up - (len(rows) + bool(names)) * PITCH
         if names:
-            room.add(text(x + PAD, top + 11, names, Look.FIELD))
+            name = text(x + PAD, top + 11, names, Look.FIELD)
+            room.add(replace(name, state=title or ""))
         room.add(
             *(
                 text(x + PAD, top + 11 + (n + bool(names)) * PITCH, *row, of)

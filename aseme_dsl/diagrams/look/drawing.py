@@ -21,11 +21,11 @@ class Expressions(StrEnum):
 
 
 class Layout(StrEnum):
-    """The views of a statechart: states in states, the labelled tree (P1, Figures 7 and 5), or compact."""
+    """The views of a statechart: compact, states in states, or the labelled tree (P1, Figures 7 and 5)."""
 
+    COMPACT = "compact"
     NESTED = "nested"
     TREE = "tree"
-    COMPACT = "compact"
 
 
 class PageSize(StrEnum):
@@ -50,14 +50,14 @@ class Options:
 
     `at` is the label of the state to draw, with the states inside it. `depth` is the number of nested levels
     that are drawn open; composites below are closed and show how many states they have. `layout` None means
-    nested and tree. With a `page`, the compact one is divided into pages of this size. In a compact drawing
-    `depth` counts formulas. Raises ValueError for a depth below 1.
+    all three. With a `page`, the compact one is divided into pages of this size. In a compact drawing `depth`
+    counts formulas, and `expressions` mean nothing. Raises ValueError for a depth below 1.
     """
 
     expressions: Expressions = Expressions.NUMBERED
     at: str | None = None
     depth: int | None = None
-    layout: Layout | None = None
+    layout: Layout | None = Layout.COMPACT
     page: PageSize | None = None
 
     def __post_init__(self) -> None:
@@ -77,7 +77,8 @@ class Drawing(Displayed):
     `pieces` makes the same drawing in smaller ones, the first of them an index, for when Graphviz cannot
     draw it whole; None where there is nothing to divide. `states` is how many states are in it. `picture` is
     the SVG of a drawing that needs no Graphviz, `note` what must be said of the drawing, and `about` what it
-    shows, for readers who cannot see it.
+    shows, for readers who cannot see it. `closed` are the labels of the states that a compact drawing shows as
+    boxes without what is inside.
     """
 
     name: str
@@ -88,6 +89,7 @@ class Drawing(Displayed):
     picture: str = ""
     note: str = ""
     about: str = ""
+    closed: tuple[str, ...] = ()
 
 
 def piece_name(name: str, label: str) -> str:

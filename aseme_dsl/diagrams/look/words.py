@@ -11,7 +11,7 @@ from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagrams.look.drawing import Drawing
 
-_NAME = re.compile(r"(?P<kind>\w+)(\.(?P<name>[^.]+))?(\.tree)?(\.(?P<label>\d[\d.]*)(-\w+)?)?")
+_NAME = re.compile(r"(?P<kind>\w+)(\.(?P<name>[^.]+))?(\.(tree|nested))?(\.(?P<label>\d[\d.]*)(-\w+)?)?")
 """A drawing's name: `suc`, `iac.player`, `iac.player.tree.0.2.1`."""
 
 _MOST = 8

@@ -70,7 +70,8 @@ def key_of(drawing: Drawing) -> str:
 
     Raises GraphvizMissing where nothing draws.
     """
-    text = f"{_REVISION}\n{program()}\n{drawing.about}\n{drawing.dot}"
+    by = drawing.picture or program()
+    text = f"{_REVISION}\n{by}\n{drawing.about}\n{drawing.dot}"
     return hashlib.sha256(text.encode("utf-8", "backslashreplace")).hexdigest()[:40]
 
 

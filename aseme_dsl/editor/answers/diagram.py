@@ -6,13 +6,22 @@ element of the picture for that place. `elements` lead from each element back in
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola.statechart import State, Statechart, StateType
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagnostics import Severity
-from aseme_dsl.diagrams import Drawing, DrawingFailed, GraphvizMissing, Layout, Options, draw_one, names
+from aseme_dsl.diagrams import (
+    Drawing,
+    DrawingFailed,
+    GraphvizMissing,
+    Layout,
+    Options,
+    PageSize,
+    draw_one,
+    names,
+)
 from aseme_dsl.diagrams.look.places import places
 from aseme_dsl.diagrams.look.words import words
 from aseme_dsl.diagrams.rendering.store import Store
@@ -23,7 +32,7 @@ from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source, Span
 
 READABLE = 80
-"""The most states that are shown at once; of a larger statechart, the part around the cursor."""
+"""The most states that are shown at once where a statechart is drawn nested, as it has no compact drawing."""
 
 TIME_LIMIT = 4.0
 """How long one run of Graphviz may take, in seconds."""
@@ -31,8 +40,11 @@ TIME_LIMIT = 4.0
 MISTAKES = "There are mistakes in the text: what they concern may be missing here."
 EARLIER = "This is as it was before the mistakes that are in the text now."
 
+COMPACT = Options(page=PageSize.SCREEN)
+"""What has no room on a screen is closed."""
 
-NESTED = Options(layout=Layout.NESTED)
+Draws = Callable[[str, Options], Drawing | None]
+"""Draws a model of a system."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +69,7 @@ class Shot:
     """What to draw: a model, for a statechart which part of it, and the ids that may stand for the place."""
 
     model: str
-    options: Options = NESTED
+    options: Options = COMPACT
     here: tuple[str, ...] = ()
 
 
@@ -67,6 +79,7 @@ class Diagrams:
 
     store: Store = field(default_factory=Store)
     _program: Program | None = None
+    _laid_out: dict[tuple[str, Options], Drawing | None] = field(default_factory=dict)
     _drawn: dict[tuple[str, Options], LiveDrawing] = field(default_factory=dict)
     _good: dict[tuple[str, str], LiveDrawing] = field(default_factory=dict)
 
@@ -83,7 +96,7 @@ class Diagrams:
         last = ""
         for model in models_at(view, offset):
             last = last or model
-            shot = aim(view, offset, system, model)
+            shot = aim(view, offset, system, model, lambda *what: self._lay_out(system, *what))
             if shot is None:
                 continue
             if (view.program.root, last) in self._good and is_damaged(view.program, model):
@@ -106,12 +119,15 @@ class Diagrams:
         self._begin(program)
         system = system_of(program)
         chart = system.chart(model)
-        options = NESTED
+        options = COMPACT
         if chart is not None:
             label = chart.root.label if state is None or state not in chart.by_label else state
-            depth = max(1, _deepest(_levels(chart, label)))
-            at = label if label != chart.root.label else None
-            options = Options(at=at, depth=depth, layout=Layout.NESTED)
+            options = replace(COMPACT, at=_part(chart, label))
+            laid_out = self._lay_out(system, model, options)
+            if laid_out is not None and not laid_out.picture:
+                depth = max(1, _deepest(_levels(chart, label)))
+                at = label if label != chart.root.label else None
+                options = Options(at=at, depth=depth, layout=Layout.NESTED)
         good = (program.root, f"{model} {state or ''}")
         drawn = None
         if good not in self._good or not is_damaged(program, model):
@@ -126,12 +142,19 @@ class Diagrams:
         """What was drawn of another program counts no more; its pictures are still in the store."""
         if self._program is not program:
             self._program = program
+            self._laid_out.clear()
             self._drawn.clear()
+
+    def _lay_out(self, system: System, model: str, options: Options) -> Drawing | None:
+        key = (model, options)
+        if key not in self._laid_out:
+            self._laid_out[key] = draw_one(system, model, options)
+        return self._laid_out[key]
 
     def _draw(self, system: System, shot: Shot) -> LiveDrawing | None:
         key = (shot.model, shot.options)
         if key not in self._drawn:
-            drawing = draw_one(system, shot.model, shot.options)
+            drawing = self._lay_out(system, shot.model, shot.options)
             if drawing is None:
                 return None
             try:
@@ -271,12 +294,12 @@ def _made_from(program: Program, kind: str, owner: str) -> Iterator[tree.Declara
 # ---- which part of it -----------------------------------------------------------------------------
 
 
-def aim(view: View, offset: int, system: System, model: str) -> Shot | None:
+def aim(view: View, offset: int, system: System, model: str, draws: Draws) -> Shot | None:
     """What to draw of a model, so that the place is in it; None if the system has no such model."""
     chart = system.chart(model)
     part, inside = view.at(offset)
     if chart is None:
-        drawing = draw_one(system, model)
+        drawing = draws(model, COMPACT)
         if drawing is None:
             return None
         # Their places are their names; what is said of them follows.
@@ -287,9 +310,29 @@ def aim(view: View, offset: int, system: System, model: str) -> Shot | None:
         ]
         return Shot(model, here=tuple(name for _, name in sorted(before)))
     label, elements = _meant(view, offset, chart)
-    at, depth = framed(chart, label)
     shown = [f"n{node.label}" for node in chart.ancestors(label)]
-    return Shot(model, Options(at=at, depth=depth, layout=Layout.NESTED), (*elements, f"n{label}", *shown))
+    return Shot(model, _opened(chart, label, model, draws), (*elements, f"n{label}", *shown))
+
+
+def _opened(chart: Statechart, label: str, model: str, draws: Draws) -> Options:
+    """What shows a state: the page where what is around it is open."""
+    options = COMPACT
+    while drawing := draws(model, options):
+        if not drawing.picture:
+            at, depth = framed(chart, label)
+            return Options(at=at, depth=depth, layout=Layout.NESTED)
+        around = next((item for item in drawing.closed if label.startswith(f"{item}.")), None)
+        if around is None or _part(chart, around) in (None, options.at):
+            break
+        options = replace(options, at=_part(chart, around))
+    return options
+
+
+def _part(chart: Statechart, label: str) -> str | None:
+    """The innermost state that has a compact drawing and holds a state; None is the whole statechart."""
+    around = (chart.node(label), *chart.ancestors(label))
+    found = next((node.label for node in around if node.type is StateType.OR), chart.root.label)
+    return found if found != chart.root.label else None
 
 
 _RANKS = {StateType.BASIC: 0, StateType.OR: 1, StateType.AND: 1, StateType.CONDITION: 2}

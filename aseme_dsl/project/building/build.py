@@ -302,12 +302,13 @@ def _of_text(path: str, text: str, part: str) -> Planned:
 
 
 def _drawings(system: System, choice: Choice, known: Known) -> list[Drawing]:
-    """One drawing a model."""
+    """The drawings of all models."""
     from aseme_dsl.diagrams import Expressions, Options, makers
 
+    options = Options(Expressions(choice.expressions), layout=None)
     return [
         drawing
-        for make, inputs in makers(system, Options(Expressions(choice.expressions)))
+        for make, inputs in makers(system, options)
         for drawing in _made(known, (make, str(getattr(inputs[0], "name", ""))), make, inputs)
     ]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
@@ -34,6 +34,8 @@ class Drawn:
 def choose(system: System, names: Sequence[str], options: Options) -> tuple[Drawing, ...]:
     """The drawings of these names (`iac.player`, `iac.*`, or `iac` for all that begin so), or all.
 
+    A name such as `iac.player.tree` is that of another layout.
+
     Raises:
         NoSuchDrawing: a name fits none.
         NoSuchState: no statechart has the state `options.at`.
@@ -46,6 +48,9 @@ def choose(system: System, names: Sequence[str], options: Options) -> tuple[Draw
     chosen: list[Drawing] = []
     for name in names:
         fits = [item for item in found if _fits(item.name, name)]
+        if not fits and options.layout is not None:
+            found += _other_layouts(system, options, found)
+            fits = [item for item in found if _fits(item.name, name)]
         if not fits:
             near = closest(name, [item.name for item in found])
             known = ", ".join(item.name for item in found) or "none"
@@ -53,6 +58,14 @@ def choose(system: System, names: Sequence[str], options: Options) -> tuple[Draw
             raise NoSuchDrawing(f"{system.name} has no drawing {name}; {hint}")
         chosen += [item for item in fits if item not in chosen]
     return tuple(item for item in found if item in chosen)
+
+
+def _other_layouts(system: System, options: Options, found: Sequence[Drawing]) -> list[Drawing]:
+    from aseme_dsl.diagrams import drawings
+
+    known = {item.name for item in found}
+    every = drawings(system, replace(options, layout=None))
+    return [item for item in every if item.name not in known]
 
 
 def _fits(drawing: str, name: str) -> bool:

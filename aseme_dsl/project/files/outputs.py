@@ -34,7 +34,7 @@ _OURS: Mapping[Kind, re.Pattern[bytes]] = {
     "drawing": re.compile(
         rb"""class="aseme-(?:compact|drawing)"
         | class="graph"[^\n]*\n<title>(?:(?:aip|srm|eac|iac)\.|sag<|suc<)  # of earlier versions
-        | \Adigraph\ "?(?:(?:aip|srm|eac|iac)\.|sag"?\ |suc"?\ )
+        | \Adigraph\ "?(?:compact"|(?:aip|srm|eac|iac)\.|sag"?\ |suc"?\ )
         | asemec\ diagram""",
         re.VERBOSE,
     ),

@@ -111,6 +111,7 @@ def test_a_change_of_one_role_renews_nothing_else(tmp_path: Path) -> None:
     changed = {path.relative_to(out).as_posix() for path in report.written.changed}
     assert changed == {
         "models/srm.machine2.json",
+        "diagrams/iac.machine2.svg",  # it shows how long activities take
         "diagrams/srm.machine2.svg",
         "monas/Plant/__init__.py",
         "monas/Plant/machine2/plan.py",

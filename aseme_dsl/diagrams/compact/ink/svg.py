@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import assert_never
 from xml.sax.saxutils import escape
@@ -33,8 +34,9 @@ def svg(
         f"<style>{style(theme)}</style>",
         f'<rect class="paper" width="{width:g}" height="{height:g}"/>',
     ]
+    known: Counter[str] = Counter()
     for item in in_order(picture):
-        made = _element(chart, item)
+        made = _element(chart, item, known)
         leads = (
             files.get(item.state) if files and isinstance(item, Shape) and item.form is Form.CLOSED else None
         )
@@ -60,10 +62,16 @@ def _layer(item: Line | Shape | Text) -> int:
             assert_never(item)
 
 
-def _element(chart: Statechart, item: Line | Shape | Text) -> Iterator[str]:
+def _element(chart: Statechart, item: Line | Shape | Text, known: Counter[str]) -> Iterator[str]:
     match item:
         case Text():
-            of = "" if item.of is None else f' data-of="{item.of}"'
+            of = ""
+            if item.of is not None:
+                of = f' id="{text_id(item.of, known[f"t{item.of}"])}" data-of="{item.of}"'
+                known[f"t{item.of}"] += 1
+            elif item.state and not known[f"n{item.state}"]:
+                of = f' id="n{item.state}" data-n="{item.state}"'
+                known[f"n{item.state}"] += 1
             text, x = item.text, item.x
             if text[:1] in SIGNS:
                 yield from _sign(SIGNS[text[0]], x, item.y)
@@ -72,7 +80,9 @@ def _element(chart: Statechart, item: Line | Shape | Text) -> Iterator[str]:
         case Line():
             yield from _line(chart, item)
         case Shape():
-            yield from _shape(chart, item)
+            name = f"n{item.state}"  # a frame and the sign that it never ends have the same
+            yield from _shape(chart, item, f' id="{name}"' if not known[name] else "")
+            known[name] += 1
         case _:
             assert_never(item)
 
@@ -99,13 +109,20 @@ def _line(chart: Statechart, item: Line) -> Iterator[str]:
     tip = "\n".join(_told(chart, place) for place in places)
     chain = "|".join(",".join(map(str, link)) for link in item.chain)
     name = f' id="t{places[0]}"' if places else ""
+    others = places[1:]
     yield f'<g{name} class="line" data-c="{chain}" data-t="{" ".join(map(str, places))}">'
     if tip:
         yield f"<title>{_text(tip)}</title>"
+    yield "".join(f'<g id="t{place}">' for place in others)
     yield f'<path class="{item.stroke}" d="{_path(item.points)}"/>'
     if item.arrow and item.chain:
         yield f'<path class="head {item.stroke}" d="{_straight(head(item.points))}Z"/>'
-    yield "</g>"
+    yield "</g>" * (len(others) + 1)
+
+
+def text_id(place: int, number: int) -> str:
+    """The id of a text of a transition; the transition may have several."""
+    return f"t{place}.{number}"
 
 
 def _told(chart: Statechart, place: int) -> str:
@@ -119,13 +136,15 @@ def _name(chart: Statechart, label: str) -> str:
     return state.name if state.name != label else f"{state.type.value} {label}"
 
 
-def _shape(chart: Statechart, item: Shape) -> Iterator[str]:
+def _shape(chart: Statechart, item: Shape, name: str) -> Iterator[str]:
     state = chart.node(item.state)
     marks = f' data-t="{" ".join(map(str, item.marks))}"' if item.marks else ""
     tips = [f"{state.label} {state.type.value} {state.name}", *(_told(chart, place) for place in item.marks)]
-    yield f'<g id="n{state.label}" class="state" data-n="{" ".join((item.state, *item.also))}"{marks}>'
+    others = item.also
+    yield f'<g{name} class="state" data-n="{" ".join((item.state, *item.also))}"{marks}>'
     if state.type not in (StateType.START, StateType.END):
         yield f"<title>{_text(chr(10).join(tips))}</title>"
+    yield "".join(f'<g id="n{label}">' for label in others)
     x, y, width, height = item.x, item.y, item.width, item.height
     middle, centre = x + width / 2, y + height / 2
     box = f'x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}"'
@@ -153,7 +172,7 @@ def _shape(chart: Statechart, item: Shape) -> Iterator[str]:
             yield f'<path class="field" d="M{x:.1f} {y:.1f}H{x + width:.1f}"/>'
         case _:
             assert_never(item.form)
-    yield "</g>"
+    yield "</g>" * (len(others) + 1)
 
 
 def _path(points: tuple[Point, ...]) -> str:
@@ -189,4 +208,4 @@ def _text(text: str) -> str:
     return escape(printable(text), {'"': "&quot;"})
 
 
-__all__ = ["head", "in_order", "svg"]
+__all__ = ["head", "in_order", "svg", "text_id"]
