@@ -16,10 +16,10 @@ from tests.support.terminal import shown as terminal
 
 AT_A_TERMINAL = {**os.environ, "TERM": "xterm", "CI": ""}
 WORK = {
-    "diagram": (("--format", "dot", "-o", "drawn"), "drawing 1 of 3: srm.robot"),
+    "diagram": (("--format", "dot", "-o", "drawn"), "drawing 1 of 2: srm.robot"),
     "optimise": (("--measure", "Walk", "--runs", "2", "--quicker", "1", "--for", "1s"), "2 of 2 runs"),
-    "build": ((), "Walker: drawing: 0 of 3"),
-    "run": (("--for", "1s", "--allow", "waiting"), "Walker: drawing: 0 of 3"),
+    "build": ((), "Walker: drawing: 0 of 4"),
+    "run": (("--for", "1s", "--allow", "waiting"), "Walker: drawing: 0 of 4"),
 }
 
 

@@ -11,7 +11,7 @@ from IPython.core.formatters import DisplayFormatter
 import aseme_dsl
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import analyse
-from aseme_dsl.diagrams import drawings
+from aseme_dsl.diagrams import Layout, Options, draw_statechart, drawings
 from aseme_dsl.project.building.build import Choice, build
 from aseme_dsl.runtime import RunResult, Team, activities_in, load_system, run
 from aseme_dsl.source import Source
@@ -106,11 +106,13 @@ def test_a_large_statechart_shows_all_its_pieces() -> None:
     whole = " . ".join(f"p{number}" for number in range(len(groups)))
     text = f"system Large srm robot {{ liveness {{ robot = {whole}\n" + "\n".join(parts) + "}}"
     chart = compiled(text).iac("robot")
-    assert chart._repr_svg_() is None
-    html = chart._repr_html_()
+    (nested,) = draw_statechart(chart, Options(layout=Layout.NESTED))
+    assert nested._repr_svg_() is None
+    html = nested._repr_html_()
     assert html is not None
     shown = {text for picture in pictures(html) for text in texts(picture)}
     assert set(activities) <= shown
+    assert set(activities) <= set(texts(ElementTree.fromstring(chart._repr_svg_() or "")))
 
 
 def test_a_result_shows_how_each_agent_ended_and_what_is_open(tmp_path: Path) -> None:
