@@ -77,8 +77,8 @@ class Drawing(Displayed):
     `pieces` makes the same drawing in smaller ones, the first of them an index, for when Graphviz cannot
     draw it whole; None where there is nothing to divide. `states` is how many states are in it. `picture` is
     the SVG of a drawing that needs no Graphviz, `note` what must be said of the drawing, and `about` what it
-    shows, for readers who cannot see it. `closed` are the labels of the states that a compact drawing shows as
-    boxes without what is inside.
+    shows, for readers who cannot see it. `closed` are the labels of the states that a compact drawing shows
+    as boxes without what is inside.
     """
 
     name: str
