@@ -192,6 +192,7 @@ def _built(
             among = alone / item.system.name
             several = len(compiled) > 1 and (output is not None or inputs.output_of(item.root) is None)
             folder, other = (among, alone) if several else (alone, among)
+            choice = replace(choice, replaces=output is None and item.configuration.output is None)
             earlier = None if workshop is None else workshop.about(path_of(item.root)).begin(item.layout)
             with progress_of(item.system.name) as told:
                 done = build(item.system, folder, choice, earlier=earlier, told=told)

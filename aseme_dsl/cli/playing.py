@@ -175,11 +175,12 @@ def build_target(
     choice = choose(
         compiled.configuration, backends=backends, activities=activities, templates=templates, force=force
     )
-    choice = replace(choice, starts_files=False)
+    chosen = output or compiled.configuration.output
+    choice = replace(choice, starts_files=False, replaces=chosen is None)
     check_choice(choice, backends, [chart.name for chart in compiled.system.iacs])
     if choice.agents.usual not in choice.backends:  # what the project builds makes no agents
         choice = replace(choice, backends=(*choice.backends, choice.agents.usual))
-    folder = output or compiled.configuration.output or Path(OUTPUT)
+    folder = chosen or Path(OUTPUT)
     with progress_of(compiled.system.name) as told:
         report = build(compiled.system, folder, choice, told=told)
     if has_errors(report.diagnostics):

@@ -248,6 +248,17 @@ class TestOverwriting:
         assert "out holds the build of Walker (from good.aseme)" in done.err
         assert state(folder / "out") == before
 
+    def test_small_files_of_one_folder_are_built_one_after_the_other(self, here: Here, folder: Path) -> None:
+        """In `out`, which nobody chose, as long as nothing of the user's is there."""
+        (folder / "pair.aseme").write_text(GOOD.replace("Walker", "Runner"))
+        for name in ("good", "pair", "good"):
+            done = here("run", f"{name}.aseme")
+            assert done.code == 0, done.err
+        assert {path.name for path in (folder / "out/monas").iterdir()} == {"Walker"}
+        assert here("build", "pair.aseme").code == 0  # with stubs
+        done = here("run", "good.aseme")
+        assert done.code == 1 and "out holds the build of Runner (from pair.aseme)" in done.err
+
     def test_the_source_is_never_overwritten(self, here: Here, folder: Path) -> None:
         done = here("build", "good.aseme", "-o", "good.aseme")
         assert done.code == 1

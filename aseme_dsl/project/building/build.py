@@ -61,6 +61,8 @@ class Choice:
     force: bool = False
     starts_files: bool = True
     """Whether a first version is written of each file of the user's that is not there."""
+    replaces: bool = False
+    """Whether a build of another system gives way that has nothing of the user's: no folder was chosen."""
     policy: Policy = NO_POLICY
     """How bad the project finds each kind of problem."""
 
@@ -175,6 +177,7 @@ def build(
         system=system.name,
         source=_source(system, folder),
         force=choice.force,
+        replaces=choice.replaces,
         disk=disk,
         seen=before.seen,
     )

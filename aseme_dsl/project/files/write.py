@@ -125,6 +125,7 @@ def write(
     system: str,
     source: str,
     force: bool = False,
+    replaces: bool = False,
     disk: Disk = DISK,
     seen: Seen | None = None,
 ) -> Written:
@@ -133,14 +134,15 @@ def write(
     Files that have their content already are not touched. Files of the `parts` that an earlier build wrote
     and that are no longer among `files` are removed. A file that was not written by a build, or was edited
     since, is an error (E009), or with `force` is overwritten; one that would be removed stays (W002).
-    `system` and `source` (a file's name) say whose folder it is: another system's is an error, too.
+    `system` and `source` (a file's name) say whose folder it is: another system's is an error, too,
+    but if it `replaces` one to which the user has added nothing.
 
     Everything is first written beside its target, then renamed. A failure on the way, or Ctrl-C, leaves what
     was there before and no temporary files; while files are being renamed, Ctrl-C waits. What was `seen` of
     the folder when the same process wrote into it last is not read again.
     """
     wanted = tuple(files)
-    plan = _Plan(folder, force, seen or Seen())
+    plan = _Plan(folder, force, seen or Seen(), replaces=replaces)
     plan.look(wanted, parts, system, source)
     if plan.errors:
         return Written(diagnostics=tuple(plan.errors))
@@ -259,6 +261,11 @@ def _changed(path: Path) -> Diagnostic:
     return Diagnostic(problems.ChangedMeanwhile(str(path)), None, path=str(path))
 
 
+def _is_all_generated(folder: Path, before: Manifest) -> bool:
+    """Whether a build holds no code of the user's, nor a first version of it."""
+    return not before.started and not any(folder.glob("*/activities/*.py"))
+
+
 @dataclass(slots=True)
 class _Plan:
     """What is to be done, decided before anything is done."""
@@ -266,6 +273,7 @@ class _Plan:
     folder: Path
     force: bool
     seen: Seen = field(default_factory=Seen)
+    replaces: bool = False
     manifest: Manifest = field(default_factory=Manifest)
     writes: list[tuple[Path, bytes]] = field(default_factory=list)
     created: list[Path] = field(default_factory=list)
@@ -352,7 +360,8 @@ class _Plan:
             place = self.folder / NAME
             self.refuse(place, problems.DamagedList(str(place), str(problem)))
             return None
-        if before.system not in (None, system) and before.source != source and not self.force:
+        is_other = before.system not in (None, system) and before.source != source
+        if is_other and not self.force and not (self.replaces and _is_all_generated(self.folder, before)):
             known_source = None if before.source is None else str(seen_from_here(self.folder, before.source))
             self.refuse(self.folder, problems.OtherBuild(str(self.folder), str(before.system), known_source))
             return None
