@@ -33,7 +33,8 @@ class Telling:
 
     `alone` is the plan that plays instead of the team, if one does. The other parameters turn lines on:
 
-    - `activities`: when an agent starts another activity than before in a region, and what activities log;
+    - `activities`: when an agent starts another activity than before in a region (or the same one behind a
+      state that was left at once), and what activities log;
     - `transitions`: every transition and every start;
     - `progress`: the project's own lines, and on a terminal the time.
 
@@ -113,6 +114,8 @@ class Telling:
             elif record["what"] == "cancel":
                 if "reason" in record:  # its deadline has passed
                     self._passed(record)
+                if record.get("started") is False:
+                    self._passed_through(record)
             elif self._activities and record["what"] == "start":
                 self._started(record)
         elif kind == "module":
@@ -164,6 +167,12 @@ class Telling:
         if self._transitions or self._doing.get((agent, region)) != activity:
             self._doing[agent, region] = activity
             self._say(record, activity)
+
+    def _passed_through(self, record: Record) -> None:
+        """A state was left in the step that entered it: behind it, the last activity is told again."""
+        place = record["agent"], self._region(record["agent"], record["label"])
+        if self._doing.get(place) != record["activity"]:
+            self._doing[place] = ""
 
     def _changed(self, record: Record) -> None:
         """An agent follows another plan or another version of its own, or was refused that."""

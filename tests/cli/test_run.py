@@ -215,6 +215,19 @@ srm robot {
     assert "".join(told).startswith("ABCABC")
 
 
+def test_an_activity_is_told_again_behind_one_that_was_left_at_once(here: Here, folder: Path) -> None:
+    """`B` does not run, since the same step leaves it; the second `A` is another one than the first."""
+    (folder / "again.aseme").write_text(
+        "system Again srm r { var n : int = 0 liveness { r = A . B . A } activities { A takes 1s B takes 2s }"
+        " control r { enter A#2 : when [n >= 0] enter B : / n += 1 } }"
+    )
+    done = here("run", "again.aseme", "-o", "again")
+    assert [line.split() for line in done.out.splitlines() if "  r  " in line] == [
+        ["0.00", "s", "r", "A"],
+        ["1.00", "s", "r", "A"],
+    ]
+
+
 def test_json(here: Here, script: Path) -> None:
     done = here("run", "good.aseme", "--input", "script.jsonl", "--json")
     result = done.json["result"]

@@ -20,6 +20,9 @@ from aseme_dsl.diagnostics.problems.absences import NoCommunicationClass, NoMess
 from aseme_dsl.diagnostics.problems.expressions.paths import NotExpiring, NotKept, NotQueued
 from aseme_dsl.grammar.text import tree
 
+OUTSIDE = "outside"
+"""Who publishes what comes from outside the system, if nothing else is called so."""
+
 
 def topics(collector: Collector, symbols: Symbols) -> tuple[Topic, ...]:
     """The topics with their channels; `symbols` has the messages and teams already."""
@@ -66,9 +69,10 @@ def _activities(formulas: tuple[tree.NamedFormula, ...]) -> set[str]:
 def _publishers(collector: Collector) -> set[str]:
     """Roles and activities: those who may be said to publish, besides the agents.
 
-    Roles outside the system (people, and systems that are there already) are those of the use cases.
+    Roles outside the system (people, and systems that are there already) are those of the use cases, or
+    `outside` where it does not matter which.
     """
-    found = {
+    found = {OUTSIDE} | {
         name.text
         for suc in collector.every(tree.Suc)
         for group in suc.roles

@@ -422,8 +422,7 @@ def _from_outside(channel: str, silent: Sequence[str]) -> str:
     """What to write where a message comes from outside, or else from one of these activities."""
     these = f" ({first_of(silent, _SHOWN)})" if silent else ""
     return (
-        f"for what comes from outside, write `{_carried(channel)} from outside` and "
-        "`suc { role outside : external }`; "
+        f"for what comes from outside, write `{_carried(channel)} from outside`; "
         f"an activity that publishes it{these} says `writes {channel}`"
     )
 
