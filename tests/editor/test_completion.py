@@ -193,6 +193,15 @@ def test_terms_without_a_line_come_first() -> None:
     assert found[0] == "FollowBall"
 
 
+def test_terms_of_formulas_inside_that_have_no_block() -> None:
+    text = (
+        "system T\nsrm r {\n  liveness { r = A . work  work = B | (C . A)  rest = D }\n"
+        "  control r { enter ‸ }\n}\n"
+    )
+    assert labels(text) == ["A", "work", "B", "(C . A)", "C"]
+    assert labels(text.replace("control r", "control work { enter B : else }  control r")) == ["A", "work"]
+
+
 def test_a_term_that_stands_twice_has_its_number() -> None:
     text = "system T\nsrm r {\n  liveness { r = A . B . A }\n  control r { enter ‸ }\n}\n"
     assert labels(text) == ["A#1", "B", "A#2"]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
+from aseme_dsl.amola.liveness import Formula, names
 from aseme_dsl.compiler.chart.aip_to_eac import PROCESS
 from aseme_dsl.compiler.formula import formulas as formula_tables
 from aseme_dsl.compiler.formula.formula_to_statechart import Way
@@ -107,6 +109,27 @@ class Around:
         """The terms that the lines of a control block may name."""
         found = self.owner(control)
         return terms_of(found[0], found[1], control) if found is not None else None
+
+    def terms_inside(self, control: str, terms: Terms) -> Iterator[tuple[Terms, Formula]]:
+        """The terms of the formulas inside this one that have no block: their lines may stand here, too."""
+        found = self.owner(control)
+        assert isinstance(self.declaration, (tree.Srm, tree.Aip))
+        if found is None:
+            return
+        named = found[0].named
+        inside: dict[str, None] = {}
+        waiting = [terms.formula]
+        while waiting:
+            used = [node.name for node in names(named[waiting.pop()].formula) if node.name in named]
+            waiting += [name for name in used if name not in inside]
+            inside |= dict.fromkeys(used)
+        blocks = {item.name.text for item in self.declaration.controls}
+        every = {name: terms_of(found[0], name, name) for name in named}
+        times = Counter(key for other in every.values() for key in other.places)
+        for name in inside:
+            for key, places in every[name].places.items():
+                if name not in blocks and times[key] == 1:
+                    yield from ((every[name], term) for term in places)
 
     def said(self, control: str, terms: Terms) -> frozenset[Way]:
         """The ways that the block has lines for already."""

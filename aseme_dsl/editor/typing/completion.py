@@ -197,6 +197,12 @@ def _terms(ask: Ask) -> Iterator[Item]:
         insert = name if written else f"{name} : "
         detail = "has a line already" if way in said else f"of {control}"
         yield Item(name, ItemKind.TERM, detail, "", insert, rank=rank, start=start, goes_on=not written)
+    for other, term in ask.around.terms_inside(control, terms):
+        if verb in ways(other, term):
+            name = spelled(other, term)
+            insert = name if written else f"{name} : "
+            detail = f"of {other.formula}"
+            yield Item(name, ItemKind.TERM, detail, "", insert, rank=7, start=start, goes_on=not written)
 
 
 def spelled(terms: Terms, term: Formula) -> str:
