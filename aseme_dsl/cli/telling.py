@@ -169,7 +169,7 @@ class Telling:
             self._say(record, activity)
 
     def _passed_through(self, record: Record) -> None:
-        """A state was left in the step that entered it: behind it, the last activity is told again."""
+        """A state was left in the step that entered it: behind it, the last activity is shown again."""
         place = record["agent"], self._region(record["agent"], record["label"])
         if self._doing.get(place) != record["activity"]:
             self._doing[place] = ""
