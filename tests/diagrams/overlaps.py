@@ -109,15 +109,15 @@ class Painted:
 
 
 def overlaps(svg: bytes | str) -> list[str]:
-    """What cannot be read, in words; nothing if all can."""
+    """What cannot be read or told apart, in words; nothing if all can."""
     painted = Painted(svg)
-    return [
-        *_on_text(painted),
-        *_on_lines(painted),
-        *_outside(painted),
-        *_along(painted),
-        *_at_heads(painted),
-    ]
+    return [*hidden_texts(svg), *_along(painted), *_at_heads(painted)]
+
+
+def hidden_texts(svg: bytes | str) -> list[str]:
+    """The texts that cannot be read, and why."""
+    painted = Painted(svg)
+    return [*_on_text(painted), *_on_lines(painted), *_outside(painted)]
 
 
 def _on_text(painted: Painted) -> Iterator[str]:

@@ -12,12 +12,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as some
 
 import aseme_dsl
+from aseme_dsl.amola.aip import Aip, Participant
 from aseme_dsl.amola.sag import Actor, Goal, Sag
 from aseme_dsl.amola.suc import Role, RoleType, Suc, UseCase
 from aseme_dsl.diagrams import Layout, Options, draw_model, draw_statechart, render
 from aseme_dsl.diagrams.look.colours import DARK, LIGHT
 from tests.diagrams.building import FIGURE_4, SPAN, statechart
-from tests.diagrams.overlaps import overlaps
+from tests.diagrams.overlaps import hidden_texts, overlaps
 
 ROOT = Path(__file__).parents[2]
 FILES = sorted(
@@ -136,7 +137,7 @@ SAYS = some.sampled_from(
 
 
 @some.composite
-def models(draw: some.DrawFn) -> tuple[Sag, Suc]:
+def models(draw: some.DrawFn) -> tuple[Sag, Suc, Aip]:
     names = draw(some.lists(NAMES, min_size=1, max_size=6, unique=True))
     others = some.lists(some.sampled_from(names), max_size=3, unique=True).map(tuple)
     goals = draw(some.lists(NAMES, min_size=1, max_size=7, unique=True))
@@ -155,14 +156,16 @@ def models(draw: some.DrawFn) -> tuple[Sag, Suc]:
         )
         for at, name in enumerate(goals)
     )
-    return sag, Suc(tuple(Role(name, RoleType.SYSTEM, SPAN) for name in names), tuple(cases))
+    suc = Suc(tuple(Role(name, RoleType.SYSTEM, SPAN) for name in names), tuple(cases))
+    people = (Participant(name, 1, None, (draw(SAYS), name * 3), (), (), (), (), SPAN) for name in names)
+    return sag, suc, Aip(names[0], tuple(people), (), (), SPAN)
 
 
 @settings(max_examples=6, deadline=None)
 @given(models())
-def test_any_goals_and_use_cases_can_be_read(found: tuple[Sag, Suc]) -> None:
+def test_any_text_can_be_read(found: tuple[Sag, Suc, Aip]) -> None:
     for model in found:
-        assert overlaps(render(draw_model(model), "svg")) == []
+        assert hidden_texts(render(draw_model(model), "svg")) == []
 
 
 # ---- by day and by night --------------------------------------------------------------------------
