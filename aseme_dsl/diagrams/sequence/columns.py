@@ -5,7 +5,7 @@ A text stands between two neighbouring lifelines, beside the one it is about: so
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -77,6 +77,7 @@ class Columns:
         """Where the times end."""
         names = [room_for(name, style.SMALL_SIZE) for name in diagram.conversations]
         self.left = self.time + 12 + (max(names) + 22 if len(names) > 1 else 0.0)
+        needs = self._needs()
         for widest in _WIDEST:
             head = min(_HEAD, widest - 28)
             self.heads = [
@@ -86,7 +87,7 @@ class Columns:
                 )
                 for line in diagram.lifelines
             ]
-            self._gaps = self._gaps_of(widest)
+            self._gaps = self._gaps_of(widest, needs)
             if self.width <= room:
                 break
 
@@ -122,23 +123,26 @@ class Columns:
         x = self.places[gap + 1] - beside if ends else self.places[gap] + beside
         return Text(x, ends, above, below)
 
-    def _gaps_of(self, widest: float) -> Sequence[float]:
+    def _gaps_of(self, widest: float, needs: Mapping[int, float]) -> Sequence[float]:
         """How wide the gaps right of the lifelines are."""
         halves = [head.width / 2 for head in self.heads]
         gaps = [one + other + 12 for one, other in zip(halves, [*halves[1:], -12.0], strict=True)]
-        for gap, need in self._needs():
+        for gap, need in needs.items():
             gaps[gap] = max(gaps[gap], min(widest, need))
         return gaps
 
-    def _needs(self) -> Iterator[tuple[int, float]]:
-        """The gap of each row, and the room that its texts would take there in one line each."""
+    def _needs(self) -> Mapping[int, float]:
+        """How wide each gap would have to be for its texts in one line each."""
+        needs: dict[int, float] = {}
         for row in self.diagram.rows:
             gap, beside, _ = self._place(row)
             if isinstance(row, Mark):
-                yield gap, room_for(row.text, style.TEXT_SIZE) + beside + _BESIDE + 1
+                said = room_for(row.text, style.TEXT_SIZE)
             else:
                 said = room_for(row.text, style.TEXT_SIZE, bold=True)
-                yield gap, max(said, room_for(row.content, style.SMALL_SIZE)) + beside + _BESIDE + 1
+                said = max(said, room_for(row.content, style.SMALL_SIZE))
+            needs[gap] = max(needs.get(gap, 0.0), said + beside + _BESIDE + 1)
+        return needs
 
     def _place(self, row: Row) -> tuple[int, float, bool]:
         """The gap in which the texts of a row are, how far from the lifeline, and whether left of it."""
