@@ -35,6 +35,7 @@ COMMANDS = (
     "test",
     "coverage",
     "goals",
+    "metrics",
     "node",
     "status",
     "switch",

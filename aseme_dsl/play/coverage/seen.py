@@ -106,13 +106,13 @@ class Following:
             seen.taken.update(way["transitions"])
             entered = at.take(tuple(way["transitions"])).entered
             seen.entered.update(entered)
-            seen.completed.update(_completed(at, entered))
+            seen.completed.update(completed(at, entered))
         leaves = record.get("configuration")
         if leaves is not None and not at.active.issuperset(leaves):
             at.stand(leaves)  # a gap in the trace
 
 
-def _completed(at: At, entered: Iterable[str]) -> Iterator[str]:
+def completed(at: At, entered: Iterable[str]) -> Iterator[str]:
     """The composites that are complete since these states were entered."""
     states = at.shape.plan.by_label
     for label in entered:
@@ -144,4 +144,4 @@ def shape_of(chart: Statechart) -> Shape:
     )
 
 
-__all__ = ["Following", "RoleSeen", "Seen", "shape_of"]
+__all__ = ["Following", "RoleSeen", "Seen", "completed", "shape_of"]

@@ -11,17 +11,18 @@ from typing import Literal
 
 from aseme_dsl import outside
 
-Kind = Literal["bench", "coverage", "drawing", "plot", "report", "study", "talk", "trace"]
+Kind = Literal["bench", "coverage", "drawing", "metrics", "plot", "report", "study", "talk", "trace"]
 """What a file is.
 
-In this order: the report of a bench, what runs have reached, a drawing of a model, a plot, a report of
-diagnostics. Then the report of a study or its data, the messages between agents, a trace.
+In this order: the report of a bench, what runs have reached, a drawing of a model, a plot of metrics, another
+plot, a report of diagnostics. Then the report of a study or its data, the messages between agents, a trace.
 """
 
 _NAMES: Mapping[Kind, str] = {
     "bench": "the report of a bench",
     "coverage": "a measured coverage",
     "drawing": "a drawing",
+    "metrics": "a plot of metrics",
     "plot": "a plot",
     "report": "a report",
     "study": "the report of a study",
@@ -38,6 +39,7 @@ _OURS: Mapping[Kind, re.Pattern[bytes]] = {
         | asemec\ diagram""",
         re.VERBOSE,
     ),
+    "metrics": re.compile(rb"<title>[^<]*asemec metrics</title>"),
     "plot": re.compile(rb"<dc:title>asemec (?:bench|optimise)</dc:title>"),
     "report": re.compile(
         rb"""\A\{\s*"format":\ \d+,  # what --json prints
