@@ -55,7 +55,7 @@ SUBPACKAGES = {
     "diagrams": "look compact models sequence rendering",
     "editor": "reading files answers typing changes",
     "grammar": "text formulas parsing layout syntax",
-    "project": "files settings code building editing spreading playing studying testing",
+    "project": "files settings code building editing spreading playing studying testing stepping",
     "runtime": (
         "time chart plain message library ports trace transport platform channel conversation world activity"
         " version workers agent driver team control monitor"

@@ -74,6 +74,7 @@ LISTED: dict[str, str] = {
     "project/files/write.py: create: os.open": "it writes",
     "cli/lsp.py: command: os.fdopen": "it writes",
     "cli/node.py: begin: readline": CHILD,
+    "cli/sim.py: _plain: readline": "with a largest size",
     "cli/program.py: _ignore_output: os.open": "it writes, to nowhere",
     "codegen/proto.py: descriptor_set: FromString": "what the compiler has made",
     "compiler/read/library.py: _declared: read_text": OWN,

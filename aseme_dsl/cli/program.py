@@ -33,6 +33,7 @@ COMMANDS = (
     "view",
     "run",
     "test",
+    "sim",
     "coverage",
     "goals",
     "metrics",
@@ -54,7 +55,7 @@ COMMANDS = (
 """The commands, in the order of the help; each is the object `command` of the module of its name, with an
 underscore where that is a keyword."""
 
-PLAYING = frozenset(("run", "test", "node", "match", "optimise"))
+PLAYING = frozenset(("run", "test", "sim", "node", "match", "optimise"))
 """The commands in which code of the user writes to the terminal as it likes."""
 
 

@@ -144,7 +144,7 @@ class Observer:
                 self._clauses.conversation(record, info.protocol, self._now)
                 self._take_clauses()
             case "activity" if record["what"] in ("end", "crash"):
-                self._note(record["agent"], _ending(record))
+                self._note(record["agent"], ending(record))
 
     # ---- time --------------------------------------------------------------------------------
 
@@ -228,7 +228,7 @@ class Observer:
             if self._counted:
                 followed.count(plan, self._counted, new)
             entered |= new
-            self._note(agent, _way(plan, taken["source"], taken["target"]))
+            self._note(agent, way(plan, taken["source"], taken["target"]))
         if self._timers:
             self._wake_for_timers(agent)
         self._look(_Happening({agent: frozenset(entered)}, received=tuple(received)))
@@ -438,16 +438,18 @@ def _aged(conditions: Iterable[Condition]) -> Mapping[str, frozenset[int]]:
     return {channel: frozenset(items) for channel, items in found.items()}
 
 
-def _way(plan: Plan, source: str, target: str) -> str:
+def way(plan: Plan, source: str, target: str) -> str:
+    """What people call a transition that is taken."""
     left, entered = plan.by_label[source], plan.by_label[target]
     if left.type == "START":
         return f"enters {plan.called(entered)}"
     return f"{plan.called(left)} -> {plan.called(entered)}"
 
 
-def _ending(record: Record) -> str:
+def ending(record: Record) -> str:
+    """What people call the end of an activity."""
     how = record.get("outcome") or record.get("reason")
     return f"{record['activity']} {'ends' if record['what'] == 'end' else 'fails'}{f': {how}' if how else ''}"
 
 
-__all__ = ["Observer", "Said"]
+__all__ = ["Observer", "Said", "ending", "way"]

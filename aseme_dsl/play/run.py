@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import assert_never
+from typing import Protocol, assert_never
 
 from aseme_dsl.play.coverage.probes import Recorder
 from aseme_dsl.play.evaluate import NotEvaluated
@@ -59,6 +59,19 @@ class Played:
     """The assumption that held no longer first, and since when."""
 
 
+class Watch(Protocol):
+    """Follows a run instant by instant."""
+
+    def begin(self, team: Team, observer: Observer) -> None:
+        """The run begins."""
+
+    def settled(self, team: Team) -> str | None:
+        """Nothing is left to do at an instant; a reason ends the run."""
+
+    def ended(self, reason: str) -> None:
+        """The run is over."""
+
+
 def play(
     loaded: Loaded,
     script: Script,
@@ -69,10 +82,12 @@ def play(
     world: AnyWorld | None = None,
     listeners: Sequence[Callable[[Record], None]] = (),
     recorder: Recorder | None = None,
+    watch: Watch | None = None,
 ) -> Played:
-    """Play a script with a seed and values for its inputs, up to `until` (ns), in a `world` if it has one.
+    """Play a script with a seed and values for its inputs, up to `until` (ns).
 
-    `listeners` are given the records of the run, too; `recorder` takes what probes see.
+    The run is in a `world`, if the script has one. `listeners` are given the records of the run, too;
+    `recorder` takes what probes see, and `watch` follows the instants.
 
     Raises:
         NotPlayable: the code of an activity cannot be loaded, a value cannot be computed.
@@ -91,13 +106,17 @@ def play(
             find,
             seed=seed,
             until_ns=until,
-            stop=observer.settled,
+            stop=observer.settled
+            if watch is None
+            else lambda team: observer.settled(team) or watch.settled(team),
+            before=_Stage(script, loaded, inputs, observer, watch).begin,
             world=world,
-            before=_Stage(script, loaded, inputs, observer).begin,
             listeners=(observer, *listeners),
             faults=_faults(script, seed),
         )
         result = team.run()
+        if watch is not None:
+            watch.ended(result.reason)
     except NotComputed as problem:
         raise NotPlayable(problem.reason, problem.span) from problem
     except (TeamError, NotEvaluated) as problem:
@@ -136,6 +155,7 @@ class _Stage:
     loaded: Loaded
     inputs: Mapping[str, object]
     observer: Observer
+    watch: Watch | None
 
     def begin(self, team: Team) -> None:
         """Give what comes first, and schedule the rest."""
@@ -145,6 +165,8 @@ class _Stage:
         for name in dict.fromkeys(speakers):
             if name not in names:
                 team.conversations.add_external_agent(name, lambda message: None)
+        if self.watch is not None:
+            self.watch.begin(team, self.observer)
         for item in self.script.stimuli:
             call = partial(self._do, team, item.act)
             if item.trigger is not None:

@@ -92,7 +92,7 @@ def play_scenarios(
                 scenario.scripts[part[0].script],
                 part,
                 _end(scenario, part, usual),
-                _world(scenario.scripts[part[0].script], configuration),
+                world_of(scenario.scripts[part[0].script], configuration),
                 measured,
             )
             for scenario, mine in zip(scenarios, cases, strict=True)
@@ -129,7 +129,7 @@ def _end(scenario: Scenario, part: Sequence[Case], usual: int) -> int:
     return max(script.until, usual) if script.is_open else script.until
 
 
-def _world(script: Script, configuration: Configuration) -> str | None:
+def world_of(script: Script, configuration: Configuration) -> str | None:
     """The function that makes the world of a script: its own, or that of the project."""
     project = configuration.run.world if configuration.run is not None else None
     return script.world or (project if script.world == "" else None)
@@ -163,7 +163,7 @@ def _play(job: _Job) -> _Done:
     recorder = None if job.probed is None else Recorder(job.probed.probes, seen.evaluations)
     charts = {} if job.probed is None else {chart.name: chart for chart in job.probed.system.iacs}
     try:
-        loaded = _loaded(job.package, job.project)
+        loaded = loaded_for(job.package, job.project)
     except LoadError as problem:
         return _Done([NotRun(str(problem)) for _ in job.cases], seen)
     for case in job.cases:
@@ -182,11 +182,12 @@ def _play(job: _Job) -> _Done:
 
 
 @lru_cache(maxsize=1)  # all packages have the same module names, and activities import the newest
-def _loaded(package: Path, project: Path) -> Loaded:
+def loaded_for(package: Path, project: Path) -> Loaded:
+    """The code of a generated package. Raises LoadError."""
     from aseme_dsl.backends.backend import AGENTS
     from aseme_dsl.runtime.version.loading import RoleBackends, load_system
 
     return load_system(package, path=[project], mixture=RoleBackends(names=AGENTS))
 
 
-__all__ = ["play_scenarios", "scenarios_in"]
+__all__ = ["loaded_for", "play_scenarios", "scenarios_in", "world_of"]

@@ -69,6 +69,8 @@ class VirtualDriver:
         """Called with what is wrong, the agent and the activity, as far as that is known."""
         self.reason = ""
         """Why the run has ended: what `settled` or `stop` said, "time", or "idle"."""
+        self.is_held = False
+        """Whether the run is held between two instants: it does not wait for code then."""
         self.left: tuple[str, ...] = ()
         """What did not return when the run was to end, if something did not."""
         self._timers = Timers()
@@ -184,6 +186,9 @@ class VirtualDriver:
         looks = still = 0
         try:
             while not self._threads.is_over(LOOK):
+                if self.is_held and self._interrupt is None:
+                    looks = still = 0
+                    continue
                 before, seen = seen, (self._things, self._interrupt)
                 looks = looks + 1 if seen == before else 0
                 earlier, moment = moment, self.clock.now()
