@@ -37,6 +37,7 @@ COMMANDS = (
     "coverage",
     "goals",
     "metrics",
+    "replay",
     "node",
     "status",
     "switch",

@@ -26,6 +26,7 @@ def version(
         made.package.MODEL,
         (made.folder,),
         team=made.package.TEAM,
+        sources=made.package.SOURCES,
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -22,6 +23,7 @@ from aseme_dsl.codegen.plan import Sections, plan_sections, protocol_versions
 from aseme_dsl.codegen.seen import seen_by_roles
 from aseme_dsl.codegen.step.generate import StepCode, generate_step
 from aseme_dsl.runtime.message.naming import class_name, module_name, usable
+from aseme_dsl.source import is_library_path
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -196,10 +198,25 @@ def system_file(
         "system": system,
         "source": source_of(system),
         "model": _hash(*(role.model for role in roles)),
+        "sources": repr(_sources(system)),
         "shown": shown,
         "agents": [agent for team in system.teams for agent in team.agents],
     }
     return rendered(templates, "system.py.j2", f"{system.name}/__init__.py", known)
+
+
+def _sources(system: System) -> dict[str, str]:
+    """The files of a system but those of the standard library, by their paths beside the first."""
+    if system.span is None:
+        return {}
+    root = system.span.source
+    folder = Path(root.path).absolute().parent
+    others = [item for item in system.sources if item.path != root.path and not is_library_path(item.path)]
+    found = {Path(root.path).name: root.text}
+    for item in others:
+        path = os.path.relpath(Path(item.path).absolute(), folder)
+        found[path.replace(os.sep, "/")] = item.text
+    return found
 
 
 def activity_files(

@@ -10,27 +10,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import GenericAlias
 
+from aseme_dsl.play.inputs import RecordedInputs, identity_of
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.functions import TYPES
 from aseme_dsl.runtime.chart.inputs import (
-    LOST,
-    Addressed,
     AgentMessage,
-    Completed,
-    Crashed,
-    Happened,
-    Identity,
     Input,
     Sample,
-    Settled,
-    Written,
 )
-from aseme_dsl.runtime.message.acl import name_of
-from aseme_dsl.runtime.message.as_json import from_json
 from aseme_dsl.runtime.trace.records import InputName, Record, agents_of
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.trace.trace_reading import TraceReader
@@ -120,24 +109,10 @@ class _Reading:
         self.most = most
         self.seed = 1
         self.agents: dict[str, _Agent] = {}
-        self.said: dict[Identity, Record] = {}
-        """The lines of what was said, by the identity of the input that it is."""
-        self.brought: dict[tuple[str, Identity], Record] = {}
-        """The same for what the transport has brought to an agent."""
-        self.branches: dict[tuple[str, str, str], str] = {}
-        """Where an agent takes part in a conversation, by its part."""
         self.reads = {channel for kind in kinds.values() for channel in kind.READERS}
+        self.inputs = RecordedInputs(self.agents, self.reads)
         self.kinds_of_lines: dict[str, Callable[[Record], None]] = {
             "header": self.header,
-            "message": self.published,
-            "radio_received": self.published,
-            "arrived": self.carried,
-            "received": self.carried,
-            "agent_message": self.say,
-            "event": self.say,
-            "variable": self.say,
-            "activity": self.activity,
-            "conversation": self.conversation,
             "consumed": self.taken,
             "swap": self.changed,
             "select": self.changed,
@@ -146,6 +121,7 @@ class _Reading:
 
     def line(self, record: Record) -> None:
         """A line; those of other kinds say nothing of what agents got."""
+        self.inputs.line(record)
         known = self.kinds_of_lines.get(record["kind"])
         if known is not None:
             known(record)
@@ -193,36 +169,10 @@ class _Reading:
                 f"{self.path} has no agent of {' or '.join(self.kinds)}, only of {', '.join(played)}"
             )
 
-    # ---- how inputs came to be ---------------------------------------------------------------
-
-    def say(self, record: Record) -> None:
-        self.said[str(record["agent"]), record["sequence"]] = record
-
-    def published(self, record: Record) -> None:
-        if record["channel"] in self.reads:
-            self.say(record)
-
-    def carried(self, record: Record) -> None:
-        if record["agent"] in self.agents:
-            self.brought[record["agent"], _identity(record["input"])] = record
-
-    def activity(self, record: Record) -> None:
-        if record["what"] in ("end", "crash") and "sequence" in record and record["agent"] in self.agents:
-            self.say(record)
-
-    def conversation(self, record: Record) -> None:
-        name = record["agent"]
-        if name not in self.agents:
-            return
-        if "sequence" in record:  # it hears that another agent is lost
-            self.say(record)
-        elif record["what"] in ("open", "join"):
-            self.branches[name, record["conversation"], record["participant"]] = record["branch"]
-
     def taken(self, record: Record) -> None:
         item = self.agents.get(record["agent"])
         if item is not None and item.until is None:
-            found = self.input(record["agent"], _identity(record["input"]))
+            found = self.input(item, record["input"])
             if isinstance(found, Sample | AgentMessage):
                 item.gone.append((record["label"], found))
 
@@ -242,14 +192,14 @@ class _Reading:
         if self.most is not None and item.steps > self.most:
             item.until = "as many as were asked for"
             return
-        name, number = record["agent"], item.steps + 1
+        number = item.steps + 1
         if record["step"] != number:
             item.until = f"the trace does not have step {number}"
             return
         inputs: list[Input] = []
         ahead: list[Sample] = []
         for identity in [*record["inputs"], *record.get("ahead", ())]:
-            found = self.input(name, _identity(identity))
+            found = self.input(item, identity)
             if found is None:
                 item.until = f"the trace does not say what input {identity} of step {number} was"
                 return
@@ -276,80 +226,9 @@ class _Reading:
                 else f"step {number} takes other transitions than in the run"
             )
 
-    def _type_of(self, agent: str, name: str) -> object:
-        """The Python type of what a variable holds. Raises LookupError or TypeError if there is none."""
-        chart = self.agents[agent].recorder.chart
-        said = {item.name: item.type for item in chart.PLAN.variables}[name]
-        element = said.removeprefix("list of ")
-        if element != said:
-            return GenericAlias(tuple, (self.messages.get(element) or TYPES[element][-1], ...))
-        return self.messages.get(said) or type(chart.variable(name))
-
-    def input(self, agent: str, identity: Identity) -> Input | None:
+    def input(self, item: _Agent, identity: InputName) -> Input | None:
         """What an input of an agent was; None if the trace does not say."""
-        record = self.brought.get((agent, identity)) or self.said.get(identity)
-        if record is None:
-            return None
-        if record["kind"] == "agent_message" and record["agent"] == agent and agent not in record["to"]:
-            branch = self.branches[agent, record["conversation"], record["participant"]]
-            return Addressed(branch, record["receiver"], tuple(record["to"]), name_of(identity))
-        match record["kind"]:
-            case "message" | "radio_received" | "arrived":
-                return self._message(agent, identity, record)
-            case "agent_message" | "received":
-                return self._mail(agent, identity, record)
-            case "event":
-                return Happened(record["event"])
-            case "variable":
-                value = record["value"]
-                name = record["variable"]
-                kind = self._type_of(agent, name)
-                return Written(name, value if value is None else from_json(kind, value))
-            case "activity" if record["what"] == "end":
-                return Completed(record["label"], record["token"], record.get("outcome"))
-            case "activity":
-                return Crashed(record["label"], record["token"], record.get("reason", ""))
-            case _ if record["what"] == "settled":
-                reply = record.get("in_reply_to", "")
-                return Settled(record["branch"], record["played"], record["peer"], reply)
-            case _:
-                part = record["played"]
-                reason = record.get("reason", "left")
-                return AgentMessage(record["branch"], LOST, "", reason, part, record["peer"], identity)
-
-    def _message(self, agent: str, identity: Identity, record: Record) -> Sample:
-        channel = record["channel"]
-        content = from_json(self.messages[channel.rpartition(".")[2]], record["message"])
-        if record["kind"] == "arrived":
-            return Sample(channel, content, identity[0], record["measured"], identity)
-        own = record.get("region") if record["agent"] == agent else None
-        sender = record.get("sender") or record["agent"]
-        moment = record["measured"] if "measured" in record else record["time"]
-        return Sample(channel, content, sender, moment, identity, own)
-
-    def _mail(self, agent: str, identity: Identity, record: Record) -> AgentMessage:
-        name = str(record["message"])
-        content = from_json(self.messages[name], record["content"]) if name in self.messages else None
-        branch = self.branches[agent, record["conversation"], record["receiver"]]
-        part = record["participant"]
-        answered = [name_of(_identity(item)) for item in record.get("answers", ()) if item[0] == agent]
-        sent = record["time"] if record["kind"] == "agent_message" else record.get("sent")
-        return AgentMessage(
-            branch,
-            record["performative"],
-            name,
-            content,
-            part,
-            identity[0],
-            identity,
-            in_reply_to=record.get("in_reply_to") or next(iter(answered), ""),
-            sent=sent,
-        )
-
-
-def _identity(value: InputName) -> Identity:
-    name, number = value
-    return str(name), int(number)
+        return self.inputs.input(item.recorder.chart, self.messages, identity_of(identity))
 
 
 __all__ = ["NobodyThere", "NotPlayable", "Recording", "recorded"]

@@ -42,6 +42,7 @@ from aseme_dsl.runtime.message.convert import Messages, converted
 from aseme_dsl.runtime.message.free import ACLMessage
 from aseme_dsl.runtime.ports import Driver
 from aseme_dsl.runtime.time.alarm import Alarm
+from aseme_dsl.runtime.trace.checkpoint import EVERY
 from aseme_dsl.runtime.trace.trace import Trace
 from aseme_dsl.runtime.world.body import AnyBody
 
@@ -119,6 +120,8 @@ class Agent:
         """What the present step has seen of what arrived after it began."""
         self._alarm = Alarm(driver, self.errand, self._want)
         self._configuration: tuple[str, ...] = ()
+        self._has_other_chart = False
+        """Whether the next step is the first of a chart that has taken the place of another."""
         self._info_of = {info.label: info for info in self.plan.branches}
         self.shown: JadeLikeAgent | None = None
         """The agent with its behaviours, if it is shown so; made before the first step."""
@@ -246,6 +249,9 @@ class Agent:
     def _step(self, inputs: list[Posted]) -> None:
         chart = self.chart
         now = self.driver.clock.now()
+        if self.trace.is_kept and (self._has_other_chart or (self.steps and self.steps % EVERY == 0)):
+            self.trace.checkpoint(now, self.name, self.steps, chart.save(), anew=self._has_other_chart)
+            self._has_other_chart = False
         self.steps += 1
         if not chart.started:
             self._show()
@@ -464,6 +470,7 @@ class Agent:
                 self.trace.fault(now, self.name, text, input=list(item.identity))
 
     def _adopt(self, chart: Chart) -> None:
+        self._has_other_chart = True
         chart.seed = self.seed
         chart.chance = chart.chance or self.chart.chance
         self.chart = chart

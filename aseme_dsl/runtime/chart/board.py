@@ -229,22 +229,24 @@ class Board:
     # ---- as a value ------------------------------------------------------------------------
 
     def save(self) -> SavedBoard:
-        """All that it holds, between two steps."""
+        """All that it holds, between two steps; the order is that of the names where none matters."""
         known = self._known
         if known is None:
             known = self._known = self._messages()
         if not (self.timers or self.ahead or self.drafts):
             return (known, _NOBODY, (), ())
         drafts = tuple((key, tuple(members.items())) for key, members in self.drafts.items())
-        return (known, frozenset(self.ahead), tuple(self.timers.items()), drafts)
+        return (known, frozenset(self.ahead), tuple(sorted(self.timers.items())), drafts)
 
     def _messages(self) -> Known:
         if not (self._states or self._data or self._signals):
             return NOTHING_KNOWN
         return (
-            tuple([(channel, tuple(senders.items())) for channel, senders in self._states.items()]),
-            tuple([(channel, *data.save()) for channel, data in self._data.items()]),
-            tuple([(channel, tuple(waiting)) for channel, waiting in self._signals.items() if waiting]),
+            tuple([(channel, tuple(senders.items())) for channel, senders in sorted(self._states.items())]),
+            tuple([(channel, *data.save()) for channel, data in sorted(self._data.items())]),
+            tuple(
+                [(channel, tuple(waiting)) for channel, waiting in sorted(self._signals.items()) if waiting]
+            ),
         )
 
     def load(self, saved: SavedBoard) -> None:

@@ -9,6 +9,7 @@ from aseme_dsl.runtime.agent.state_transfer import knowledge_of, variables_of
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.team.swap import Swappable, Version, activity_errors, plan_record
+from aseme_dsl.runtime.trace.packed import packed
 from aseme_dsl.runtime.version.loading import importing, put_in_place, standing_in
 
 if TYPE_CHECKING:
@@ -68,6 +69,7 @@ class RoleSwitches:
             model=kind.PLAN.model,
             source=kind.PLAN.source,
             states=plan_record(kind.PLAN),
+            sources=packed(version.sources) if version is not self._team.version else None,
         )
         agent.begin_as(chart, version.find, messages)
         self._team.renew(agent, version)

@@ -25,6 +25,7 @@ from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.message.convert import Messages
 from aseme_dsl.runtime.message.wire import Schema
 from aseme_dsl.runtime.time.clock import SECOND, shown
+from aseme_dsl.runtime.trace.packed import packed
 from aseme_dsl.runtime.version.loading import (
     PURE,
     Loaded,
@@ -69,6 +70,8 @@ class Version:
     mixture: RoleBackends = PURE
     code: VersionFiles | None = None
     """What it was loaded from, where that is a version rather than the build itself."""
+    sources: Mapping[str, str] = field(default_factory=dict)
+    """The texts that it was generated from, by their paths beside the first."""
 
 
 def version_of(loaded: Loaded, find: ActivityFinder) -> Version:
@@ -86,6 +89,7 @@ def version_of(loaded: Loaded, find: ActivityFinder) -> Version:
         loaded.folder,
         loaded.mixture,
         loaded.code,
+        loaded.sources,
     )
 
 
@@ -285,6 +289,7 @@ class Swap:
             restarted=list(carried.restarted) or None,
             lost=list(carried.lost) or None,
             plan=plan_record(plan) if plan.model != before.model else None,
+            sources=packed(self.version.sources),
         )
 
 

@@ -390,6 +390,7 @@ class Team:
             queue,
             words_of(self._faults),
             self.transport.machine(driver.clock),
+            self.version.sources,
         )
         self.trace.begun = True
         try:

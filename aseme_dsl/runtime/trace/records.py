@@ -30,6 +30,13 @@ class Taken(TypedDict):
     text: str
 
 
+class Call(TypedDict):
+    """What a function gave in a step."""
+
+    function: str
+    value: object
+
+
 class Frame(TypedDict):
     """A place in the code of an activity that raised."""
 
@@ -82,6 +89,7 @@ class Record(TypedDict, total=False):
     machine: Machine
     queue: int
     messages: MessageFormats
+    sources: str
     # channels, variables and events
     channel: str
     message: object
@@ -91,6 +99,12 @@ class Record(TypedDict, total=False):
     value: object
     # steps
     step: int
+    state: list[object]
+    anew: bool
+    functions: list[Call]
+    agent_messages: list[InputName]
+    again: bool
+    finished: bool
     inputs: list[InputName]
     ahead: list[InputName]
     taken: list[Taken]

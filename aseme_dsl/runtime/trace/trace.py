@@ -30,9 +30,12 @@ from aseme_dsl.runtime.chart.inputs import (
     Start,
 )
 from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.chart.saving import Saved
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.message.wire import Schema
+from aseme_dsl.runtime.trace.checkpoint import state_of
 from aseme_dsl.runtime.trace.fault_counts import FaultCounts
+from aseme_dsl.runtime.trace.packed import packed
 from aseme_dsl.runtime.trace.records import Record, Taken, as_record
 from aseme_dsl.runtime.trace.trace_files import FORMAT, Background, Direct, Output, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_formats import format_for
@@ -186,6 +189,7 @@ class Trace:
         queue: int | None = None,
         network: str | None = None,
         machine: Mapping[str, int] | None = None,
+        sources: Mapping[str, str] | None = None,
     ) -> None:
         """The first line: which agents run which models, under which clock, and who runs elsewhere.
 
@@ -194,7 +198,8 @@ class Trace:
         - `schema`: the types of the messages;
         - `queue`: how many signals that queue wait in a region, if it is not the usual number;
         - `network`: the words of the simulated network;
-        - `machine`: which clock the machine has, and when the run began by it.
+        - `machine`: which clock the machine has, and when the run began by it;
+        - `sources`: the texts of the model by their paths, the first one's first.
         """
         messages = None
         if schema is not None:
@@ -218,6 +223,7 @@ class Trace:
             queue=queue,
             network=network,
             machine=machine,
+            sources=packed(sources or {}),
         )
 
     def message(
@@ -326,6 +332,25 @@ class Trace:
             if isinstance(effect, Fault):
                 at = plan.transitions[effect.transition].at
                 self._write_fault(moment, agent, effect.reason, at, transition=effect.transition)
+
+    @property
+    def is_kept(self) -> bool:
+        """Whether the lines go into a file."""
+        return self._output is not None
+
+    def checkpoint(self, moment: int, agent: str, number: int, saved: Saved, *, anew: bool) -> None:
+        """The state of an agent's chart before its next step; `anew`: another chart has taken its place."""
+        if self.is_kept:
+            state = state_of(saved)
+            self.write(
+                "checkpoint",
+                moment,
+                agent=agent,
+                step=number,
+                model=saved.model,
+                anew=anew or None,
+                state=state,
+            )
 
     def _way_text(self, plan: Plan, numbers: tuple[int, ...]) -> str:
         """`_way` as it is written; it is the same each time."""

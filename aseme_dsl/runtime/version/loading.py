@@ -70,6 +70,8 @@ class Loaded:
     schema: Schema | None = None
     model: str = ""
     """The hash of all its models."""
+    sources: Mapping[str, str] = field(default_factory=dict)
+    """The texts that it was generated from, by their paths beside the first."""
     folder: Path | None = None
     path: tuple[Path, ...] = ()
     modules: Modules = field(default_factory=dict, repr=False, compare=False)
@@ -365,7 +367,8 @@ def _load_package(
     model = str(getattr(package, "MODEL", ""))
     modules = {key: module for key, module in sys.modules.items() if _is_inside(key, (name,))}
     modules[parent] = sys.modules[parent]
-    return Loaded(system, charts, team, classes, schema, model, folder, folders, modules, code=code)
+    sources = dict(getattr(package, "SOURCES", {}))
+    return Loaded(system, charts, team, classes, schema, model, sources, folder, folders, modules, code=code)
 
 
 def _has_module(folder: Path, name: str) -> bool:

@@ -1,0 +1,77 @@
+"""Replaying: the steps of a trace made again by the model that the trace has in it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from aseme_dsl.play.replay import Difference, Model, NotReplayable, Replay
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
+
+
+@dataclass(frozen=True, slots=True)
+class Replayed:
+    """What came of a trace: how many steps of which agents were made again, and the first difference."""
+
+    path: Path
+    agents: tuple[str, ...]
+    steps: int
+    seconds: float
+    difference: Difference | None = None
+    problem: str | None = None
+    """What is to be said of the file, if it is not whole."""
+
+
+def replay(path: Path, agents: Collection[str] = ()) -> Replayed:
+    """Make the steps of a trace again, up to the first difference; of these agents, or of all.
+
+    Raises:
+        TraceError: there is no such trace, or it is none.
+        NotReplayable: it does not say enough.
+    """
+    reader = TraceReader(path)
+    with ExitStack() as stack:
+        replaying = Replay(lambda sources: models_of(sources, stack), agents)
+        difference = None
+        for line in reader:
+            difference = replaying.line(line.record)
+            if difference is not None:
+                break
+    problem = reader.problem if difference is None else None
+    return Replayed(
+        reader.path, tuple(replaying.agents), replaying.steps, replaying.seconds, difference, problem
+    )
+
+
+def models_of(sources: Mapping[str, str], stack: ExitStack) -> dict[str, Model]:
+    """The step classes of a model's files, by the hashes of the roles' models; their files last as `stack`.
+
+    Raises:
+        NotReplayable: this version of asemec does not compile them.
+    """
+    from aseme_dsl.compiler import analyse
+    from aseme_dsl.diagnostics import Severity
+    from aseme_dsl.project.building.build import Choice
+    from aseme_dsl.project.playing.operate import OperateError, generate_version
+    from aseme_dsl.runtime.version.loading import LoadError, load_system
+    from aseme_dsl.source import Source
+
+    root, *_ = sources
+    analysis = analyse(Source(root, sources[root]), sources)
+    if analysis.system is None:
+        first = next((item for item in analysis.diagnostics if item.severity is Severity.ERROR), None)
+        raise NotReplayable(f"its model does not compile: {'' if first is None else first.message}")
+    folder = stack.enter_context(TemporaryDirectory(prefix="asemec-replay-"))
+    try:
+        package, _ = generate_version(analysis.system, Path(folder), Choice())
+        loaded = load_system(package)
+    except (OperateError, LoadError) as problem:
+        raise NotReplayable(f"its model cannot be loaded: {problem}") from problem
+    messages = vars(loaded.modules[f"{package.parent.name}.{package.name}.messages"])
+    return {kind.PLAN.model: Model(kind, messages) for kind in loaded.charts.values()}
+
+
+__all__ = ["Replayed", "models_of", "replay"]

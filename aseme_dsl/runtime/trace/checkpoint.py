@@ -1,0 +1,111 @@
+"""Checkpoints: the saved state of a chart as the member of a line, and back.
+
+A message, or what carries one, that stands in it several times is one object: conditions ask whether a
+message is another one than before. So each is written once, and counted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import fields, is_dataclass
+from enum import IntEnum
+from typing import TypeAlias, Unpack, cast
+
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Sample
+from aseme_dsl.runtime.chart.saving import Saved, Seldom
+from aseme_dsl.runtime.message.as_json import from_json, to_json
+
+EVERY = 1000
+"""After so many steps of an agent there is a checkpoint in its trace."""
+
+_Make: TypeAlias = Callable[[Unpack[tuple[object, ...]]], object]
+
+_CARRIERS = {"sample": cast(_Make, Sample), "mail": cast(_Make, AgentMessage)}
+"""What carries messages, by how it is written: its members stand there in their order."""
+
+
+def state_of(saved: Saved, *, shared: bool = True) -> list[object]:
+    """A saved state as what `json` can write; if not `shared`, each object is written where it stands."""
+    return cast("list[object]", _Writer(shared).written(tuple(saved)))
+
+
+class _Writer:
+    def __init__(self, shared: bool) -> None:
+        self._shared = shared
+        self._known: dict[int, int] = {}
+
+    def written(self, value: object) -> object:
+        kind = type(value)
+        if value is None or kind is bool or kind is int or kind is str:
+            return value
+        if isinstance(value, tuple):
+            return [self.written(item) for item in value]
+        if isinstance(value, frozenset):
+            return {"set": sorted(map(self.written, value), key=repr)}
+        if isinstance(value, IntEnum):
+            return {"enum": [kind.__name__, value.name]}
+        if is_dataclass(value):
+            return self._object(value)
+        if kind is float:
+            found = to_json(value)
+            return {"double": found} if isinstance(found, str) else found
+        return {"bytes": to_json(value)}
+
+    def _object(self, value: object) -> object:
+        if self._shared:
+            number = self._known.get(id(value))
+            if number is not None:
+                return {"again": number}
+        if isinstance(value, Sample | AgentMessage):
+            name = "sample" if isinstance(value, Sample) else "mail"
+            found: object = {name: [self.written(getattr(value, item.name)) for item in fields(value)]}
+        else:
+            found = {"message": [type(value).__name__, to_json(value)]}
+        self._known[id(value)] = len(self._known)
+        return found
+
+
+def saved_of(state: object, messages: Mapping[str, type[object]]) -> Saved:
+    """The saved state that was written; `messages` are the classes of messages and enums by name.
+
+    Raises:
+        ValueError: it is none of this model.
+    """
+    try:
+        model, values, boards, seldom = cast("list[list[object]]", _Reader(messages).read(state))
+        return Saved(str(model), tuple(values), boards, Seldom(*seldom))  # type: ignore[arg-type]
+    except (TypeError, LookupError, AttributeError) as problem:
+        raise ValueError(f"the state does not fit the model: {problem}") from problem
+
+
+class _Reader:
+    def __init__(self, messages: Mapping[str, type[object]]) -> None:
+        self._messages = messages
+        self._known: list[object] = []
+
+    def read(self, value: object) -> object:
+        if isinstance(value, list):
+            return tuple([self.read(item) for item in value])
+        if not isinstance(value, dict):
+            return value
+        ((name, content),) = value.items()
+        match name:
+            case "again":
+                return self._known[content]
+            case "set":
+                return frozenset(self.read(item) for item in content)
+            case "enum":
+                return from_json(self._messages[content[0]], content[1])
+            case "double":
+                return from_json(float, content)
+            case "bytes":
+                return from_json(bytes, content)
+        if name in _CARRIERS:
+            found: object = _CARRIERS[name](*[self.read(item) for item in content])
+        else:
+            found = from_json(self._messages[content[0]], content[1])
+        self._known.append(found)
+        return found
+
+
+__all__ = ["EVERY", "saved_of", "state_of"]
