@@ -146,6 +146,7 @@ def test_filters_say_what_they_leave_out(run: Path, here: Here) -> None:
     ]
     assert done.err == "left out: 2 messages and 2 events of 1 conversation\n"
     assert here("sniff", "out", "--protocol", "auction").out == "no agent messages in this trace\n"
+    assert here("sniff", "out", "--protocol", "auction", "-o", "none.svg").out.endswith("0 conversations\n")
     assert len(lines(here("sniff", "out", "--conversation", "contract_net-*", "--to", "2s").out)) == 3
 
 

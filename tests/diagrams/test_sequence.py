@@ -119,6 +119,23 @@ def test_what_agents_of_a_group_say_in_turn_stays_apart() -> None:
     ]
 
 
+def test_a_run_without_messages_is_an_empty_picture() -> None:
+    for svg in (
+        drawn(SequenceDiagram("Talk", (), ())),
+        *pictures(SequenceDiagram("Talk", (), ()), PageSize.A4),
+    ):
+        assert texts(svg) == ["Talk"] and overlaps(svg) == []
+
+
+def test_what_xml_cannot_hold_is_made_visible() -> None:
+    """Other agents choose the names of conversations."""
+    odd = 'a\x07 <b> & "c"'
+    rows = (Arrow(S, odd, (odd,), "inform", "Note", odd, odd, odd), Mark(S, odd, odd, "talk"))
+    svg = drawn(SequenceDiagram(odd, (Lifeline(odd, odd),), rows, (odd,)))
+    assert overlaps(svg) == []
+    assert texts(svg).count('a␇ &lt;b&gt; &amp; "c"') == 7
+
+
 # ---- any talk -------------------------------------------------------------------------------------
 
 NAMES = some.text("abcdefgh_3", min_size=1, max_size=22)

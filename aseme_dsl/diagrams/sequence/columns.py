@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.diagrams.look.labels import fitted, room_for
@@ -126,7 +127,7 @@ class Columns:
     def _gaps_of(self, widest: float, needs: Mapping[int, float]) -> Sequence[float]:
         """How wide the gaps right of the lifelines are."""
         halves = [head.width / 2 for head in self.heads]
-        gaps = [one + other + 12 for one, other in zip(halves, [*halves[1:], -12.0], strict=True)]
+        gaps = [one + other + 12 for one, other in pairwise(halves)] + halves[-1:]
         for gap, need in needs.items():
             gaps[gap] = max(gaps[gap], min(widest, need))
         return gaps

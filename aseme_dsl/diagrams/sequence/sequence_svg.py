@@ -227,7 +227,7 @@ def _point(x: float, y: float, way: int, colour: str) -> str:
 
 
 def _text(x: float, y: float, said: str, attributes: str) -> str:
-    return f'<text x="{x:.1f}" y="{y:.1f}"{attributes}>{escape(said)}</text>'
+    return f'<text x="{x:.1f}" y="{y:.1f}"{attributes}>{escape(printable(said))}</text>'
 
 
 __all__ = ["drawn", "pictures"]
