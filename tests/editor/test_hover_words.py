@@ -124,3 +124,17 @@ def test_on_abandon_means_something() -> None:
 def test_a_name_is_a_name() -> None:
     text = TEXT.replace("tries", "state")
     assert "var state" in shown("var ^state", text) or "variable" in shown("var ^state", text).lower()
+
+
+def test_a_participant_without_lists_shows_what_its_lines_say() -> None:
+    text = """system T
+message Note { int n }
+aip talk {
+  participant one { process = Ask }
+  participant two { process = Tell }
+  control one { enter Ask : / send request Note { .. } to two  leave Ask : inform Note from two }
+  control two { enter Tell : request Note from one  leave Tell : / send inform Note { .. } to one }
+}
+"""
+    found = shown("participant ^two", text)
+    assert "Sends `inform Note`" in found and "Receives `request Note`" in found

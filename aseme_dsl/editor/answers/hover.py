@@ -11,6 +11,7 @@ from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.messages import ChannelKind
 from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.compiler.formula.staying import ABANDON
+from aseme_dsl.compiler.read.blocks import with_exchange
 from aseme_dsl.compiler.read.builtins import FORMS
 from aseme_dsl.diagnostics import CODES
 from aseme_dsl.editor.answers.constructs import meanings
@@ -393,9 +394,17 @@ def _activity(program: Program, symbol: Symbol) -> Iterator[str]:
 
 
 def _participant(program: Program, symbol: Symbol) -> Iterator[str]:
+    exchanging = {
+        item.span: item
+        for file in program.inspection.loaded.files
+        for aip in file.declarations
+        if isinstance(aip, tree.Aip)
+        for item in with_exchange(aip).participants
+    }
     for node in _nodes(program, symbol):
         if not isinstance(node, tree.Participant):
             continue
+        node = exchanging.get(node.span, node)
         many = f" {node.multiplicity.span.text}" if node.multiplicity is not None else ""
         yield _fence(f"participant {node.name}{many}")
         yield f"Participant of the protocol `{symbol.owner}`"
