@@ -26,7 +26,7 @@ def test_jobs_are_announced_awarded_and_done(tmp_path: Path) -> None:
     )
     told = done.stdout + done.stderr
     assert "is at the gate: carrier" in told, told
-    assert "with 9 processes" in told, told
+    assert "(9 processes)" in told, told
 
     traces = sorted((project / "build").glob("trace.*.jsonl"))
     said = subprocess.run(
