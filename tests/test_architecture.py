@@ -17,6 +17,7 @@ PACKAGE = Path(__file__).resolve().parent.parent / "aseme_dsl"
 LAYERS = {
     "cli": 5,
     "documents": 5,
+    "pytest_plugin": 5,
     "project": 4,
     "editor": 4,
     "compiler": 3,

@@ -214,11 +214,9 @@ def _data(item: ScenarioResult) -> dict[str, object]:
     }
 
 
-_COLOURS = {"passed": "32", "failed": "31", "error": "31", "vacuous": "33"}
-
-
 def _lines(tested: Sequence[ScenarioResult], is_coloured: bool) -> Iterator[str]:
     """The verdicts for people: the reason of each with its place and what happened last, then the numbers."""
+    from aseme_dsl.project.testing.reports import COLOURS, explained
     from aseme_dsl.project.testing.verdicts import never_met
     from aseme_dsl.runtime.time.clock import shown
 
@@ -226,11 +224,11 @@ def _lines(tested: Sequence[ScenarioResult], is_coloured: bool) -> Iterator[str]
     for item in tested:
         verdict = f"{item.verdict:8}"
         if is_coloured:
-            verdict = f"\x1b[{_COLOURS[item.verdict]}m{verdict}\x1b[0m"
+            verdict = f"\x1b[{COLOURS[item.verdict]}m{verdict}\x1b[0m"
         runs = f"  {item.runs} runs" if item.runs > 1 else ""
         yield f"{verdict} {item.name:{width}}  seed {item.seed}  {shown(item.time_ns)}{runs}"
-        yield from _reason(item, is_coloured)
-    counts = [(sum(item.verdict == verdict for item in tested), verdict) for verdict in _COLOURS]
+        yield from explained(item, is_coloured)
+    counts = [(sum(item.verdict == verdict for item in tested), verdict) for verdict in COLOURS]
     said = ", ".join(f"{number} {verdict}" for number, verdict in counts if number)
     yield f"{plural(len(tested), 'scenario')}{': ' if said else ''}{said}"
     for of, span in never_met(tested):
@@ -239,17 +237,3 @@ def _lines(tested: Sequence[ScenarioResult], is_coloured: bool) -> Iterator[str]
     if points:
         got = sum(number for number, has_passed in points if has_passed)
         yield f"{got} of {plural(sum(number for number, _ in points), 'point')}"
-
-
-def _reason(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:
-    from aseme_dsl.diagnostics.render import excerpt
-
-    if item.span is None:
-        return
-    yield f"  {item.span}: {item.reason}"
-    for line in excerpt(item.span, "^", _COLOURS[item.verdict], is_coloured, None):
-        yield f"  {line}"
-    if item.given:
-        yield "  with " + ", ".join(f"{name} = {value}" for name, value in item.given.items())
-    for line in item.story:
-        yield f"    {line}"

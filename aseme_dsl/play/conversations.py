@@ -86,12 +86,6 @@ class Clauses:
             for state in states
         )
 
-    def end(self, moment: int) -> None:
-        """The run is over."""
-        for talk in self._talks.values():
-            for number, state in talk.states.items():
-                self._take(talk, number, ended(self._clauses[number].rule, state, moment))
-
     def _look(
         self, talk: _Talk, entered: Mapping[str, set[str]], first: int, last: int, rests: bool = False
     ) -> None:

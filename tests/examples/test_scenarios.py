@@ -11,7 +11,20 @@ from tests.cli.support import Here
 EXAMPLES = Path(__file__).parent.parent.parent / "examples"
 
 
-@pytest.mark.parametrize(("example", "number"), [("goalie", 3), ("patrol", 3), ("robocup", 1)])
+EACH = {
+    "auction": 7,
+    "cell": 9,
+    "goalie": 8,
+    "home": 9,
+    "hospital": 7,
+    "meetings": 8,
+    "patrol": 10,
+    "robocup": 8,
+    "warehouse": 7,
+}
+
+
+@pytest.mark.parametrize(("example", "number"), EACH.items())
 def test_they_pass(
     example: str,
     number: int,
@@ -23,3 +36,8 @@ def test_they_pass(
     done = Here(capsys)("test", EXAMPLES / example, "-j", "1", "--json")
     verdicts = [item["verdict"] for item in done.json["scenarios"]]
     assert verdicts == ["passed"] * number, done.out
+
+
+def test_every_example_has_some() -> None:
+    assert {path.parent.name for path in EXAMPLES.glob("*/pyproject.toml")} == set(EACH)
+    assert sum(EACH.values()) >= 60

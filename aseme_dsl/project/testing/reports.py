@@ -1,12 +1,29 @@
-"""Reports: the verdicts on scenarios for CI services."""
+"""Reports: the verdicts on scenarios for people and for CI services."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from aseme_dsl.diagnostics.github import command
 from aseme_dsl.diagnostics.junit import printable
+from aseme_dsl.diagnostics.render import excerpt
 from aseme_dsl.project.testing.verdicts import ScenarioResult, Verdict
+
+COLOURS = {"passed": "32", "failed": "31", "error": "31", "vacuous": "33"}
+"""The colours of verdicts on a terminal, as ANSI codes."""
+
+
+def explained(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:
+    """Why a scenario has not passed: the reason with its place, the inputs, and what happened last."""
+    if item.span is None:
+        return
+    yield f"  {item.span}: {item.reason}"
+    for line in excerpt(item.span, "^", COLOURS[item.verdict], is_coloured, None):
+        yield f"  {line}"
+    if item.given:
+        yield "  with " + ", ".join(f"{name} = {value}" for name, value in item.given.items())
+    for line in item.story:
+        yield f"    {line}"
 
 
 def github(results: Sequence[ScenarioResult]) -> str:
@@ -39,4 +56,4 @@ def junit(results: Sequence[ScenarioResult], file: str) -> str:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{tostring(root, encoding="unicode")}\n'
 
 
-__all__ = ["github", "junit"]
+__all__ = ["COLOURS", "explained", "github", "junit"]

@@ -330,6 +330,11 @@ def test_agent_messages_and_places_of_participants(tmp_path: Path) -> None:
         ("passed", "ann : chief  at 2s ann receives agree Job { size = 2 }  by 2s ann in Wait"),
         ("failed", "ann : chief  at 4101ms ann receives agree Job { size = 2 }  by 5s ann in Wait"),
         ("passed", "activity Think takes 9s  at 2s bob receives request Job { } from ann  by 2s bob in Hear"),
+        (
+            "passed",
+            "bob : clerk  at 1s bob receives request Job { } from ann  at 1s bob receives request Job { }"
+            "  in order bob in Hear, bob in Leave, bob in Hear, bob in Leave  for 3s",
+        ),
         # What activities send.
         (
             "passed",
@@ -438,7 +443,8 @@ CLAUSES = [
     ("failed", "Hear@hand before Ask@boss"),
     ("passed", "every Ask@boss leads to (Wait@boss or GiveUp@boss) within 300ms"),  # both ask bob
     ("failed", "every Ask@boss leads to (Wait@boss or GiveUp@boss) within 299ms"),
-    ("failed", "every Ask@boss leads to Work@hand"),
+    ("failed", "every Ask@boss leads to Work@hand within 1s"),
+    ("passed", "every Ask@boss leads to Work@hand"),  # a conversation may be cut off by the end: it is open
     # In each conversation: there are two at once.
     ("passed", "at most one boss"),
     ("passed", "at most 1 Hear@hand"),

@@ -32,7 +32,8 @@ class Giving:
         """Give an agent a message of `sender`; why no participant that it plays receives such a message.
 
         It belongs to the newest open conversation in which the agent receives it, first one in which the
-        sender takes part; where there is none, to a new one.
+        sender takes part; where there is none, to a new one. A message that can begin a conversation begins
+        one, unless the sender takes part in an open one.
         """
         kind = performative, message
         infos = [info for info in agent.plan.branches if kind in info.receives]
@@ -74,18 +75,22 @@ class Giving:
     def _newest(self, agent: Receiver, sender: str, kind: tuple[str, str]) -> Participation | None:
         """Where the agent receives such a message, in the newest of its open conversations."""
         order = list(self._members.conversations)
+
+        def takes_part(place: Participation) -> bool:
+            members = self._members.conversations[place.conversation or ""].members
+            return any(sender in names for names in members.values())
+
         places = [
             place
             for place in self._members.desks[agent.name].branches.values()
             if place.conversation is not None and kind in place.info.receives
+            if kind not in place.info.opens or takes_part(place)
         ]
-
-        def age(place: Participation) -> tuple[bool, int]:
-            assert place.conversation is not None
-            members = self._members.conversations[place.conversation].members
-            return any(sender in names for names in members.values()), order.index(place.conversation)
-
-        return max(places, key=age, default=None)
+        return max(
+            places,
+            key=lambda place: (takes_part(place), order.index(place.conversation or "")),
+            default=None,
+        )
 
     def _part_of(self, agent: Receiver, info: BranchInfo, kind: tuple[str, str]) -> str:
         """The participant that sends such a message: that from which a transition expects it, if any."""
