@@ -202,9 +202,10 @@ def properties(files: Iterable[tree.File]) -> tuple[tuple[str, nodes.Statement],
 
 
 def _is_elsewhere(found: Diagnostic, files: Iterable[tree.File]) -> bool:
-    """Whether it says that something could not be read outside of scenarios and properties."""
+    """Whether it says that something could not be read outside of scenarios and properties, or that a role
+    lacks what it plays or includes."""
     span = found.span
-    if found.code[:2] not in ("E0", "E1"):
+    if found.code[:2] not in ("E0", "E1") and found.code not in ("E205", "E206", "E207"):
         return False
     return span is None or not any(
         item.span.source is span.source and item.span.start <= span.start <= item.span.end
