@@ -107,6 +107,11 @@ LONG = [
         ["-m", "pytest", "-n", "auto", "tests/diagrams/test_compact.py"],
         {"COMPACT_CHARTS": "2000"},
     ),
+    (
+        "drawings of random models and talks",
+        ["-m", "pytest", "-n", "auto", "tests/diagrams/test_readable.py", "tests/diagrams/test_sequence.py"],
+        {"RANDOM_DRAWINGS": "500"},
+    ),
     ("latency", ["benchmarks/latency.py"], {}),
     ("agents", ["benchmarks/agents.py"], {}),
     ("a long match", ["benchmarks/soak.py", "0.5"], {}),

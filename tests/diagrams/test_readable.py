@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from functools import cache
@@ -161,7 +162,7 @@ def models(draw: some.DrawFn) -> tuple[Sag, Suc, Aip]:
     return sag, suc, Aip(names[0], tuple(people), (), (), SPAN)
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=int(os.environ.get("RANDOM_DRAWINGS", "6")), deadline=None)
 @given(models())
 def test_any_text_can_be_read(found: tuple[Sag, Suc, Aip]) -> None:
     for model in found:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from dataclasses import replace
@@ -169,7 +170,7 @@ def talks(draw: some.DrawFn) -> SequenceDiagram:
     )
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=int(os.environ.get("RANDOM_DRAWINGS", "25")), deadline=None)
 @given(talks())
 def test_any_talk_can_be_read(talk: SequenceDiagram) -> None:
     assert overlaps(drawn(talk)) == []
