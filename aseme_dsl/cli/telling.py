@@ -13,6 +13,7 @@ from aseme_dsl.cli.progress import shows_progress
 from aseme_dsl.cli.shared import plural
 from aseme_dsl.cli.terminal import harmless
 from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD
+from aseme_dsl.runtime.trace.state_names import apart, titles_of
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.chart.plan import Plan
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 
 _STATUS_SECONDS = 0.1
 """How often the time is renewed on a terminal."""
-_LONG_NAME = 40
 _QUIET_AFTER = 20
 """So many different faults are shown; of the others there is only the number."""
 _SAME = 3
@@ -63,6 +63,8 @@ class Telling:
         self._plans = {plan.name: plan for plan in loaded.plans}
         self._width = max(map(len, self._roles or self._plans), default=1)
         self._doing: dict[tuple[str, str], str] = {}
+        self._names: dict[str, dict[str, str]] = {}
+        """What people call the states of each plan, by its hash."""
         self._faults: Counter[tuple[str, str]] = Counter()
         self._late: Counter[tuple[str, str, str]] = Counter()
         """How many deadlines have passed: by agent, activity and its place."""
@@ -196,7 +198,10 @@ class Telling:
         plan = self._plan(record["agent"])
         parts = [plan.transitions[number] for number in numbers]
         labels = (parts[0].source, parts[-1].target) if parts[0].kind == "external" else (parts[0].source,)
-        ends = [_state(plan, label) for label in labels]
+        names = self._names.get(plan.model)
+        if names is None:
+            names = self._names[plan.model] = apart(titles_of(plan))
+        ends = [names[label] for label in labels]
         text = " ; ".join(part.text for part in parts if part.text)
         self._say(record, f"{' -> '.join(ends)}  {text}".rstrip())
 
@@ -259,14 +264,6 @@ class Telling:
 def _is_inside(inner: str, outer: str) -> bool:
     """Whether a region is in a state of another one, so that they are never active side by side."""
     return inner != outer and (not outer or inner.startswith(outer + "."))
-
-
-def _state(plan: Plan, label: str) -> str:
-    """A state as people know it: its label, and its name if it has another; a long term is cut."""
-    name = plan.by_label[label].name
-    if len(name) > _LONG_NAME:
-        name = f"{name[:_LONG_NAME]} …"
-    return label if name == label else f"{label} {name}"
 
 
 def _place(at: str | None) -> str:

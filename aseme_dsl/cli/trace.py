@@ -90,7 +90,7 @@ def _known_kinds(
     "states",
     multiple=True,
     metavar="STATE",
-    help="Only records about this state: a label or an activity.",
+    help="Only records about this state: a name, a label or an activity.",
 )
 @click.option("--from", "since", metavar="TIME", callback=moment_of, help="Start of the time range: 12.5s.")
 @click.option("--to", "until", metavar="TIME", callback=moment_of, help="End of the time range.")
@@ -201,11 +201,15 @@ def _list(reader: TraceReader, wanted: Filter, as_json: bool) -> None:
     """The lines: as they are, or a table."""
     from aseme_dsl.project.playing.traces import told
     from aseme_dsl.runtime.trace.records import agents_of
+    from aseme_dsl.runtime.trace.state_names import StateNames
 
     width = 5
+    names = StateNames()
     for line in reader:
         record = line.record
+        names.take(record)
         if line.number == 1:
+            wanted = wanted.of_run(record)
             width = max([width, *(len(agent["name"]) for agent in agents_of(record))])
         if not wanted.wants(record):
             continue
@@ -213,8 +217,8 @@ def _list(reader: TraceReader, wanted: Filter, as_json: bool) -> None:
             sys.stdout.write(f"{line.text}\n")
         else:
             moment = record["time"] / _NANOSECONDS
-            text = f"{moment:13.6f}  {record.get('agent', ''):<{width}}  {record['kind']:<12}  {told(record)}"
-            sys.stdout.write(f"{text}\n")
+            start = f"{moment:13.6f}  {record.get('agent', ''):<{width}}  {record['kind']:<12}"
+            sys.stdout.write(f"{start}  {told(record, names)}\n")
 
 
 def _sum(reader: TraceReader, wanted: Filter) -> FileSum:
@@ -223,6 +227,7 @@ def _sum(reader: TraceReader, wanted: Filter) -> FileSum:
     summary = Summary()
     for line in reader:
         if line.number == 1:
+            wanted = wanted.of_run(line.record)
             summary.begin(line.record, wanted)
         if wanted.wants(line.record):
             summary.add(line.record)

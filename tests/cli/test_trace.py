@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -229,3 +230,37 @@ def test_a_long_trace_needs_little_memory(folder: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert int(done.stdout.splitlines()[-1]) < 45_000
     assert Path("again.jsonl").read_bytes() == Path("big.jsonl").read_bytes()
+
+
+def test_lines_name_states_as_the_file_does(here: Here, folder: Path) -> None:
+    """Both `Look` have their label behind the name; a part of an AND is called by what it is in."""
+    (folder / "two.aseme").write_text("""system Two
+srm r {
+  liveness { r = Look . ((Look . Go) || Turn) }
+  activities { Look takes 1s simulated  Go takes 1s simulated  Turn takes 3s simulated }
+}
+""")
+    assert here("run", "two.aseme", "--quiet", "-o", "two").code == 0
+    lines = here(
+        "trace", "two/trace.jsonl", "--lines", "--kind", "step", "--kind", "activity"
+    ).out.splitlines()
+    said = [line[36:].strip() for line in lines]
+    assert said[:3] == [
+        "step 1: start of r -> Look (0.2)  in Look (0.2)",
+        "start Look (0.2)",
+        "end Look (0.2)",
+    ]
+    assert "; start of (Look . Go) || Turn (0.3.2.2.1) -> Turn; " in said[3]
+    assert said[3].endswith("  in (Look . Go) || Turn, Look (0.3.2.1.2.2), Turn")
+    assert "step 3: Look (0.3.2.1.2.2) -> Go  in (Look . Go) || Turn, Go, Turn" in said
+    only = here("trace", "two/trace.jsonl", "--lines", "--state", "Go").out
+    assert [" ".join(line.split()[2:5]) for line in only.splitlines()] == [
+        "step step 3:",
+        "activity start Go",
+        "activity end Go",
+        "step step 4:",
+    ]
+    # A trace of before has no names: its labels are shown.
+    text = (folder / "two/trace.jsonl").read_text()
+    (folder / "old.jsonl").write_text(re.sub('"names":.*?}},', "", text, count=1))
+    assert "0.1 -> 0.2  in 0.2" in here("trace", "old.jsonl", "--lines").out

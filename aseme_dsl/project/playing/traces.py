@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import TypedDict
 
-from aseme_dsl.runtime.trace.records import Record, agents_of
+from aseme_dsl.runtime.trace.records import Record, Taken, agents_of
+from aseme_dsl.runtime.trace.state_names import StateNames
 from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_formats import format_for
 from aseme_dsl.runtime.trace.trace_reading import Line
@@ -28,8 +29,8 @@ _DIFFERENT = 1000
 class Filter:
     """Which lines are wanted; what is empty or None leaves all. Times are in ns, and both ends belong to it.
 
-    Channels may have `*` in them. A state is a label, which stands for all inside it, or the name of an
-    activity.
+    Channels may have `*` in them. A state is a label or a name, each for all inside it, or an activity.
+    `places` are the states with these names, as (agent, label).
     """
 
     agents: tuple[str, ...] = ()
@@ -38,6 +39,20 @@ class Filter:
     states: tuple[str, ...] = ()
     since: int | None = None
     until: int | None = None
+    places: frozenset[tuple[str, str]] = frozenset()
+
+    def of_run(self, header: Record) -> Filter:
+        """The filter for a run: its header has the names of states."""
+        if not self.states:
+            return self
+        names = header.get("names", {})
+        places = {
+            (agent["name"], label)
+            for agent in agents_of(header)
+            for label, name in names.get(agent.get("role", ""), {}).items()
+            if name in self.states
+        }
+        return replace(self, places=frozenset(places))
 
     def wants(self, record: Record) -> bool:
         """Whether a line is wanted."""
@@ -53,7 +68,13 @@ class Filter:
             channel = record.get("channel")
             if channel is None or not any(fnmatchcase(channel, pattern) for pattern in self.channels):
                 return False
-        return not self.states or any(_is_at(record, state) for state in self.states)
+        return not self.states or any(
+            _is_at(record, state) for state in (*self.states, *self._labels(record))
+        )
+
+    def _labels(self, record: Record) -> list[str]:
+        agent = record.get("agent")
+        return [label for name, label in self.places if name == agent]
 
 
 def _agents(record: Record) -> set[str]:
@@ -321,12 +342,14 @@ def _order(label: str) -> tuple[int, ...]:
 # ---- for people --------------------------------------------------------------------------------
 
 
-def told(record: Record) -> str:
-    """What a line says, beside its time, agent and kind, in a short text."""
+def told(record: Record, names: StateNames) -> str:
+    """What a line says, beside its time, agent and kind, in a short text. States have their names."""
+    agent = str(record.get("agent", ""))
     match record["kind"]:
         case "step":
-            ways = [f"{way['source']} -> {way['target']} {way['text']}".rstrip() for way in record["taken"]]
-            where = f"  in {', '.join(record['configuration'])}" if "configuration" in record else ""
+            ways = [_way(way, agent, names) for way in record["taken"]]
+            leaves = [names.name(agent, label) for label in record.get("configuration", ())]
+            where = f"  in {', '.join(leaves)}" if leaves else ""
             return f"step {record['step']}: {'; '.join(ways) or 'no transition'}{where}"
         case "activity":
             given = record.get("arguments", {}).items()
@@ -334,7 +357,7 @@ def told(record: Record) -> str:
             if given:
                 more = ", ".join(f"{name} = {_short(value)}" for name, value in given)
             reason = f": {more}" if more is not None else ""
-            return f"{record['what']} {record['activity']} ({record['label']}){reason}"
+            return f"{record['what']} {_activity(record, agent, names)}{reason}"
         case "message" | "radio_received" | "arrived":
             to = f"  to {', '.join(record['to']) or 'nobody'}" if "to" in record else ""
             return f"{record['channel']} {_short(record['message'])}{to}"
@@ -344,10 +367,30 @@ def told(record: Record) -> str:
             return f"{what}  to {to}  in {record['conversation']}"
         case "fault" | "error":
             return f"{record['reason']}{f' ({at})' if (at := record.get('at')) else ''}"
-    further = [pair for pair in record.items() if pair[0] not in ("kind", "time", "agent")]
+    further = [
+        (name, names.name(agent, str(value)) if name in _PLACES else value)
+        for name, value in record.items()
+        if name not in _UNTOLD
+    ]
     return "  ".join(
         f"{name} {value if isinstance(value, str) else _short(value)}" for name, value in further
     )
+
+
+_UNTOLD = ("kind", "time", "agent", "names", "sources")
+_PLACES = ("label", "region", "branch")
+
+
+def _way(way: Taken, agent: str, names: StateNames) -> str:
+    """A transition that was taken; one that stays in its state has that alone."""
+    source, target = (names.name(agent, label) for label in (way["source"], way["target"]))
+    return f"{source} -> {target} {way['text']}".rstrip()
+
+
+def _activity(record: Record, agent: str, names: StateNames) -> str:
+    """An activity: the name of its state, which begins with its own, or both."""
+    name = names.name(agent, record["label"])
+    return name if name.startswith(record["activity"]) else f"{record['activity']} ({name})"
 
 
 def _short(value: object) -> str:
@@ -371,7 +414,10 @@ def convert(lines: Iterable[Line], wanted: Filter, path: Path) -> int:
 
     def chosen() -> Iterator[str]:
         nonlocal number
+        nonlocal wanted
         for line in lines:
+            if line.record["kind"] == "header":
+                wanted = wanted.of_run(line.record)
             if line.record["kind"] in _FRAME or wanted.wants(line.record):
                 number += 1
                 yield line.text

@@ -88,6 +88,7 @@ class Record(TypedDict, total=False):
     start: str
     machine: Machine
     queue: int
+    names: dict[str, dict[str, str]]
     messages: MessageFormats
     sources: str
     # channels, variables and events

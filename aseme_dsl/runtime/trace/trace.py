@@ -37,6 +37,7 @@ from aseme_dsl.runtime.trace.checkpoint import state_of
 from aseme_dsl.runtime.trace.fault_counts import FaultCounts
 from aseme_dsl.runtime.trace.packed import packed
 from aseme_dsl.runtime.trace.records import Record, Taken, as_record
+from aseme_dsl.runtime.trace.state_names import titles_of
 from aseme_dsl.runtime.trace.trace_files import FORMAT, Background, Direct, Output, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_formats import format_for
 
@@ -218,6 +219,7 @@ class Trace:
                 {"name": name, "role": plan.name, "model": plan.model, "source": plan.source}
                 for name, plan in plans.items()
             ],
+            names={plan.name: titles_of(plan) for plan in plans.values()},
             elsewhere=list(elsewhere) or None,
             messages=messages,
             queue=queue,
