@@ -251,6 +251,17 @@ def test_a_part_that_is_no_formula_is_a_box_that_says_why() -> None:
     assert "2 ways onward" in said(picture)
 
 
+@pytest.mark.parametrize("inner", ["%s", "(%s)~ || Z", "Z . (%s | Y)+ . X", "(%s [> Z)~"])
+def test_a_long_line_goes_on_in_rows_below(inner: str) -> None:
+    names = " . ".join(f"Activity{number}" for number in range(200))
+    chart = chart_of(SMALL % (inner % f"({names})"))
+    picture = layout(chart)
+    assert faults(chart, picture) == []
+    assert picture.width <= 1920
+    rows = {item.text: item.y for item in picture.elements if isinstance(item, Text)}
+    assert rows["Activity0"] == rows["Activity1"] < rows["Activity30"] < rows["Activity59"]
+
+
 def test_a_guard_changes_nothing_outside_its_region() -> None:
     text = (
         "system S\nsrm r { var n : int = 0  liveness { r = one || two  one = (A . [B])~  two = (C . [D])~ }\n"

@@ -180,7 +180,8 @@ class TestMistakes:
 
 class TestLarge:
     FORMULAS = "\n".join(
-        f"part{number} = {' . '.join(f'Step{number}x{step}' for step in range(12))}" for number in range(12)
+        f"part{number} = {' . '.join(f'Step{number}x{step:02}' for step in range(40))}"
+        for number in range(12)
     )
     TEXT = f"""\
 system Large
@@ -195,16 +196,16 @@ srm robot {{
     def test_the_part_around_the_cursor(self) -> None:
         session = Session()
         whole = session.at("liveness ‸{", self.TEXT)
-        part = session.at("Step7x3‸", self.TEXT)
-        again = session.at("Step7x9‸", self.TEXT)
+        part = session.at("Step0x03‸", self.TEXT)
+        again = session.at("Step0x09‸", self.TEXT)
         assert whole is not None and part is not None and again is not None
-        assert whole.name == "iac.robot" and ">Step7x3<" not in whole.svg
+        assert whole.name == "iac.robot" and ">Step0x03<" not in whole.svg
         assert part.name == again.name and part.svg == again.svg
-        assert here(part) == "Step7x3"
-        assert here(again) == "Step7x9"
+        assert here(part) == "Step0x03"
+        assert here(again) == "Step0x09"
         for drawing in (whole, part):
             root = ElementTree.fromstring(drawing.svg)
-            assert float(root.get("width", "")) <= 2000 and float(root.get("height", "")) <= 1080
+            assert float(root.get("width", "")) <= 1920 and float(root.get("height", "")) <= 1080
             assert not re.search(r"\bhref=", drawing.svg), "there is no other page here"
 
     def test_many_side_by_side_are_shown_all_the_same(self) -> None:

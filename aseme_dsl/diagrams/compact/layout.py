@@ -22,6 +22,9 @@ _MARGIN = 14
 _WIDTHS = (152, 190, 132, 116, 100)
 """How wide labels are; the next is tried for an outermost region that is wider than wanted."""
 
+_SLACK = 100
+"""How much of the width the borders around a line that turns back may take, in px."""
+
 _GAIN = 0.9
 """Narrow labels are worth it where a region is at most so much of its usual width."""
 
@@ -31,11 +34,15 @@ _LEAST = 560
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """What is to be drawn: the OR `top`, with the composites `closed` closed, if it can be in the `size`."""
+    """What is to be drawn: the OR `top`, with the composites `closed` closed, if it can be in the `size`.
+
+    On a `page` of this size, the texts below take all of its width.
+    """
 
     top: str
     closed: frozenset[str] = frozenset()
     size: tuple[float, float] = (1920, 1080)
+    page: bool = False
 
 
 def layout(chart: Statechart, activities: Iterable[Activity] = (), wanted: Wanted | None = None) -> Picture:
@@ -45,20 +52,24 @@ def layout(chart: Statechart, activities: Iterable[Activity] = (), wanted: Wante
     endings, first = Endings(chart), Words(chart, tuple(activities))
     limit = wanted.size[0] - 4 * _MARGIN
 
-    def drawn(wide: float, chosen: Mapping[str, float]) -> tuple[Picture, Mapping[str, float]]:
+    def drawn(
+        wide: float, chosen: Mapping[str, float], limits: Mapping[str, float]
+    ) -> tuple[Picture, Mapping[str, float]]:
         words = first.anew()
-        placer = Placer(chart, words, Plan(chart, words, endings), wide, chosen)
+        placer = Placer(chart, words, Plan(chart, words, endings), wide, chosen, limits)
         return _page(chart, root, words, placer, wanted), placer.widths
 
     measured: list[tuple[float, Mapping[str, float]]] = []
     for wide in _WIDTHS:
-        picture, widths = drawn(wide, {})
+        picture, widths = drawn(wide, {}, {})
         measured.append((wide, widths))
         if all(width <= limit for width in widths.values()):
             break
     if len(measured) == 1:
         return picture
-    return drawn(_WIDTHS[0], {label: _best(label, measured, limit) for label in widths})[0]
+    chosen = {label: _best(label, measured, limit) for label in widths}
+    fit = {label for label in widths if any(found[label] <= limit for _, found in measured)}
+    return drawn(_WIDTHS[0], chosen, dict.fromkeys(widths.keys() - fit, limit - _SLACK))[0]
 
 
 def _best(label: str, measured: Sequence[tuple[float, Mapping[str, float]]], limit: float) -> float:
@@ -97,10 +108,11 @@ def _page(chart: Statechart, root: Group, words: Words, placer: Placer, wanted: 
     room.put(field, top + field.up, _MARGIN)
     right = max(room.right, _LEAST)
     below = room.down + 20
-    for texts in _explained(chart, words, right - _MARGIN, below):
+    broad = wanted.size[0] - _MARGIN if wanted.page else right
+    for texts in _explained(chart, words, broad - _MARGIN, below):
         room.add(*texts)
     return Picture(
-        round(right + _MARGIN, 1),
+        round(max(right, room.right) + _MARGIN, 1),
         round(room.down + _MARGIN, 1),
         tuple(room.elements),
         wanted.top,

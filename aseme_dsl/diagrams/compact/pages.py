@@ -60,7 +60,7 @@ def _fitting(
     closed: set[str] = set()
     names = [label for label, _ in _formulas(chart, top)]
     while True:
-        picture = layout(chart, activities, Wanted(top, frozenset(closed), size))
+        picture = layout(chart, activities, Wanted(top, frozenset(closed), size, page=True))
         label = _next(chart, top, names, closed) if scale(picture, size) < 1 else None
         if label is None:
             return picture

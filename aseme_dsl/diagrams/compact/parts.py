@@ -7,8 +7,9 @@ time is linear in the states of each level.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import assert_never
 
 from aseme_dsl.amola.statechart import Statechart
@@ -37,6 +38,9 @@ _ROW = 9
 
 _CHOICE = 10
 """Half a diamond."""
+
+_ROW_AT_LEAST = 200
+"""A row that is shorter does not end before what is too wide."""
 
 _WIDE = 900
 """A sequence is broken before regions at its end that are wider."""
@@ -72,11 +76,18 @@ class Rim:
 class Placer:
     """Places the blocks of one chart; labels are about `wide` px wide, in some regions as `chosen`.
 
+    In the outermost regions that have `limits`, a line that comes to the limit continues in a row below.
     `copies` collects the regions that are drawn once for several, `widths` how wide the outermost ones are.
     """
 
     def __init__(
-        self, chart: Statechart, words: Words, plan: Plan, wide: float, chosen: Mapping[str, float]
+        self,
+        chart: Statechart,
+        words: Words,
+        plan: Plan,
+        wide: float,
+        chosen: Mapping[str, float],
+        limits: Mapping[str, float],
     ) -> None:
         self.plan = plan
         self.copies: list[tuple[str, ...]] = []
@@ -86,6 +97,8 @@ class Placer:
         self._wide = self._usual = wide
         self._chosen = chosen
         self._nodes = Nodes(chart, words, plan)
+        self._limits = limits
+        self._limit: float | None = None
         self._bare: set[str] = set()
         self._is_inside = False
 
@@ -98,8 +111,9 @@ class Placer:
         if self._is_inside:
             return self._field(region, x)
         self._is_inside, self._wide = True, self._chosen.get(region.label, self._usual)
+        self._limit = self._limits.get(region.label)
         placed = self._field(region, x)
-        self._is_inside = False
+        self._is_inside, self._limit = False, None
         self.widths[region.label] = placed.right - x
         return placed
 
@@ -109,10 +123,10 @@ class Placer:
             self._bare.add(title)
         room = Room()
         room.add(Shape(Form.INITIAL, x, -4, 8, 8, region.start))
-        inside = self.group(region, pen(x + 8), ())
+        inside = self.group(region, pen(x + 8), (), lower=True)
         room.put(replace(inside, pen=None))
         if inside.pen is not None:
-            end = max(inside.pen.at, inside.right if inside.pen.axis else 0) + GAP
+            end = inside.pen.at + GAP
             axis = inside.pen.axis
             room.add(line_to(inside.pen, (end, axis)))
             room.add(Shape(Form.FINAL, end, axis - 6, 12, 12, region.end or region.label))
@@ -204,11 +218,14 @@ class Placer:
 
     # ---- groups ------------------------------------------------------------------------------------
 
-    def group(self, group: Group, line: Pen, signs: Link) -> Placed:
-        """An OR without a border of its own, entered by the pen, which has the link to it."""
+    def group(self, group: Group, line: Pen, signs: Link, lower: bool = False) -> Placed:
+        """An OR without a border of its own, entered by the pen, which has the link to it.
+
+        What is behind it may be `lower`: in the last row.
+        """
         if group.choice is None:
             (branch,) = group.branches
-            return self.branch(branch, line, signs)
+            return self.branch(branch, line, signs, lower=lower)
         room = Room()
         line, written = over(replace(line, row=None), group.enter, self._words, self._wide)
         x = line.at + GAP
@@ -228,7 +245,7 @@ class Placer:
             signs = () if mine else signs
             placed = self.branch(branch, start, mine, column if branch.parts else 0)
             dy = 0.0 if first else low + _ROW + placed.up
-            under = (middle, 0.0), (middle, float(_CHOICE))
+            under = (middle, 0.0), ((middle, float(_CHOICE)),)
             room.put(placed if first else _from_below(placed, *under, dy), dy)
             low = max(low, dy + max(placed.down, _CHOICE + 2 if first else 6))
             if placed.pen is not None:
@@ -256,8 +273,61 @@ class Placer:
             room.add(line_to(line, *corner, arrow=False))
         return room.placed(pen(x))
 
-    def branch(self, branch: Branch, line: Pen, signs: Link, least: float = 0.0) -> Placed:
+    def branch(
+        self, branch: Branch, line: Pen, signs: Link, least: float = 0.0, lower: bool = False
+    ) -> Placed:
         """The parts of a line one after the other, from the link that leads to the first."""
+        if self._limit is None:
+            return self._straight(branch, line, signs, least)
+        limit = self._limit
+        placed = self._if_it_fits(lambda: self._straight(branch, line, signs, least), limit)
+        return placed or self._in_rows(branch, line, signs, least, limit, lower)
+
+    def _if_it_fits(self, place: Callable[[], Placed], limit: float) -> Placed | None:
+        """What is placed in one row, if it does not come to the limit."""
+        known, self._limit = len(self.copies), None
+        placed = place()
+        self._limit = limit
+        if placed.right <= limit:
+            return placed
+        del self.copies[known:]
+        return None
+
+    def _in_rows(
+        self, branch: Branch, line: Pen, signs: Link, least: float, limit: float, lower: bool
+    ) -> Placed:
+        """The parts of a line in several rows: the line turns back below what it has come to."""
+        room, row = Room(), Room()
+        left = line.at + 12
+        turns: tuple[Point, ...] = ()
+        behind: Pen | None
+        behind, written = over(line, branch.enter, self._words, self._wide, least)
+        row.add(*written)
+        for number, part in enumerate(branch.parts):
+            assert behind is not None
+            last = number == len(branch.parts) - 1
+            dotted = not last and not self.plan.goes_on(part)
+            place = partial(self.part, part, signs=signs if last else (), dotted=dotted)
+            start = replace(behind, row=None)
+            placed = self._if_it_fits(partial(place, start), limit)
+            if placed is None and behind.at > left + _ROW_AT_LEAST:
+                behind = _put_row(room, row.placed(behind), turns)
+                assert behind is not None
+                right, under = max(behind.at, row.right) + 8, room.down + _ROW
+                turns = (*behind.points, (right, behind.axis), (right, under), (left, under))
+                row = Room()
+                start = replace(behind, points=((left, 0.0), (left, 0.0)), at=left, row=None)
+                placed = self._if_it_fits(partial(place, start), limit)
+            placed = placed or place(start)
+            row.put(replace(placed, pen=None))
+            behind = placed.pen
+        behind = _put_row(room, row.placed(behind), turns)
+        if behind is None or lower:
+            return room.placed(behind)
+        return self._join(room, [Exit(behind, room.right)])
+
+    def _straight(self, branch: Branch, line: Pen, signs: Link, least: float) -> Placed:
+        """The parts of a line in one row."""
         room = Room()
         x = line.at - 8 if line.is_joint else line.at + 12
         behind: Pen | None
@@ -512,27 +582,41 @@ class Placer:
         made.put(placed)
         moved = made.placed(placed.pen)
         dy = max(room.down, bottom) + _ROW + moved.up
-        room.put(_from_below(moved, (x, 0.0), (x, bottom), dy), dy)
+        start_ = ((x, bottom),)
+        room.put(_from_below(moved, (x, 0.0), start_, dy), dy)
         if moved.pen is None:
             return []
-        return [Exit(down(_pen_from_below(moved.pen, (x, 0.0), (x, bottom), dy), -dy), moved.right)]
+        return [Exit(down(_pen_from_below(moved.pen, (x, 0.0), start_, dy), -dy), moved.right)]
 
 
-def _from_below(placed: Placed, mark: Point, start: Point, dy: float) -> Placed:
+def _put_row(room: Room, row: Placed, turns: tuple[Point, ...]) -> Pen | None:
+    """Put a row below all others, entered by a line with these turns; gives the pen behind it."""
+    if not turns:
+        room.put(replace(row, pen=None))
+        return row.pen
+    left, under = turns[-1]
+    axis = under + _ROW + row.up
+    start = (*turns, (left, axis))
+    room.put(replace(_from_below(row, (left, 0.0), start, axis), pen=None), axis)
+    room.reach(max(x for x, _ in turns))
+    return None if row.pen is None else down(_pen_from_below(row.pen, (left, 0.0), start, axis), -axis)
+
+
+def _from_below(placed: Placed, mark: Point, start: tuple[Point, ...], dy: float) -> Placed:
     """What was placed from a mark on its own axis; its first line begins elsewhere when it is `dy` lower."""
 
     def moved(item: Element) -> Element:
         if isinstance(item, Line) and item.points[:2] == (mark, mark):
-            return replace(item, points=((start[0], start[1] - dy), *item.points[1:]))
+            return replace(item, points=(*((x, y - dy) for x, y in start), *item.points[1:]))
         return item
 
     return replace(placed, elements=tuple(map(moved, placed.elements)))
 
 
-def _pen_from_below(line: Pen, mark: Point, start: Point, dy: float) -> Pen:
+def _pen_from_below(line: Pen, mark: Point, start: tuple[Point, ...], dy: float) -> Pen:
     if line.points[:2] != (mark, mark):
         return line
-    return replace(line, points=((start[0], start[1] - dy), *line.points[1:]))
+    return replace(line, points=(*((x, y - dy) for x, y in start), *line.points[1:]))
 
 
 def _border_of(placed: Placed, label: str) -> Shape | None:
