@@ -95,6 +95,7 @@ LONG = [
     ("on a bare Debian", ["ci/bare_debian.py"], {}),
     ("a large file", ["benchmarks/large_file.py"], {}),
     ("a changed file of a large project", ["benchmarks/rebuild.py"], {}),
+    ("compact drawings", ["benchmarks/compact.py"], {}),
     ("broken files", ["benchmarks/broken_files.py"], {}),
     ("one slip, one message", ["benchmarks/mutations.py"], {}),
     (
