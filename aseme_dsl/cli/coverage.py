@@ -62,7 +62,7 @@ def command(
         return refuse(wrong, as_json, colour)
     seen = Seen()
     model = model_of(compiled.system, choose(compiled.configuration))
-    found = read_runs(model, files, seen)
+    found = read_runs(model, files, seen, conditions=True)
     if found and not (seen.traces or seen.scenarios):
         return refuse(found, as_json, colour)
     print_diagnostics(found, colour)

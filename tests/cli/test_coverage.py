@@ -96,8 +96,7 @@ def test_traces_and_scenarios_count_together(lift: Here, folder: Path) -> None:
     assert lift("run", "lift.aseme", "--for", "5s", "--quiet", "--allow", "waiting").code == 0
     alone = lift("coverage", "out/trace.jsonl", "--json")
     assert (alone.code, alone.json["coverage"]["traces"]) == (0, 1)
-    assert shares(alone.json)["conditions"] == (0, 2, 1, 2)
-    assert alone.json["coverage"]["shares"]["conditions"]["percent"] is None
+    assert shares(alone.json)["conditions"] == (0, 2, 1, 0)
     assert lift("test", "lift.aseme", "--coverage-file", "some.json", "-k", "high").code == 0
     both = lift("coverage", "some.json", "out/trace.jsonl", "--json")
     assert shares(both.json)["states"] == (5, 5, 0, 0)
@@ -114,7 +113,29 @@ def test_traces_and_scenarios_count_together(lift: Here, folder: Path) -> None:
     assert waits[0] == sum(way["target"] == label for way in ways)
 
 
-def test_less_than_wanted_is_an_error(lift: Here) -> None:
+def without_model(trace: Path, path: Path) -> None:
+    """Write a trace as of an earlier version, which cannot be replayed."""
+    header, *others = trace.read_text().splitlines()
+    record = json.loads(header)
+    del record["sources"]
+    path.write_text("\n".join((json.dumps(record), *others, "")))
+
+
+def test_conditions_of_a_trace_are_those_of_its_replay(lift: Here, folder: Path) -> None:
+    calls = ((0, {"floor": 1}), (3, {"floor": 4, "urgent": True}), (8, {"floor": 4}))
+    inputs = [{"at": f"{at}s", "channel": "panel.state.Call", "message": call} for at, call in calls]
+    (folder / "calls.jsonl").write_text("".join(f"{json.dumps(item)}\n" for item in inputs))
+    arguments = ("--input", "calls.jsonl", "--for", "15s", "--quiet", "--allow", "waiting")
+    assert lift("run", "lift.aseme", *arguments).code == 0
+    assert shares(lift("coverage", "out", "--json").json)["conditions"] == (2, 2, 1, 0)
+    without_model(folder / "out/trace.jsonl", folder / "old.jsonl")
+    old = lift("coverage", "old.jsonl", "--json")
+    assert (old.code, shares(old.json)["conditions"]) == (0, (0, 2, 1, 2))
+    assert old.json["coverage"]["shares"]["conditions"]["percent"] is None
+    assert "it does not hold the model" in old.json["coverage"]["notes"][0]
+
+
+def test_less_than_wanted_is_an_error(lift: Here, folder: Path) -> None:
     def under(*words: str) -> tuple[int, str]:
         options = [item for word in words for item in ("--fail-under", word)]
         done = lift("test", "lift.aseme", "-k", "low", *options)
@@ -125,7 +146,8 @@ def test_less_than_wanted_is_an_error(lift: Here) -> None:
     assert under("80.1") == (1, "80.0% of the states are covered, but 80.1% are wanted\n")
     assert under("60", "use-cases=90")[1] == "50.0% of the use cases are covered, but 90% are wanted\n"
     assert lift("run", "lift.aseme", "--for", "5s", "--quiet", "--allow", "waiting").code == 0
-    done = lift("coverage", "out", "--fail-under", "conditions=1")
+    without_model(folder / "out/trace.jsonl", folder / "old.jsonl")
+    done = lift("coverage", "old.jsonl", "--fail-under", "conditions=1")
     assert (done.code, done.err) == (1, "conditions were not measured, but 1% of them are wanted\n")
     assert [under(word)[0] for word in ("x", "101", "colours=3")] == [2, 2, 2]
     assert "Did you mean 'states'?" in under("state=3")[1]

@@ -235,8 +235,8 @@ def _conditions(chart: Statechart, seen: Seen, reach: Reach) -> Iterator[Item]:
                 status, reason = Status.NEVER, "it is constant"
             elif number not in reach.transitions:
                 status, reason = Status.NEVER, "its transition is never taken"
-            elif not seen.scenarios:
-                status, reason = Status.UNMEASURED, "a trace has no values of conditions"
+            elif not seen.evaluated:
+                status, reason = Status.UNMEASURED, "the traces cannot be replayed"
             else:
                 status, reason = Status.MISSED, _lacks(evaluations, place)
             yield Item(

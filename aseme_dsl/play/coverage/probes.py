@@ -57,14 +57,16 @@ class Recorder:
             self._parts.clear()  # a new evaluation begins
         self._parts[probe.place] = holds
 
-    def listening(self, chart: type[Chart]) -> type[Chart]:
-        """The chart, whose probes tell this recorder."""
+    def listening(self, chart: type[Chart], model: str | None = None) -> type[Chart]:
+        """The chart, whose probes tell this recorder; `model` is the hash of the model without probes."""
 
         def probe(_: Chart, number: int, holds: bool) -> bool:
             self.tell(number, holds)
             return holds
 
-        return cast("type[Chart]", type(chart.__name__, (chart,), {"__slots__": (), "probe": probe}))
+        plan = chart.PLAN if model is None else replace(chart.PLAN, model=model)
+        members = {"__slots__": (), "probe": probe, "PLAN": plan}
+        return cast("type[Chart]", type(chart.__name__, (chart,), members))
 
 
 _LETTERS = {True: HELD, False: NOT_HELD, None: NOT_ASKED}

@@ -35,12 +35,13 @@ class RoleSeen:
 
 @dataclass(slots=True)
 class Seen:
-    """What some runs have shown. The decisions are those of scenarios: a trace has none."""
+    """What some runs have shown. `evaluated` says in how many the evaluations of conditions were noted."""
 
     roles: dict[str, RoleSeen] = field(default_factory=dict)
     evaluations: Evaluations = field(default_factory=dict)
     scenarios: int = 0
     traces: int = 0
+    evaluated: int = 0
     left_out: Counter[str] = field(default_factory=Counter)
     """Agents of traces that were not counted, by the reason."""
 
@@ -55,6 +56,7 @@ class Seen:
             self.evaluations.setdefault(decision, set()).update(found)
         self.scenarios += other.scenarios
         self.traces += other.traces
+        self.evaluated += other.evaluated
         self.left_out.update(other.left_out)
 
 

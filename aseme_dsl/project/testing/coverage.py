@@ -5,15 +5,20 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, cast
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.running import NotOfThisModel, TraceNotRead
 from aseme_dsl.play.coverage.measure import Coverage, measured
+from aseme_dsl.play.coverage.probes import Probed, Recorder, probed
 from aseme_dsl.play.coverage.seen import Following, RoleSeen, Seen
+from aseme_dsl.play.replay import Model as Replayed
+from aseme_dsl.play.replay import NotReplayable, Replay
 from aseme_dsl.project.files.inputs import is_folder
 from aseme_dsl.project.settings.target import builds_in, project_here
 from aseme_dsl.runtime.trace.records import Record, agents_of
@@ -23,6 +28,7 @@ from aseme_dsl.runtime.trace.trace_reading import TraceReader
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
     from aseme_dsl.project.building.build import Choice
+    from aseme_dsl.runtime.version.loading import Loaded
 
 FORMAT = 1
 _MARK = "asemec coverage"
@@ -87,28 +93,72 @@ def _source_in(path: Path) -> str | None:
 
 
 def read_runs(
-    model: Model, paths: Iterable[Path], seen: Seen, listeners: Sequence[Listener] = ()
+    model: Model,
+    paths: Iterable[Path],
+    seen: Seen,
+    listeners: Sequence[Listener] = (),
+    *,
+    conditions: bool = False,
 ) -> tuple[Diagnostic, ...]:
     """Add what traces, and files of earlier measurements, have shown; what is wrong with them.
 
-    `listeners` are given the records of the traces, too.
+    `listeners` are given the records of the traces, too. For `conditions` the steps of traces are made again.
     """
     found: list[Diagnostic] = []
-    for path in paths:
-        try:
-            if path.suffix == ".json":
-                found += _read_measured(model, path, seen)
-            else:
-                found += _read_trace(model, path, seen, listeners)
-        except TraceError as problem:
-            found.append(Diagnostic(TraceNotRead(str(problem)), None, path=str(path)))
+    with ExitStack() as stack:
+        replays = _Replays(model, stack) if conditions else None
+        for path in paths:
+            try:
+                if path.suffix == ".json":
+                    found += _read_measured(model, path, seen)
+                else:
+                    found += _read_trace(model, path, seen, listeners, replays)
+            except TraceError as problem:
+                found.append(Diagnostic(TraceNotRead(str(problem)), None, path=str(path)))
     return tuple(found)
 
 
-def _read_trace(model: Model, path: Path, seen: Seen, listeners: Sequence[Listener]) -> Iterable[Diagnostic]:
+class _Replays:
+    """Makes the steps of traces again, by classes with probes; these are generated when they are needed."""
+
+    def __init__(self, model: Model, stack: ExitStack) -> None:
+        self._model = model
+        self._stack = stack
+        self._loaded: tuple[Loaded, Probed, Path] | None = None
+
+    def replay(self, recorder: Recorder) -> Replay:
+        """A replay whose conditions tell the recorder."""
+        loaded, made, package = self._generated()
+        recorder.probes = made.probes
+        messages = vars(loaded.modules[f"{package.parent.name}.{package.name}.messages"])
+        hashes = self._model.hashes
+        kinds = {
+            hashes[role]: Replayed(recorder.listening(chart, hashes[role]), messages)
+            for role, chart in loaded.charts.items()
+        }
+        return Replay(lambda sources: kinds)
+
+    def _generated(self) -> tuple[Loaded, Probed, Path]:
+        from aseme_dsl.project.building.build import Choice
+        from aseme_dsl.project.playing.operate import generate_version
+        from aseme_dsl.runtime.version.loading import load_system
+
+        if self._loaded is None:
+            made = probed(self._model.system)
+            folder = self._stack.enter_context(TemporaryDirectory(prefix="asemec-coverage-"))
+            package, _ = generate_version(made.system, Path(folder), Choice())
+            self._loaded = load_system(package), made, package
+        return self._loaded
+
+
+def _read_trace(
+    model: Model, path: Path, seen: Seen, listeners: Sequence[Listener], replays: _Replays | None
+) -> Iterable[Diagnostic]:
     reader = TraceReader(path)
     charts = {chart.name: chart for chart in model.system.iacs}
     following: Following | None = None
+    recorder = Recorder(())
+    replay = None if replays is None else replays.replay(recorder)
     for line in reader:
         record = line.record
         if following is None:
@@ -118,14 +168,30 @@ def _read_trace(model: Model, path: Path, seen: Seen, listeners: Sequence[Listen
             following = Following(charts, seen, {a["name"]: a.get("role", "") for a in agents_of(record)})
             seen.traces += 1
         following(record)
+        if replay is not None and (why := _differs(replay, record)) is not None:
+            seen.left_out[f"the conditions of {path} were not measured: {why}"] += 1
+            replay = None
         for listener in listeners:
             listener(record)
         if record["kind"] in ("swap", "select") and record.get("model") not in (None, *model.hashes.values()):
             following.leave(str(record.get("agent", "")))
             seen.left_out["an agent changed to another model: the rest of its run was not counted"] += 1
+    if replay is not None:
+        seen.add(Seen(evaluations=recorder.evaluations, evaluated=1))
     if reader.problem is not None:
         return [Diagnostic(TraceNotRead(reader.problem), None, path=str(path))]
     return []
+
+
+def _differs(replay: Replay, record: Record) -> str | None:
+    """Why the steps of a trace cannot be made again from this record on, if it is so."""
+    try:
+        found = replay.line(record)
+    except NotReplayable as problem:
+        return str(problem)
+    if found is None:
+        return None
+    return f"step {found.step} of {found.agent} differs in its replay"
 
 
 def _others(model: Model, header: Record) -> tuple[str, ...]:
@@ -150,6 +216,7 @@ def written(model: Model, seen: Seen) -> bytes:
         "models": dict(model.hashes),
         "scenarios": seen.scenarios,
         "traces": seen.traces,
+        "evaluated": seen.evaluated,
         "left_out": dict(seen.left_out),
         "roles": {
             role: {
@@ -214,8 +281,9 @@ def _seen(document: Mapping[str, object]) -> Seen:
     conditions = cast("Sequence[tuple[str, int, Sequence[str]]]", document["conditions"])
     evaluations = {(str(role), int(number)): set(map(str, texts)) for role, number, texts in conditions}
     left_out = cast("Mapping[str, int]", document["left_out"])
-    scenarios, traces = (int(cast(int, document[name])) for name in ("scenarios", "traces"))
-    return Seen(roles, evaluations, scenarios, traces, Counter(dict(left_out)))
+    names = ("scenarios", "traces", "evaluated")
+    scenarios, traces, evaluated = (int(cast(int, document[name])) for name in names)
+    return Seen(roles, evaluations, scenarios, traces, evaluated, Counter(dict(left_out)))
 
 
 __all__ = ["Model", "coverage_of", "model_of", "read_runs", "source_of_runs", "written"]

@@ -121,6 +121,7 @@ def play_scenarios(
         for item in played:
             seen.add(item.seen)
         seen.scenarios += len(scenarios)
+        seen.evaluated += len(scenarios)
     return tuple(map(verdict_of, scenarios, cases, runs))
 
 
