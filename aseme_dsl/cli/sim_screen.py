@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, ClassVar
 
@@ -94,22 +95,36 @@ class Screen(App[None]):
         line = event.value.strip() or "step"
         event.input.value = ""
         if line == "quit":
-            self.exit()
+            self.run_worker(self.action_quit())
         else:
             self._obey(line)
+
+    async def action_quit(self) -> None:
+        """Leave, also while code of the user does not return."""
+        self._stepper.close()
+        self.exit()
 
     def action_obey(self, line: str) -> None:
         """Do what a key says."""
         self._obey(line)
 
     def _obey(self, line: str) -> None:
-        log = self.query_one(RichLog)
-        log.write(Text(f"> {line}", style="bold"))
+        """Do it beside the screen, which can be left meanwhile."""
+        command = self.query_one(Input)
+        if not command.disabled:
+            command.disabled = True
+            self.query_one(RichLog).write(Text(f"> {line}", style="bold"))
+            self.run_worker(self._done(line))
+
+    async def _done(self, line: str) -> None:
         try:
-            self._tell(obey(self._stepper, line))
+            self._tell(await asyncio.to_thread(list, obey(self._stepper, line)))
         except WrongCommand as problem:
-            log.write(Text(str(problem), style="red"))
+            self.query_one(RichLog).write(Text(str(problem), style="red"))
         self._show()
+        command = self.query_one(Input)
+        command.disabled = False
+        command.focus()
 
     def _tell(self, lines: Iterable[str]) -> None:
         log = self.query_one(RichLog)

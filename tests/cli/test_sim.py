@@ -150,9 +150,12 @@ def test_the_screen_follows_keys_and_commands() -> None:
         async with screen.run_test(size=(120, 40)) as pilot:
             for key in ("f10", "f10", "f9"):
                 await pilot.press(key)
+                await screen.workers.wait_for_complete()
                 found.append(str(screen.query_one("#where", Static).render()))
             screen.query_one(Input).value = "to 1500ms"
             await pilot.press("enter")
+            await pilot.pause()
+            await screen.workers.wait_for_complete()
             found.append(str(screen.query_one("#outline", Static).render()))
             found.append(str(screen.query_one("#known", Static).render()))
             found.append(str(screen.query_one("#lines", Static).render()))

@@ -20,6 +20,8 @@ from aseme_dsl.runtime.team.team import Team
 from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.runtime.version.loading import Loaded, activities_in, forgetting, importing
 
+PATIENCE = 2.0
+"""So many seconds a run has to end."""
 KEPT = 5000
 """So many records of what has happened are kept."""
 
@@ -112,19 +114,23 @@ class Run:
             if not self._thread.is_alive():
                 self._thread.start()
             self._turn.notify_all()
-            self._turn.wait_for(lambda: self._stands is not None or self._problem is not None)
+            self._turn.wait_for(
+                lambda: self._is_closed or self._stands is not None or self._problem is not None
+            )
             if self._problem is not None:
                 raise self._problem
+            if self._is_closed:
+                raise NotPlayable("the run was ended")
             assert self._stands is not None
             return self._stands
 
     def close(self) -> None:
-        """End the run, wherever it is."""
+        """End the run, wherever it is; code of the user that does not return is left behind."""
         with self._turn:
             self._is_closed = True
             self._turn.notify_all()
         if self._thread.is_alive():
-            self._thread.join()
+            self._thread.join(PATIENCE)
 
     # ---- in the run's thread -----------------------------------------------------------------
 
