@@ -99,7 +99,7 @@ def _known_kinds(
     "--output",
     type=FilePath(path_type=Path),
     metavar="FILE",
-    help="Output file: MCAP if it ends in .mcap, else JSON Lines.",
+    help="Output file: MCAP if it ends in .mcap, else JSON Lines, compressed if it ends in .gz.",
 )
 @json_option
 @colour_option

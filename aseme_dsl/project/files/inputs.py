@@ -138,7 +138,7 @@ def _standard_input(read: Callable[[], bytes], diagnostics: list[Diagnostic]) ->
 
 
 def _is_trace(path: Path) -> bool:
-    return path.name.removesuffix(".part").endswith((".jsonl", ".mcap"))
+    return path.name.removesuffix(".part").endswith((".jsonl", ".jsonl.gz", ".mcap"))
 
 
 def _identity(path: Path) -> str:

@@ -11,6 +11,7 @@ from typing import BinaryIO
 from aseme_dsl import outside
 from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of
+from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC
 from aseme_dsl.runtime.trace.trace_reading import record_of
 
@@ -36,7 +37,7 @@ class TraceFollower:
         """The records that were written since it was looked at last; it waits for nothing.
 
         Raises:
-            TraceError: it cannot be read, or is an MCAP file, which is not text.
+            TraceError: it cannot be read, or is not text: an MCAP file, or a compressed one.
         """
         try:
             if self._file is None or self._is_another(self._file):
@@ -53,6 +54,8 @@ class TraceFollower:
         *lines, self._rest = (self._rest + piece).split(b"\n")
         if (lines or [self._rest])[0].startswith(MAGIC):
             raise TraceError(f"{self.path} is MCAP: it can be read when the run has ended, and not followed")
+        if (lines or [self._rest])[0].startswith(GZIP_MAGIC):
+            raise TraceError(f"{self.path} is compressed: it can be read when the run has ended")
         if len(self._rest) > LONGEST:
             raise TraceError(f"{self.path} cannot be read: a line is longer than {LONGEST} bytes")
         for line in lines:

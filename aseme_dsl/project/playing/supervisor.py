@@ -29,6 +29,7 @@ from aseme_dsl import outside
 from aseme_dsl.diagnostics.problems import running as problems
 from aseme_dsl.project.playing.play import PlayError
 from aseme_dsl.project.settings.platforms import given_environment
+from aseme_dsl.runtime.trace.trace_files import GZIP_SUFFIX
 
 if TYPE_CHECKING:
     from aseme_dsl.project.playing.play import Request
@@ -287,7 +288,8 @@ class _Run:
         project = self._configuration.run
         given = self._request.trace or (project.trace if project else None) or self._folder / "trace.jsonl"
         life = f".{child.starts}" if child.starts > 1 else ""
-        return given.with_name(f"{given.stem}.{child.name}{life}{given.suffix}")
+        suffix = "".join(given.suffixes[-2:]) if given.suffix == GZIP_SUFFIX else given.suffix
+        return given.with_name(f"{given.name.removesuffix(suffix)}.{child.name}{life}{suffix}")
 
     def _spawn(self, command: list[str]) -> subprocess.Popen[str]:
         own = {"PYTHONUNBUFFERED": "1", WORLD: self._key.hex()}

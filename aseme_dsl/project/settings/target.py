@@ -147,14 +147,22 @@ def traces_of(target: Path, *, following: bool = False) -> tuple[tuple[Path, ...
         if configuration.run is not None and configuration.run.trace is not None:
             return (configuration.run.trace,), ()
         folder = configuration.output or Path(OUTPUT)
-    whole = folder / "trace.jsonl"
+    whole = _latest(folder)
     each = sorted(folder.glob("trace.*.jsonl"))
-    if not following and not each and not _is_there(whole) and not _is_there(folder / "trace.jsonl.part"):
+    if not following and not each and not _is_there(whole) and not _is_there(folder / f"{whole.name}.part"):
         return (), (Diagnostic(wrong.NoTrace(str(whole)), None, path=str(target)),)
     if following or not each:
         return (whole,), ()
     last = max(item.stat().st_mtime for item in each)
     return ((whole,) if whole.is_file() and whole.stat().st_mtime > last else tuple(each)), ()
+
+
+def _latest(folder: Path) -> Path:
+    """The trace of the last run of a whole team: compressed, if that is the newer one."""
+    plain, packed = folder / "trace.jsonl", folder / "trace.jsonl.gz"
+    if packed.is_file() and not (plain.is_file() and plain.stat().st_mtime > packed.stat().st_mtime):
+        return packed
+    return plain
 
 
 def _traces_in(folder: Path) -> bool:

@@ -1,4 +1,4 @@
-"""Trace files: the lines of a run on disk, as JSON lines or, by the suffix `.mcap`, in an MCAP file.
+"""Trace files: the lines of a run on disk: JSON lines, by their suffix compressed (`.gz`) or MCAP (`.mcap`).
 
 A trace has its own name only when it is complete; until then it is `NAME.part`. So a full disk or a broken
 run does not destroy an earlier trace of that name.
@@ -22,6 +22,7 @@ from aseme_dsl import outside
 FORMAT = 2
 """The version of the format. The kinds of records had other names in 1."""
 MCAP_SUFFIX = ".mcap"
+GZIP_SUFFIX = ".gz"
 PART = ".part"
 MOST_LINES = 50_000
 """So many lines wait for the disk at most."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from aseme_dsl.runtime.trace.trace_files import MCAP_SUFFIX, Format, JsonLines
+from aseme_dsl.runtime.trace.trace_files import GZIP_SUFFIX, MCAP_SUFFIX, Format, JsonLines
 
 
 def format_for(path: Path, part: Path) -> Format:
@@ -18,4 +18,8 @@ def format_for(path: Path, part: Path) -> Format:
         from aseme_dsl.runtime.trace.trace_mcap import McapFile
 
         return McapFile(part)
+    if path.suffix == GZIP_SUFFIX:
+        from aseme_dsl.runtime.trace.trace_gzip import GzipFile
+
+        return GzipFile(part)
     return JsonLines(part)

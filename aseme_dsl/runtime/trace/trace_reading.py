@@ -9,6 +9,8 @@ from pathlib import Path
 from aseme_dsl import outside
 from aseme_dsl.runtime.trace.records import Record, as_record
 from aseme_dsl.runtime.trace.trace_files import FORMAT, TraceError, part_of
+from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
+from aseme_dsl.runtime.trace.trace_gzip import unpacked_lines
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC, Torn, lines_in
 
 
@@ -38,7 +40,9 @@ class TraceReader:
         """Whether the run came to its end: the last line says so."""
         try:
             self._file = outside.open_file(self.path)
-            self._is_mcap = self._file.peek(len(MAGIC)).startswith(MAGIC)
+            start = self._file.peek(len(MAGIC))
+            self._is_mcap = start.startswith(MAGIC)
+            self._is_packed = start.startswith(GZIP_MAGIC)
         except OSError as problem:
             raise TraceError(f"{self.path} cannot be read: {problem.strerror or problem}") from problem
 
@@ -74,16 +78,23 @@ class TraceReader:
     def _texts(self) -> Iterator[str]:
         number = 0
         before: bytes | None = None
-        for data in outside.lines(self._file, LONGEST):
-            if before is not None:
-                number += 1
-                yield _decoded(before)
-            before = data
+        lines = unpacked_lines(self._file) if self._is_packed else outside.lines(self._file, LONGEST)
+        torn: Torn | None = None
+        try:
+            for data in lines:
+                if before is not None:
+                    number += 1
+                    yield _decoded(before)
+                before = data
+        except Torn as found:
+            torn = found
         if before is not None:
             text = _decoded(before)
             if not before.endswith(b"\n") and record_of(text) is None:
                 raise Torn(number, f"{_short(text)} is not a whole line")
             yield text
+        if torn is not None:
+            raise torn
 
 
 def _decoded(data: bytes) -> str:

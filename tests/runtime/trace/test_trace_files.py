@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import os
 import resource
@@ -18,7 +19,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.trace import trace_files, trace_mcap
+from aseme_dsl.runtime.trace import trace_files, trace_gzip, trace_mcap
 from aseme_dsl.runtime.trace.trace import Trace
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.trace.trace_formats import format_for
@@ -93,7 +94,7 @@ team.run()
 """
 
 
-@pytest.mark.parametrize("suffix", ["jsonl", "mcap"])
+@pytest.mark.parametrize("suffix", ["jsonl", "jsonl.gz", "mcap"])
 def test_a_killed_run_leaves_a_trace_that_can_be_read(suffix: str, tmp_path: Path) -> None:
     """What is told is written soon, and is there, whatever happens to the process."""
     trace = tmp_path / f"run.{suffix}"
@@ -150,7 +151,7 @@ def test_what_is_no_trace_is_named_with_its_line(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is always full")
 @pytest.mark.parametrize("clock", ["virtual", "real"])
-@pytest.mark.parametrize("suffix", ["jsonl", "mcap"])
+@pytest.mark.parametrize("suffix", ["jsonl", "jsonl.gz", "mcap"])
 def test_a_full_disk_ends_the_trace_and_not_the_run(clock: str, suffix: str, tmp_path: Path) -> None:
     path = tmp_path / f"run.{suffix}"
     path.write_text("old")
@@ -308,10 +309,50 @@ def test_an_mcap_trace_has_every_line_and_every_message(generated: Generated, tm
     assert "y" not in first["places"][0] and first["places"][1]["y"] == 0.0
 
 
-def test_one_seed_gives_one_mcap_file(generated: Generated, tmp_path: Path) -> None:
-    run(generated, tmp_path / "a.mcap")
-    run(generated, tmp_path / "b.mcap")
-    assert (tmp_path / "a.mcap").read_bytes() == (tmp_path / "b.mcap").read_bytes()
+@pytest.mark.parametrize("suffix", ["mcap", "jsonl.gz"])
+def test_one_seed_gives_one_file(suffix: str, generated: Generated, tmp_path: Path) -> None:
+    run(generated, tmp_path / f"a.{suffix}")
+    run(generated, tmp_path / f"b.{suffix}")
+    assert (tmp_path / f"a.{suffix}").read_bytes() == (tmp_path / f"b.{suffix}").read_bytes()
+
+
+def test_a_compressed_trace_has_the_same_lines(
+    generated: Generated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trace_gzip, "PART_BYTES", 5000)
+    run(generated, tmp_path / "a.jsonl")
+    run(generated, tmp_path / "a.jsonl.gz")
+    plain, packed = (tmp_path / "a.jsonl").read_bytes(), (tmp_path / "a.jsonl.gz").read_bytes()
+    assert gzip.decompress(packed) == plain
+    assert len(packed) < len(plain) / 3
+    assert packed.count(trace_gzip.MAGIC + b"\x08") > 3  # each part can be read by itself
+
+
+def test_a_compressed_trace_that_is_cut_is_read_as_far_as_it_goes(
+    generated: Generated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trace_gzip, "PART_BYTES", 5000)
+    path = tmp_path / "a.jsonl.gz"
+    run(generated, path)
+    whole, texts = path.read_bytes(), texts_of(path)
+    for size in range(0, len(whole) - 1, 97):
+        path.write_bytes(whole[:size])
+        reader = TraceReader(path)
+        try:
+            found = [line.text for line in reader]
+        except TraceError as problem:
+            assert size < 20, problem
+            continue
+        assert found == texts[: len(found)]
+        assert reader.problem is not None
+        assert size < len(whole) * 3 / 4 or len(found) > len(texts) / 3
+    path.write_bytes(whole[:2000] + b"damage" + whole[2006:])
+    reader = TraceReader(path)
+    try:
+        assert len(list(reader)) < len(texts)
+        assert "breaks off" in (reader.problem or "")
+    except TraceError as problem:  # the damage has given a line before it was found
+        assert "a line of a trace is wanted" in str(problem)
 
 
 def test_in_real_time_the_log_time_is_that_of_the_world(generated: Generated, tmp_path: Path) -> None:
@@ -404,7 +445,7 @@ records = st.fixed_dictionaries(
 def test_from_lines_to_mcap_and_back_is_the_same(
     lines: list[dict[str, Any]], compact: bool, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
-    path = tmp_path_factory.mktemp("t") / "x.mcap"
+    path = tmp_path_factory.mktemp("t") / ("x.mcap" if len(lines) % 2 else "x.jsonl.gz")
     header = {"kind": "header", "time": 0, "agents": []}
     separators = (",", ":") if compact else (", ", " : ")
     texts = [json.dumps(line, separators=separators) for line in [header, *lines]]
