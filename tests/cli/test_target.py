@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import shutil
@@ -86,9 +87,14 @@ USES = {
     "view": Use(says="src/walker.aseme: http://"),
     "run": Use(after=("--for", "2s", "--allow", "waiting"), says="  trace: made/trace.jsonl\n"),
     "test": Use(says="0 scenarios\n"),
+    "sim": Use(after=("--plain",)),
     "node": Use(("one",), ("--for", "1ms", "--trace", "one.jsonl"), says="  trace: one.jsonl\n"),
     "swap": Use(code=1, says="error[E034]: nothing has changed:\nnothing runs from made: "),
     "trace": Use(says="made/trace.jsonl: Walker, seed 1, virtual time\n"),
+    "replay": Use(says=" of "),
+    "coverage": Use(),
+    "metrics": Use(),
+    "goals": Use(),
     "sniff": Use(says="no agent messages in this trace\n"),
     "optimise": Use(after=("--measure", "Walk", "--runs", "1", "--quicker", "1", "--for", "1s"), says="# "),
     "bench": Use(after=("--steps", "5", "--rounds", "1"), says="# "),
@@ -101,7 +107,7 @@ OTHERS = {"new", "explain", "lsp", "status", "switch", "key", "import", "complet
 FORMS = (
     "   hint: name a .aseme file, a project's folder or an output folder (or, for trace and sniff, a trace)\n"
 )
-TRACES = ("trace", "sniff")
+TRACES = ("trace", "sniff", "replay", "coverage", "metrics")
 
 
 @pytest.fixture(autouse=True)
@@ -110,6 +116,7 @@ def _views_end(monkeypatch: pytest.MonkeyPatch) -> None:
         raise KeyboardInterrupt
 
     monkeypatch.setattr(view.Watched, "wait", wait)
+    monkeypatch.setattr("sys.stdin", io.StringIO())
 
 
 def commands() -> Iterator[tuple[str, bool]]:
@@ -249,7 +256,7 @@ def test_two_sources_of_one_name_do_not_replace_each_other(here: Here, folder: P
 
 
 HOLES = GOOD.replace("Walk | Stand", "Walk ? Stand").replace(": else\n    leave", ": [?]\n    leave")
-REFUSE_HOLES = USES.keys() - {"check", "fmt", "scaffold", "view", "trace", "sniff", "doctor"}
+REFUSE_HOLES = USES.keys() - {"check", "fmt", "scaffold", "view", "doctor", *TRACES}
 """Those that would have to decide what is left open; `view` shows the problem on its page."""
 
 
