@@ -212,7 +212,8 @@ def _sources(system: System) -> dict[str, str]:
     root = system.span.source
     folder = Path(root.path).absolute().parent
     others = [item for item in system.sources if item.path != root.path and not is_library_path(item.path)]
-    found = {Path(root.path).name: root.text}
+    whole = {item.path: item.text for item in system.sources}  # what is rebuilt was read in parts
+    found = {Path(root.path).name: whole.get(root.path, root.text)}
     for item in others:
         path = os.path.relpath(Path(item.path).absolute(), folder)
         found[path.replace(os.sep, "/")] = item.text
