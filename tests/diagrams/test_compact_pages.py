@@ -77,14 +77,14 @@ def test_a_part_is_drawn_alone() -> None:
     assert nested.note.endswith("is not an OR state")
 
 
-def test_a_large_chart_is_divided_into_pages_that_lead_to_each_other() -> None:
-    file = Path(__file__).parents[2] / "examples" / "robocup" / "kouretes.aseme"
-    system = aseme_dsl.compile(file)
-    player = next(item for item in system.iacs if item.name == "player")
+@pytest.mark.parametrize(("file", "name"), [("robocup/kouretes", "player"), ("hospital/hospital", "robot")])
+def test_a_large_chart_is_divided_into_pages_that_lead_to_each_other(file: str, name: str) -> None:
+    system = aseme_dsl.compile(Path(__file__).parents[2] / "examples" / f"{file}.aseme")
+    chart = next(item for item in system.iacs if item.name == name)
     first, *others = draw_statechart(
-        player, Options(layout=Layout.COMPACT, page=PageSize.A4), system.activities
+        chart, Options(layout=Layout.COMPACT, page=PageSize.A4), system.activities
     )
-    assert first.name == "iac.player" and others
+    assert first.name == f"iac.{name}" and others
     assert not any(item.note for item in (first, *others))
     names = {f"{item.name}.svg" for item in others}
     roots = [ElementTree.fromstring(render(item, "svg")) for item in (first, *others)]

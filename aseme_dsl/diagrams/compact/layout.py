@@ -32,11 +32,15 @@ _LEAST = 560
 """How wide a page is at least, so that the texts below have room."""
 
 
+_BESIDE = 300
+"""So much room beside the chart is enough for the texts that have none below, in px."""
+
+
 @dataclass(frozen=True, slots=True)
 class Wanted:
     """What is to be drawn: the OR `top`, with the composites `closed` closed, if it can be in the `size`.
 
-    On a `page` of this size, the texts below take all of its width.
+    On a `page` of this size, the texts below take all of its width, or stand beside the chart.
     """
 
     top: str
@@ -109,7 +113,12 @@ def _page(chart: Statechart, root: Group, words: Words, placer: Placer, wanted: 
     right = max(room.right, _LEAST)
     below = room.down + 20
     broad = wanted.size[0] - _MARGIN if wanted.page else right
-    for texts in _explained(chart, words, broad - _MARGIN, below):
+    explained = _explained(chart, words, _MARGIN, broad - _MARGIN, below)
+    lowest = max((item.y for texts in explained for item in texts), default=0.0)
+    beside = wanted.size[0] - room.right - 2 * _MARGIN
+    if wanted.page and lowest + 2 * _MARGIN > wanted.size[1] and beside > _BESIDE:
+        explained = _explained(chart, words, room.right + _MARGIN, beside, top)
+    for texts in explained:
         room.add(*texts)
     return Picture(
         round(max(right, room.right) + _MARGIN, 1),
@@ -166,7 +175,7 @@ def _modules(chart: Statechart, y: float) -> list[Text]:
     return said
 
 
-def _explained(chart: Statechart, words: Words, wide: float, top: float) -> list[list[Text]]:
+def _explained(chart: Statechart, words: Words, left: float, wide: float, top: float) -> list[list[Text]]:
     """What each name of a `let`, each number and each short name of a channel stands for, in columns."""
     entries = [(name, f"= {said}") for name, said in words.lets().items()]
     entries += [(f"({number})", said) for number, said in enumerate(map(words.text, words.notes), 1)]
@@ -176,10 +185,10 @@ def _explained(chart: Statechart, words: Words, wide: float, top: float) -> list
     cells = [(name, wrapped(said, max(20, int((each - indent - 20) / 5.9)))) for name, said in entries]
     total = sum(len(lines) for _, lines in cells)
     made: list[list[Text]] = []
-    x, y, most = float(_MARGIN), top, -(-total // columns)
+    x, y, most = left, top, -(-total // columns)
     used, lowest = 0, top
     for name, lines in cells:
-        if used and used + len(lines) > most and x + each < wide:
+        if used and used + len(lines) > most and x - left + each < wide - 1:
             x, y, used = x + each, top, 0
         made.append([text(x, y, name, Look.FIELD)])
         made.append([text(x + indent, y + row * PITCH, line, Look.LABEL) for row, line in enumerate(lines)])
@@ -190,7 +199,7 @@ def _explained(chart: Statechart, words: Words, wide: float, top: float) -> list
     said = [f"channels: {short}"] if short else []
     for paragraph in said:
         for line in wrapped(paragraph, max(40, int(wide / 5.4))):
-            made.append([text(_MARGIN, lowest + 2, line, Look.SMALL)])
+            made.append([text(left, lowest + 2, line, Look.SMALL)])
             lowest += PITCH
     return made
 
