@@ -110,7 +110,9 @@ class ChartState:
         if cls.REGIONS:  # one that was generated
             cls.board_places = tuple(f"b{number}" for number in range(len(cls.REGIONS)))
             other = {*cls.board_places, *cls.KEPT.values()}
-            own: tuple[str, ...] = cls.__dict__.get("__slots__", ())
+            # A class inside a generated one has its attributes.
+            kinds = [kind for kind in reversed(cls.__mro__) if getattr(kind, "REGIONS", ())]
+            own = [name for kind in kinds for name in kind.__dict__.get("__slots__", ())]
             cls.places = (*COMMON, *(name for name in own if name not in other))
             cls.values = attrgetter(*cls.places)
 

@@ -47,6 +47,15 @@ def test_a_state_of_another_model_is_refused() -> None:
         other.load(one.save())
 
 
+def test_a_class_inside_a_generated_one_saves_all_of_it() -> None:
+    """Scenarios and coverage make such classes."""
+    kind = generate("system One  srm r { var n : int = 3  liveness { r = A } }").charts["r"]
+    inner = type("Inner", (kind,), {"__slots__": ()})
+    assert inner("r").save() == kind("r").save()
+    assert "n" in " ".join(inner.places)
+    assert inner.places == kind.places
+
+
 def test_a_chart_is_saved_and_loaded_within_ten_microseconds() -> None:
     """The player of the papers, after a game has begun; a slow machine is given ten times as long."""
     made = generate(KOURETES.read_text("utf-8"))
