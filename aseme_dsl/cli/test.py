@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from aseme_dsl import outside
 from aseme_dsl.cli.covering import Wanted, check_page, fail_under_option, html_option, too_little, write_page
 from aseme_dsl.cli.progress import Progress
 from aseme_dsl.cli.report import form_of
@@ -74,6 +75,13 @@ if TYPE_CHECKING:
 @html_option
 @fail_under_option
 @click.option(
+    "--save",
+    "saved",
+    type=FilePath(path_type=Path),
+    metavar="FILE",
+    help="Append the smallest case of each failure to FILE, as a scenario.",
+)
+@click.option(
     "--format",
     "form",
     type=click.Choice(["text", "json", "junit", "github"]),
@@ -93,6 +101,7 @@ def command(
     coverage_file: Path | None,
     html: Path | None,
     wanted: Wanted,
+    saved: Path | None,
     form: str | None,
     as_json: bool,
     colour: str,
@@ -140,6 +149,9 @@ def command(
         raise click.ClickException(f"{problem}.") from problem
     finally:
         progress.end()
+    if saved is not None and (cases := "\n".join(item.shrunk for item in tested if item.shrunk)):
+        before = outside.read_bytes(saved) + b"\n" if saved.exists() else b""
+        print_diagnostics(write_file(saved, before + cases.encode("utf-8")).diagnostics, colour)
     coverage = None
     code = int(any(item.verdict != "passed" for item in tested))
     if seen is not None:

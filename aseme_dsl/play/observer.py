@@ -96,7 +96,7 @@ class Observer:
         self._clauses = Clauses(script.expectations, script.conditions)
         self._inputs = inputs
         self._agents = {name: Followed() for name, _ in script.team}
-        self._last: dict[str, dict[str, int]] = {name: {} for name, _ in script.team}
+        self._last: dict[str, dict[str, tuple[int, str]]] = {name: {} for name, _ in script.team}
         """When what has happened to an agent happened last; the newest comes last."""
         self._said: dict[tuple[str, int], Said] = {}
         self._arrived: dict[tuple[str, str, int], int] = {}
@@ -226,7 +226,8 @@ class Observer:
             if self._counted:
                 followed.count(plan, self._counted, new)
             entered |= new
-            self._note(agent, way(plan, taken["source"], taken["target"]))
+            at = plan.transitions[taken["transitions"][-1]].at
+            self._note(agent, way(plan, taken["source"], taken["target"]), at)
         if self._timers:
             self._wake_for_timers(agent)
         self._look(_Happening({agent: frozenset(entered)}, received=tuple(received)))
@@ -289,18 +290,19 @@ class Observer:
         assert self._team is not None
         return self._team.agent(agent)
 
-    def _note(self, agent: str, text: str) -> None:
+    def _note(self, agent: str, text: str, at: str = "") -> None:
+        """Something has happened to an agent; `at` is the place of the line in the source."""
         last = self._last.get(agent)
         if last is not None:
             last.pop(text, None)
-            last[text] = self._now
+            last[text] = self._now, at
 
     def story(self) -> tuple[str, ...]:
         """The last things that happened, agent by agent."""
         return tuple(
-            f"{name}  {shown(moment)}  {text}"
+            f"{name}  {shown(moment)}  {text}{f'  ({at})' if at else ''}"
             for name, last in self._last.items()
-            for text, moment in list(last.items())[-LAST:]
+            for text, (moment, at) in list(last.items())[-LAST:]
         )
 
     # ---- what is seen ------------------------------------------------------------------------

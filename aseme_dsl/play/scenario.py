@@ -197,6 +197,7 @@ class Stimulus:
 
     act: Act
     moment: int
+    span: Span
     trigger: int | None = None
 
 
@@ -252,6 +253,7 @@ class Given:
     least: float
     most: float
     is_whole: bool
+    span: Span
 
 
 @dataclass(frozen=True, slots=True)
@@ -296,6 +298,8 @@ class Scenario:
     refused: Refused | None = None
     points: int | None = None
     """What a teacher gives for it."""
+    block: Span | None = None
+    """All of it in the file, if it is played."""
 
 
 __all__ = [

@@ -47,11 +47,11 @@ failed   it walks  seed 1  3 s
   good.aseme:22:3: has not come by 3 s
    22 |   by 3s one in Walk
       |   ^^^^^^^^^^^^^^^^^
-    one  0 s  enters (Walk | Stand)
+    one  0 s  enters (Walk | Stand)  (good.aseme:5:22)
     one  3 s  Stand ends
-    one  3 s  Stand -> end of (Walk | Stand)
-    one  3 s  (Walk | Stand) -> (Walk | Stand)
-    one  3 s  enters Stand
+    one  3 s  Stand -> end of (Walk | Stand)  (good.aseme:5:30)
+    one  3 s  (Walk | Stand) -> (Walk | Stand)  (good.aseme:11:5)
+    one  3 s  enters Stand  (good.aseme:9:5)
 1 scenario: 1 failed
 """
     )
@@ -164,3 +164,41 @@ def test_a_run_watches_properties(here: Here, folder: Path) -> None:
     assert here("run", "good.aseme", "-o", "out", "--strict", "--real").code == 2
     alone = here("run", "good.aseme", "-o", "out", "--role", "robot", "--agent", "two", "--for", "1s")
     assert (alone.code, "1 of 2 statements" in alone.out) == (0, True), alone.out
+
+
+SHRINKS = """
+scenario "nobody walks" {
+  given home in 0..1
+  given far in 0..300
+  at 100ms two receives eyes.state.Seen { ball = true }
+  at 200ms one receives eyes.state.Seen { home = home > 5 }
+  at 500ms one receives eyes.state.Seen { ball = far > 17 }
+  crash two at 700ms
+  never one in Walk  // a comment
+  for 5s
+}
+"""
+
+
+def test_a_failure_is_shrunk_and_saved_as_a_scenario(here: Here, folder: Path) -> None:
+    (folder / "good.aseme").write_text(GOOD + SHRINKS)
+    done = here("test", "good.aseme", "--save", "found.aseme")
+    assert done.code == 1
+    assert "  with home = 0, far = 18" in done.out.splitlines(), done.out
+    assert "  also without the inputs of line 19, 20, 22" in done.out.splitlines(), done.out
+    saved = (folder / "found.aseme").read_text()
+    assert (
+        saved
+        == """\
+// fails with seed 1
+scenario "nobody walks, shrunk" {
+  table (home, far) { (0, 18) }
+  at 500ms one receives eyes.state.Seen { ball = far > 17 }
+  never one in Walk  // a comment
+  for 5s
+}
+"""
+    )
+    (folder / "good.aseme").write_text(GOOD + SHRINKS + saved)
+    again = here("test", "good.aseme", "-k", "shrunk")
+    assert (again.code, "failed   nobody walks, shrunk" in again.out) == (1, True), again.out

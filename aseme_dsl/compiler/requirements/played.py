@@ -117,7 +117,7 @@ def _scenario(
         )
     except _NotPlayed as problem:
         return play.Scenario(name, title, (), problem.refused, points)
-    return play.Scenario(name, title, scripts, points=points)
+    return play.Scenario(name, title, scripts, points=points, block=item.span)
 
 
 # ---- one way to play a scenario ---------------------------------------------------------------------
@@ -204,7 +204,7 @@ class _Lowering:
         least, most = (fold(value) for value in ends if value is not None)
         assert isinstance(least, int | float) and isinstance(most, int | float)
         is_whole = self.check.parameters[item.name.text] != DOUBLE
-        return play.Given(item.name.text, least, most, is_whole)
+        return play.Given(item.name.text, least, most, is_whole, item.span)
 
     def _always(self, name: str, item: nodes.Statement) -> None:
         """What a property says of those that take part. It may say nothing in this run."""
@@ -315,7 +315,7 @@ class _Lowering:
             case "at", nodes.Reached(condition=condition):
                 self._expect(rules.At(self._condition(condition, about), moment), item.span, item.share)
             case "at", _:
-                self.stimuli.append(play.Stimulus(self._act(item.event), moment))
+                self.stimuli.append(play.Stimulus(self._act(item.event), moment, item.span))
             case "by", nodes.Reached(condition=condition):
                 since = max((earlier for earlier in given if earlier < moment), default=0)
                 rule = rules.Sometime(self._condition(condition, about), since, moment)
@@ -328,7 +328,7 @@ class _Lowering:
             case "after", nodes.Receives() | nodes.Raises():
                 assert item.of is not None
                 trigger = self._condition(item.of, about)
-                self.stimuli.append(play.Stimulus(self._act(item.event), moment, trigger))
+                self.stimuli.append(play.Stimulus(self._act(item.event), moment, item.span, trigger))
             case "within", nodes.Reached(condition=condition):
                 assert item.of is not None
                 trigger, then = self._condition(item.of, about), self._condition(condition, about)

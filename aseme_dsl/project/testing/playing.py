@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import count
 from pathlib import Path
@@ -18,7 +18,8 @@ from aseme_dsl.play.scenario import Scenario, Script
 from aseme_dsl.project.spreading.cluster import Cluster, Copied
 from aseme_dsl.project.spreading.spread import spread
 from aseme_dsl.project.testing.cases import Case, cases_of
-from aseme_dsl.project.testing.verdicts import NotRun, ScenarioResult, verdict_of
+from aseme_dsl.project.testing.shrinking import shrunk, text_of
+from aseme_dsl.project.testing.verdicts import NotRun, ScenarioResult, Verdict, verdict_of
 from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 
 if TYPE_CHECKING:
@@ -117,12 +118,48 @@ def play_scenarios(
             [run for _ in _parts(mine) for run in next(found).runs] if scenario.refused is None else []
             for scenario, mine in zip(scenarios, cases, strict=True)
         ]
+        jobs_of = {id(job.cases[0]): job for job in jobs}
+        results = [
+            _smaller(scenario, mine, own, jobs_of)
+            for scenario, mine, own in zip(scenarios, cases, runs, strict=True)
+        ]
     if seen is not None:
         for item in played:
             seen.add(item.seen)
         seen.scenarios += len(scenarios)
         seen.evaluated += len(scenarios)
-    return tuple(map(verdict_of, scenarios, cases, runs))
+    return tuple(results)
+
+
+def _smaller(
+    scenario: Scenario,
+    cases: Sequence[Case],
+    runs: Sequence[Played | NotRun],
+    jobs: Mapping[int, _Job],
+) -> ScenarioResult:
+    """The verdict on a scenario; that of a failure is about a smaller run in which it fails, too."""
+    result = verdict_of(scenario, cases, runs)
+    broken = (n for n, run in enumerate(runs) if isinstance(run, Played) and run.broken is not None)
+    place = next(broken, None)
+    if result.verdict is not Verdict.FAILED or place is None:
+        return result
+    case, found = cases[place], runs[place]
+    script = scenario.scripts[case.script]
+    assert isinstance(found, Played)
+    if not script.stimuli and not script.inputs:
+        return result
+    part = next(part for part in _parts(cases) if any(one is case for one in part))
+    job = jobs[id(part[0])]
+
+    def play_again(smaller: Script, inputs: Mapping[str, object]) -> Played | None:
+        (run,) = _play(replace(job, script=smaller, cases=(replace(case, inputs=inputs),))).runs
+        return run if isinstance(run, Played) else None
+
+    best = shrunk(script, case.inputs, found, play_again)
+    again = verdict_of(scenario, (replace(case, inputs=best.inputs),), (best.run,))
+    return replace(
+        again, runs=result.runs, dropped=best.dropped, shrunk=text_of(scenario, script, best, case.seed)
+    )
 
 
 def _end(scenario: Scenario, part: Sequence[Case], usual: int) -> int:

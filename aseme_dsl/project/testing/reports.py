@@ -22,6 +22,9 @@ def explained(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:
         yield f"  {line}"
     if item.given:
         yield "  with " + ", ".join(f"{name} = {value}" for name, value in item.given.items())
+    if item.dropped:
+        lines = ", ".join(str(span.line) for span in item.dropped)
+        yield f"  also without the {'inputs' if len(item.dropped) > 1 else 'input'} of line {lines}"
     for line in item.story:
         yield f"    {line}"
 

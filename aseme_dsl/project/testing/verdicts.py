@@ -54,6 +54,10 @@ class ScenarioResult:
     runs: int = 0
     points: int | None = None
     """What a teacher gives for it if it passes."""
+    dropped: tuple[Span, ...] = ()
+    """The stimuli without which it fails, too."""
+    shrunk: str = ""
+    """The smaller scenario that fails, if one was made."""
     general: tuple[tuple[str, Span, bool], ...] = ()
     """What properties and clauses say, and whether what each speaks of has happened in some run."""
 

@@ -418,7 +418,7 @@ def test_properties_are_checked_in_each_scenario(verdict: str, line: str, tmp_pa
 
 def test_a_story_says_when_an_agent_starts_again(tmp_path: Path) -> None:
     path = tmp_path / "walk.aseme"
-    body = "a : walker  crash a at 500ms  restart a at 2s  by 3s a in Halt"
+    body = "a : walker  crash a at 500ms  restart a at 2s  at 2500ms not a in Wait"
     path.write_text(f'{SYSTEM}scenario "s" {{ {body} }}\n')
     (found,) = play(path)
     told = [line.split("  ") for line in map(str, found.story) if "crashes" in line or "again" in line]

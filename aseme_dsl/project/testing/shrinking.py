@@ -1,0 +1,101 @@
+"""Shrinking: a failure with fewer stimuli and smaller values, and the scenario that it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from aseme_dsl.play.run import Played
+from aseme_dsl.play.scenario import Scenario, Script
+from aseme_dsl.runtime.monitor.rules import Sometime
+from aseme_dsl.source import Span
+
+MOST = 500
+"""So many runs are made for one failure at the most."""
+
+Run = Callable[[Script, Mapping[str, object]], Played | None]
+"""Plays a script with inputs; None if it cannot be played."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shrunk:
+    """A smaller run in which the same expectation is broken, and the stimuli that it does not need."""
+
+    run: Played
+    inputs: Mapping[str, object]
+    dropped: tuple[Span, ...]
+
+
+def shrunk(script: Script, inputs: Mapping[str, object], found: Played, play: Run) -> Shrunk:
+    """Drop stimuli one by one, then move the values towards 0, as long as the same expectation is broken."""
+    left = MOST
+
+    def fails(smaller: Script, values: Mapping[str, object]) -> Played | None:
+        nonlocal left
+        left -= 1
+        run = play(smaller, values) if left >= 0 else None
+        is_same = run is not None and run.broken == found.broken
+        return run if is_same and run is not None and run.assumption == found.assumption else None
+
+    # `by T` counts from a stimulus, which the text needs then.
+    needed = {item.rule.since for item in script.expectations if isinstance(item.rule, Sometime)}
+    best = found
+    dropped: list[Span] = []
+    for item in script.stimuli:
+        if item.trigger is None and item.moment in needed:
+            continue
+        smaller = replace(script, stimuli=tuple(other for other in script.stimuli if other is not item))
+        run = fails(smaller, inputs)
+        if run is not None:
+            script, best = smaller, run
+            dropped.append(item.span)
+    values = dict(inputs)
+    for given in script.inputs:
+        passing, failing = min(max(0, given.least), given.most), values[given.name]
+        assert isinstance(failing, int | float)
+        tried = int(passing) if given.is_whole else passing
+        while abs(failing - passing) >= (1 if given.is_whole else 1e-3):
+            run = fails(script, {**values, given.name: tried})
+            if run is None:
+                passing = tried
+            else:
+                values[given.name], best, failing = tried, run, tried
+            tried = _between(passing, failing, given.is_whole)
+            if tried in (passing, failing):
+                break
+    return Shrunk(best, values, tuple(dropped))
+
+
+def _between(one: float, other: float, is_whole: bool) -> float:
+    middle = (one + other) / 2
+    return int(middle) if is_whole else middle
+
+
+def text_of(scenario: Scenario, script: Script, case: Shrunk, seed: int) -> str:
+    """The scenario of the smaller run: without what it does not need, with its values in a table."""
+    edits = [(span, "") for span in case.dropped]
+    names = ", ".join(item.name for item in script.inputs)
+    values = ", ".join(_written(case.inputs[item.name], item.span) for item in script.inputs)
+    for place, item in enumerate(script.inputs):
+        edits.append((item.span, "" if place else f"table ({names}) {{ ({values}) }}"))
+    block = scenario.block
+    assert block is not None  # it was played
+    text, end = "", block.start
+    for span, new in sorted(edits, key=lambda edit: edit[0].start):
+        text += block.source.text[end : span.start] + new
+        end = span.end
+    text += block.source.text[end : block.end]
+    title = scenario.span.text
+    begun = scenario.span.start - block.start
+    text = f'{text[:begun]}{title[:-1]}, shrunk"{text[begun + len(title) :]}'
+    lines = [line for line in text.split("\n") if line.strip()]
+    return f"// fails with seed {seed}\n" + "\n".join(lines) + "\n"
+
+
+def _written(value: object, span: Span) -> str:
+    """A value as the file writes it; that of a range of durations is in ns."""
+    is_duration = span.text.rstrip().endswith("s") or span.text.rstrip().endswith("min")
+    return f"{float(str(value)) / 1e6:.6f}".rstrip("0").rstrip(".") + "ms" if is_duration else str(value)
+
+
+__all__ = ["Shrunk", "shrunk", "text_of"]
