@@ -87,7 +87,7 @@ USES = {
     "view": Use(says="src/walker.aseme: http://"),
     "run": Use(after=("--for", "2s", "--allow", "waiting"), says="  trace: made/trace.jsonl\n"),
     "test": Use(says="0 scenarios\n"),
-    "sim": Use(after=("--plain",)),
+    "sim": Use(after=("--plain",), says="0 s\n"),
     "node": Use(("one",), ("--for", "1ms", "--trace", "one.jsonl"), says="  trace: one.jsonl\n"),
     "swap": Use(code=1, says="error[E034]: nothing has changed:\nnothing runs from made: "),
     "trace": Use(says="made/trace.jsonl: Walker, seed 1, virtual time\n"),
@@ -105,7 +105,8 @@ USES = {
 OTHERS = {"new", "explain", "lsp", "status", "switch", "key", "import", "completion", "match"}
 """Those that take none, or two: `status` and `switch` are about what runs from an output folder (-o)."""
 FORMS = (
-    "   hint: name a .aseme file, a project's folder or an output folder (or, for trace and sniff, a trace)\n"
+    "   hint: name a .aseme file, a project's folder or an output folder"
+    " (or, for commands that read runs, a trace)\n"
 )
 TRACES = ("trace", "sniff", "replay", "coverage", "metrics")
 

@@ -7,7 +7,7 @@ from aseme_dsl.diagnostics.wording import did_you_mean
 from aseme_dsl.source import STANDARD_INPUT
 
 _TARGET_FORMS = (
-    "name a .aseme file, a project's folder or an output folder (or, for trace and sniff, a trace)"
+    "name a .aseme file, a project's folder or an output folder (or, for commands that read runs, a trace)"
 )
 """What a command works on."""
 _LONGEST = 40
