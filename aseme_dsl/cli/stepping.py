@@ -21,6 +21,7 @@ COMMANDS = (
     ("clear N", "remove a halt"),
     ("do INPUT", "give an input now: do robot1 receives eyes.state.Ball { visible = true }"),
     ("add STATEMENT", "add a statement from the beginning on: add crash robot2 at 3s"),
+    ("undo", "take the last `do` or `add` back"),
     ("show [AGENT]", "states, values, agent messages and timers"),
     ("source [AGENT]", "the lines of the active states"),
     ("save FILE", "write what was done as a scenario"),
@@ -85,6 +86,8 @@ def _moves(stepper: Stepper, word: str, rest: str) -> Callable[[], None] | None:
             return lambda: stepper.back(count)
         case "go":
             return stepper.go
+        case "undo":
+            return lambda: _undone(stepper)
         case "to":
             try:
                 moment = duration(rest)
@@ -99,10 +102,17 @@ def _moves(stepper: Stepper, word: str, rest: str) -> Callable[[], None] | None:
         case "halt" | "do" | "add":
             if not rest:
                 raise WrongCommand(f"Say what to {word}; see help.")
+            if word == "do" and stepper.instant.over:
+                raise WrongCommand("The run is over: go back first.")
             does = {"halt": stepper.halt, "do": stepper.do, "add": stepper.add}[word]
             return lambda: does(rest)
         case _:
             return None
+
+
+def _undone(stepper: Stepper) -> None:
+    if not stepper.undo():
+        raise WrongCommand("Nothing was done or added.")
 
 
 def _number(text: str, usual: int) -> int:
@@ -121,6 +131,8 @@ def _saved(stepper: Stepper, rest: str) -> str:
     if not rest:
         raise WrongCommand("Say into which file: save kick.aseme")
     path = Path(rest)
+    if path.suffix != ".aseme" or not path.parent.is_dir():
+        raise WrongCommand("Name a .aseme file in a directory that exists.")
     written = write_new({path: saved_text(stepper.session, path).encode()})
     if written.diagnostics:
         raise WrongCommand(written.diagnostics[0].message)
@@ -153,7 +165,6 @@ def news(stepper: Stepper) -> Iterator[str]:
 OVER = {
     "time": "time limit reached",
     "finished": "all agents have ended",
-    "broken": "an expectation is broken",
 }
 """Why a run is over."""
 LAST = 20

@@ -195,7 +195,8 @@ class Observer:
     def crashed(self, agent: str) -> None:
         """An agent has stopped dead: it is in no state, and knows nothing."""
         assert self._team is not None
-        self.assumed.crash(agent, self._team.driver.clock.now())
+        self._pass_to(self._team.driver.clock.now())
+        self.assumed.crash(agent, self._now)
         self._agents[agent].forget()
         self._clauses.step(agent, (), _NONE, _NONE, self._now)
         self._note(agent, "crashes")

@@ -87,6 +87,9 @@ def test_it_goes_back_and_another_way(lamp: Callable[..., str], snapshot: Any) -
         ("do hall jumps", ""),
         ("save", "Say into which file"),
         ("save lamp.aseme", "lamp.aseme"),
+        ("save lamp.txt", "Name a .aseme file"),
+        ("save nowhere/lamp.aseme", "Name a .aseme file"),
+        ("undo", "Nothing was done or added."),
         ("show nobody", "There is no agent 'nobody': hall, stairs."),
     ],
 )
@@ -95,6 +98,13 @@ def test_a_wrong_command_changes_nothing(lamp: Callable[..., str], command: str,
     assert answer in said[2]
     assert len(said[2].splitlines()) == 2
     assert said[3].splitlines()[-3:] == said[1].splitlines()[-3:]
+
+
+def test_a_broken_expectation_is_named_and_taken_back(lamp: Callable[..., str]) -> None:
+    said = lamp("add always hall in Bright", "step", "do hall raises Out", "undo", "to 2s").split("> ")
+    assert "broken: always hall in Bright" in said[2]
+    assert "The run is over: go back first." in said[3]
+    assert said[5].splitlines()[-3] == "2 s"
 
 
 def test_what_was_done_is_saved_as_a_scenario(lamp: Callable[..., str], here: Here, folder: Path) -> None:

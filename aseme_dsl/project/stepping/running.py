@@ -95,6 +95,7 @@ class Run:
         self._last: tuple[Record, ...] = ()
         self._halts: set[int] = set()
         self._team: Team | None = None
+        self._observer: Observer | None = None
         self._thread = threading.Thread(target=self._play, name="aseme sim", daemon=True)
 
     # ---- for the one who steps ---------------------------------------------------------------
@@ -155,7 +156,7 @@ class Run:
 
     def begin(self, team: Team, observer: Observer) -> None:
         """The run begins."""
-        self._team = team
+        self._team, self._observer = team, observer
         for place, condition in enumerate(self._understood.halts):
             self._await(observer, place, condition)
         self._set_alarm(team)
@@ -180,7 +181,10 @@ class Run:
 
     def ended(self, reason: str) -> None:
         """The run is over."""
-        assert self._team is not None
+        assert self._team is not None and self._observer is not None
+        broken = self._observer.broken
+        if broken is not None:
+            reason = f"broken: {self._understood.script.expectations[broken].span.text}"
         self._stand(self._team, reason)
 
     def _stand(self, team: Team, over: str) -> str | None:

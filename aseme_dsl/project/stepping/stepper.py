@@ -32,6 +32,7 @@ class Stepper:
         self._memory = Memory()
         self._texts: dict[str, list[str]] = {}
         self.session = session
+        self._given = len(session.statements)
         self._run = self._begun(session)
         self.instant = self._run.go(_first)
 
@@ -78,6 +79,15 @@ class Stepper:
         """Something happens just after this instant. Raises NotUnderstood."""
         moment = (self.instant.picture.moment // SOON + 1) * SOON
         self._become(self._with(f"at {moment // SOON}ms {statement}"))
+
+    def undo(self) -> bool:
+        """Take the last statement back that was done or added; whether there is one."""
+        if not self.session.statements[self._given :]:
+            return False
+        moment = self.instant.picture.moment
+        session = replace(self.session, statements=self.session.statements[:-1])
+        self._again(session, lambda point: point.moment >= moment, moment)
+        return True
 
     def add(self, statement: str) -> None:
         """One more statement, from the beginning on. Raises NotUnderstood."""
