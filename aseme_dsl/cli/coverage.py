@@ -67,10 +67,10 @@ def command(
         return refuse(found, as_json, colour)
     print_diagnostics(found, colour)
     coverage = coverage_of(model, seen)
+    written = write_page(html, model.system, coverage, colour)
     if as_json:
         print_json({"coverage": data(coverage)})
     else:
         for line in lines(coverage):
             click.echo(line)
-    written = write_page(html, model.system, coverage, colour)
     return max(written, int(has_errors(found)), too_little(coverage, wanted))

@@ -182,6 +182,8 @@ def test_a_page_has_the_statecharts_in_colours(lift: Here, folder: Path) -> None
     assert (states["Wait"], states["Travel"]) == ("state covered", "state missed")
     tips = {item.get("class"): item.findtext("{*}title", "") for item in groups if item.get("data-c")}
     assert {"line covered", "line missed"} <= set(tips)
+    # Colours reach the lines inside groups, too.
+    assert ".line.missed path{" in text and ">path" not in text and ">rect" not in text
     assert "it never held" in tips["line missed"] or "taken 0 times" in tips["line missed"]
     # Again over its own, but not over the user's.
     assert lift("test", "lift.aseme", "-k", "low", "--html", "page.html").code == 0
