@@ -40,9 +40,9 @@ scenario "someone comes" {
 @pytest.fixture
 def lamp(here: Here, folder: Path) -> Callable[..., str]:
     """Steps through the lamp with these commands; what is printed."""
-    (folder / "lamp.aseme").write_text(LAMP)
 
-    def play(*commands: str, arguments: tuple[str, ...] = ()) -> str:
+    def play(*commands: str, arguments: tuple[str, ...] = (), text: str = LAMP) -> str:
+        (folder / "lamp.aseme").write_text(text)
         done = here("sim", "lamp.aseme", *arguments, input="\n".join((*commands, "")).encode())
         assert done.code in (0, 1)
         assert done.err == ""
@@ -53,6 +53,18 @@ def lamp(here: Here, folder: Path) -> Callable[..., str]:
 
 def test_steps_show_what_happens(lamp: Callable[..., str], snapshot: Any) -> None:
     snapshot(lamp("step", "step", "source", "step", arguments=("-k", "someone")), "sim.steps.txt")
+
+
+def test_a_scenario_with_chosen_values_and_a_longer_end(lamp: Callable[..., str]) -> None:
+    scenario = """scenario "long" {
+  given level in 3..9
+  at 1s hall receives button.signal.Press { long = level > 5 }
+  for 100s
+}
+"""
+    said = lamp("go", arguments=("-k", "long"), text=LAMP + scenario)
+    assert '{"long": false}' in said
+    assert "100 s  time limit reached" in said
 
 
 def test_it_goes_back_and_another_way(lamp: Callable[..., str], snapshot: Any) -> None:

@@ -105,6 +105,9 @@ def _scenario(
         tables = [statement for statement in statements if isinstance(statement, nodes.Table)]
         for table in tables[1:]:
             _refuse(table, "a scenario is played with one table")
+        for table in tables:
+            if not table.rows:
+                _refuse(table, "the table has no row")
         rows: list[tuple[tuple[tree.Expression, ...], Span | None]] = [
             row for table in tables for row in table.rows
         ] or [((), None)]
@@ -618,6 +621,7 @@ def _end(statements: Sequence[nodes.Statement]) -> tuple[int, bool]:
     """The end of the run: what the scenario says, or its last moment; whether some statement has none."""
     for item in statements:
         if isinstance(item, nodes.Setup) and item.duration is not None:
+            _check_moments(statements, item.duration)
             return item.duration.nanoseconds, False
     is_open = False
     moments: list[int] = []
@@ -639,6 +643,15 @@ def _end(statements: Sequence[nodes.Statement]) -> tuple[int, bool]:
             case _:
                 pass
     return (max(moments) + max(delays), is_open) if moments else (0, True)
+
+
+def _check_moments(statements: Iterable[nodes.Statement], duration: tree.Duration) -> None:
+    """What is to be later than the end of the run does not come."""
+    for item in statements:
+        if not isinstance(item, nodes.Timed) or item.word in ("after", "within"):
+            continue
+        if item.times[0].nanoseconds > duration.nanoseconds:
+            _refuse(item, f"the run ends before it, `for {duration.span.text}`")
 
 
 __all__ = ["played", "watched"]

@@ -14,6 +14,7 @@ from aseme_dsl.project.playing.play import PlayError, made_world
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.stepping.picture import Picture, picture_of
 from aseme_dsl.project.stepping.session import Understood
+from aseme_dsl.project.testing.cases import inputs_of
 from aseme_dsl.project.testing.playing import world_of
 from aseme_dsl.runtime.driver.virtual import VirtualDriver
 from aseme_dsl.runtime.team.team import Team
@@ -63,7 +64,7 @@ Goal = Callable[[Point], bool]
 class Stage:
     """What is needed to play: the code of the system, its project, and the folder of its activities.
 
-    A run ends at `until` (ns).
+    A run ends at `until` (ns), or later, where the scenario says so.
     """
 
     loaded: Loaded
@@ -143,7 +144,9 @@ class Run:
                 name = world_of(script, stage.configuration)
                 world = made_world(name, self._seed) if name is not None else None
                 real = activities_in(stage.activities)
-                play(stage.loaded, script, self._seed, {}, real, stage.until, world, (self,), watch=self)
+                inputs = next(inputs_of(script, self._seed, 1))
+                until = stage.until if script.is_open else max(stage.until, script.until)
+                play(stage.loaded, script, self._seed, inputs, real, until, world, (self,), watch=self)
         except PlayError as problem:
             self._end_with(NotPlayable(problem.problem.message))
         except BaseException as problem:

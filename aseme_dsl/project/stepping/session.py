@@ -10,7 +10,6 @@ from aseme_dsl import outside
 from aseme_dsl.compiler.phases import inspect_files, scenarios_of
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.diagnostics import Severity
-from aseme_dsl.grammar.text import tree
 from aseme_dsl.play.scenario import Scenario, Script
 from aseme_dsl.project.building.project import Compiled, options_of
 from aseme_dsl.runtime.monitor.rules import Sometime
@@ -56,10 +55,7 @@ def opened(compiled: Compiled, scenario: Scenario | None, seed: int) -> Session:
     if scenario is None:
         source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
         return Session(source, seed=seed)
-    files = inspect_files(root, None, options_of(compiled.configuration)).loaded.files
-    declared = [item for file in files for item in file.declarations if isinstance(item, tree.Scenario)]
-    place = str(scenario.span)
-    whole = next(item.span.text for item in declared if str(item.title.span) == place)
+    whole = scenario.block.text if scenario.block is not None else "{}"
     body = whole[whole.index("{") + 1 : whole.rindex("}")]
     lines = tuple(line.strip() for line in body.splitlines() if line.strip())
     return Session(scenario.span.source, lines, seed=seed)

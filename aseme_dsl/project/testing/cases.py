@@ -36,12 +36,12 @@ def cases_of(scenario: Scenario, seeds: Sequence[int]) -> tuple[Case, ...]:
         Case(number, seed, inputs)
         for seed in chosen
         for number, script in enumerate(scenario.scripts)
-        for inputs in _inputs(script, seed, 1 if shares else GIVEN)
+        for inputs in inputs_of(script, seed, 1 if shares else GIVEN)
     )
 
 
-def _inputs(script: Script, seed: int, count: int) -> Iterator[Mapping[str, object]]:
-    """The ends and 0 first, then what the seed gives."""
+def inputs_of(script: Script, seed: int, count: int) -> Iterator[Mapping[str, object]]:
+    """So many values of the inputs of a script: the ends and 0 first, then what the seed gives."""
     if not script.inputs:
         yield {}
         return
@@ -49,7 +49,7 @@ def _inputs(script: Script, seed: int, count: int) -> Iterator[Mapping[str, obje
     first = [dict(zip(names, values, strict=True)) for values in zip(*map(_ends, script.inputs), strict=True)]
     chance = Random(f"given/{seed}")
     if count == 1:  # one for each seed: these first
-        yield first[seed - 1] if seed <= len(first) else _drawn(script, chance)
+        yield first[seed - 1] if 1 <= seed <= len(first) else _drawn(script, chance)
         return
     yield from first
     for _ in range(count - len(first)):
@@ -71,4 +71,4 @@ def _ends(item: Given) -> tuple[float, ...]:
     return tuple(int(value) if item.is_whole else float(value) for value in ends)
 
 
-__all__ = ["Case", "cases_of"]
+__all__ = ["Case", "cases_of", "inputs_of"]

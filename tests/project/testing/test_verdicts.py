@@ -155,10 +155,14 @@ ALONE = [
     # Crashes.
     ("passed", "crash a at 500ms  at 1500ms not a in (Wait or Walk)"),
     ("failed", "crash a at 500ms  by 3s a in Walk"),
+    # What comes after the end of the run would not come.
+    ("error", "for 2s  at 3s a in Walk"),
+    ("error", "for 2s  crash a at 3s"),
+    ("error", "for 2s  at 3s a raises Whistle"),
+    ("error", "table (n) { }  at 1s a in Walk"),
     # Until then all is as before, although nothing else happens just then.
     ("passed", "crash a at 500ms  at 499ms a in Wait"),
     ("failed", "crash a at 500ms  by 499ms not a in Wait"),
-    ("passed", "crash a at 1500ms  always a in (Wait or Walk)  for 1499ms"),
     ("passed", "crash a at 500ms  restart a at 2s  at 2999ms a in Wait  at 3s a in Walk"),
     # Chance.
     ("passed", "activity Wait takes 500ms..1500ms  by 1s a in Walk in 25% of 10 seeds"),
