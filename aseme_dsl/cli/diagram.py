@@ -117,6 +117,8 @@ def command(
     )
     suffix = Path(output).suffix[1:]
     format_ = format_ or (suffix if suffix in FORMATS else "svg")
+    if suffix in FORMATS and suffix != format_ and not Path(output).is_dir():
+        raise click.UsageError(f"--format {format_} does not fit the suffix of {output}.")
     to_file = output == "-" or suffix == format_
     if suffix.lower() in OTHER_PICTURES and not Path(output).is_dir():
         raise click.UsageError(f"{output}: unsupported format; use svg, png, pdf or dot.")

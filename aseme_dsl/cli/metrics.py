@@ -18,6 +18,7 @@ from aseme_dsl.cli.shared import (
     targets_argument,
 )
 from aseme_dsl.diagnostics import Diagnostic, Severity, has_errors
+from aseme_dsl.diagnostics.problems.running import TraceNotRead
 
 
 @click.command(
@@ -71,6 +72,10 @@ def command(
     found: list[Diagnostic] = []
     runs: list[RunMetrics] = []
     for file in files:
+        if file.suffix == ".json":
+            reason = "it is a file of `asemec test --coverage-file`, not a trace"
+            found.append(Diagnostic(TraceNotRead(reason), None, path=str(file)))
+            continue
         measuring, seen = Measuring(model.system), Seen()
         found += read_runs(model, [file], seen, [measuring])
         if seen.traces:

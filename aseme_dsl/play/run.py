@@ -115,8 +115,6 @@ def play(
             faults=_faults(script, seed),
         )
         result = team.run()
-        if watch is not None:
-            watch.ended(result.reason)
     except NotComputed as problem:
         raise NotPlayable(problem.reason, problem.span) from problem
     except (TeamError, NotEvaluated) as problem:
@@ -124,6 +122,8 @@ def play(
     if result.reason == "interrupted":
         raise KeyboardInterrupt
     observer.end(until)
+    if watch is not None:
+        watch.ended(result.reason)
     broken = observer.broken
     return Played(
         seed,

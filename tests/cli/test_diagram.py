@@ -76,6 +76,12 @@ def test_a_statechart_in_one_file(here: Here, folder: Path) -> None:
         assert ("subgraph" in (folder / f"{layout}.dot").read_text()) is groups
 
 
+def test_the_format_and_the_suffix_are_the_same(here: Here, folder: Path) -> None:
+    done = here("diagram", "good.aseme", "srm", "-o", "robot.pdf", "--format", "svg")
+    assert (done.code, "--format svg does not fit" in done.err) == (2, True)
+    assert not (folder / "robot.pdf").exists()
+
+
 @pytest.mark.parametrize("name", ["robot.gif", "robot.jpeg", "robot.ps"])
 def test_a_picture_that_cannot_be_written_is_no_folder(here: Here, folder: Path, name: str) -> None:
     done = here("diagram", "good.aseme", "srm", "-o", name)

@@ -119,3 +119,10 @@ def test_what_is_not_a_trace_of_this_system_is_an_error(desk: Here, folder: Path
     (folder / "desk.aseme").write_text(TEAM)
     torn = desk("metrics", "torn.jsonl")
     assert (torn.code, torn.out.startswith("metrics of Desk")) == (1, True)
+
+
+def test_a_file_of_coverage_is_not_a_run(desk: Here, folder: Path) -> None:
+    (folder / "c.json").write_text("{}")
+    done = desk("metrics", "c.json", "s1.jsonl")
+    assert (done.code, "1 run" in done.out) == (1, True)
+    assert "c.json: error[E035]: it is a file of `asemec test --coverage-file`" in done.out + done.err

@@ -120,6 +120,10 @@ def test_a_broken_expectation_is_named_and_taken_back(lamp: Callable[..., str]) 
     assert said[5].splitlines()[-3] == "2 s"
 
 
+def test_the_end_breaks_what_is_still_awaited(lamp: Callable[..., str]) -> None:
+    assert "60 s  broken: eventually hall in Bright" in lamp("add eventually hall in Bright", "go")
+
+
 def test_what_was_done_is_saved_as_a_scenario(lamp: Callable[..., str], here: Here, folder: Path) -> None:
     lamp("to 5s", "do hall receives button.signal.Press { long = false }", "add for 9s", "save late.aseme")
     assert (

@@ -86,7 +86,7 @@ def understood(session: Session, compiled: Compiled, memory: Memory) -> Understo
     halts = {
         place: item.rule.condition
         for place, item in enumerate(script.expectations)
-        if isinstance(item.rule, Sometime) and item.rule.until >= LATEST_NS
+        if isinstance(item.rule, Sometime) and item.rule.until == LATEST_NS
     }
     kept = tuple(item for place, item in enumerate(script.expectations) if place not in halts)
     return Understood(replace(script, expectations=kept), tuple(halts.values()))
