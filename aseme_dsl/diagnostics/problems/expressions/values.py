@@ -301,7 +301,7 @@ class RandomInCondition(Problem):
 
 class RandomInLogic(Problem):
     code = "E526"
-    message = "`random()` is not drawn in `&&`, `||` and `!`"
+    message = "`random()` is not drawn in `&&`, `||`, `!` and the condition of `? :`"
     hint = "keep it in a variable first: `/ chance = random(); …`"
 
 
