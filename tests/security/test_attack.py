@@ -129,7 +129,8 @@ def state(run: Started) -> dict[str, object]:
 
 def kinds(run: Started) -> set[str]:
     """What kinds of things have happened to the robots."""
-    return {record["kind"] for robot in ROBOTS for record in run.trace(robot)} - {"control", "peer"}
+    found = {record["kind"] for robot in ROBOTS for record in run.trace(robot)}
+    return found - {"control", "peer", "checkpoint"}  # which come by themselves
 
 
 def nobody_was_ended_or_late(run: Started) -> bool:

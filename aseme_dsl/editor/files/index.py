@@ -647,6 +647,12 @@ def _stated(statements: Iterable[nodes.Statement], around: Around) -> Iterator[O
                     yield Occurrence(end.span, symbol, Use.READ, around.node)
             case tree.Place() if item.name.text not in columns:
                 yield from _of_place(item, around)
+            case nodes.Table():
+                for cells, _ in item.rows:
+                    for cell in cells:
+                        if isinstance(cell, tree.Path) and len(cell.segments) == 1:
+                            name = cell.segments[0]
+                            yield from [*_word(name, around.node, around)] or _of_participant(name, around)
         if type(item).__module__ == nodes.__name__:
             todo += [getattr(item, name) for name, _ in _parts(item)]
 
@@ -658,11 +664,17 @@ def _of_place(place: tree.Place, around: Around) -> Iterator[Occurrence]:
         found.append(
             Occurrence(place.name.span, Symbol(Kind.ACTIVITY, place.name.text), Use.READ, around.node)
         )
-    yield from found
-    owners = around.world.participants.get(place.at.text, ()) if place.at is not None else ()
-    if place.at is not None and len(owners) == 1:
-        symbol = Symbol(Kind.PARTICIPANT, place.at.text, owners[0])
-        yield Occurrence(place.at.span, symbol, Use.READ, around.node)
+    yield from found or _of_participant(place.name, around)
+    if place.at is not None:
+        yield from _of_participant(place.at, around)
+
+
+def _of_participant(name: tree.Name, around: Around) -> Iterator[Occurrence]:
+    """A participant, where only one protocol has one of this name."""
+    owners = around.world.participants.get(name.text, ())
+    if len(owners) == 1:
+        symbol = Symbol(Kind.PARTICIPANT, name.text, owners[0])
+        yield Occurrence(name.span, symbol, Use.READ, around.node)
 
 
 def _message(what: tree.Path, around: Around) -> Iterator[Occurrence]:

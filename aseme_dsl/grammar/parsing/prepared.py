@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 3523067290
+CHECKSUM = 822481446
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -780,7 +780,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'ControlToken': (
         'match',
         {},
-        ('pattern', '(?x)\n  (?! (?:enter|skip|repeat|leave|start|finish)\\b (?! \\s* (?: [.<>=!+*\\/%,;)\\]&-] | \\|\\| ) )\n    | (?:on|exit|resume) \\s+ (?: (?!\\b(?:enter|skip|repeat|leave|start|finish|on|exit|resume)\\b) [\\w\\s.|()\\[\\]~*+#>] )+ :\n    | [0-9]+(?:\\.[0-9]+)*\\s*->\n    | state\\s+[0-9]\n    | (?:outcome\\s*" | clause\\s+\\w | let\\s+\\w+\\s*=(?!=) | var\\s+\\w+\\s*: | plays\\s+\\w+\\s*\\.) )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | (?: send\\s+[A-Za-z_]\\w*\\s+[A-Za-z_]\\w* | (?!(?:liveness|activities|modules|sag|suc)\\b)[A-Za-z_]\\w*(?:\\s*\\.\\s*[A-Za-z_]\\w*)* ) \\s*\n      \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | (?<=\\.)[A-Za-z_]\\w*\\b | (?<=[^.])(?!to\\b(?!\\s*[=.]))[A-Za-z_]\\w*\\b | [^{}":?A-Za-z_]\n        | \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | [^{}"]\n          | \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | [^{}"]\n            | \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | [^{}"] )* \\} )* \\} )* \\} )*\n      (?: \\? (?: "(?:[^"\\\\\\n]|\\\\.)*" | [^{}"] )* )? \\}\n    | [A-Za-z_][A-Za-z0-9_]*\n      (?: \\s*\\. (?:[ \\t]*|[ \\t]*[\\r\\n]\\s*(?!(?:enter|skip|repeat|leave|start|finish)\\b)) [A-Za-z_][A-Za-z0-9_]* )*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [-+*<>=!]= | -> | \\?\\w*\\?\n    | [^\\s{}"\\w] )\n'),
+        ('pattern', '(?x)\n  (?! (?:enter|skip|repeat|leave|start|finish)\\b (?! \\s* (?: [.<>=!+*\\/%,;)\\]&-] | \\|\\| ) )\n    | (?:on|exit|resume) \\s+ (?: (?!\\b(?:enter|skip|repeat|leave|start|finish|on|exit|resume)\\b) [\\w\\s.|()\\[\\]~*+#>] )+ :\n    | [0-9]+(?:\\.[0-9]+)*\\s*->\n    | state\\s+[0-9]\n    | (?:outcome\\s*" | clause\\s+\\w | let\\s+\\w+\\s*=(?!=) | var\\s+\\w+\\s*: | plays\\s+\\w+\\s*\\.) )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | (?: send\\s+[A-Za-z_]\\w*\\s+[A-Za-z_]\\w* | (?!(?:liveness|activities|modules|sag|suc)\\b)[A-Za-z_]\\w*(?:\\s*\\.\\s*[A-Za-z_]\\w*)* ) \\s*\n      \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | (?!(?<=[^.])to\\b(?!\\s*[=.]))[A-Za-z_]\\w*\\b | [^{}":?A-Za-z_]\n        | \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | [^{}"]\n          | \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | [^{}"]\n            | \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | [^{}"] )* \\} )* \\} )* \\} )*\n      (?: \\? (?: "(?:[^"\\\\\\n]|\\\\.)*" | [^{}"] )* )? \\}\n    | [A-Za-z_][A-Za-z0-9_]*\n      (?: \\s*\\. (?:[ \\t]*|[ \\t]*[\\r\\n]\\s*(?!(?:enter|skip|repeat|leave|start|finish)\\b)) [A-Za-z_][A-Za-z0-9_]* )*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [-+*<>=!]= | -> | \\?\\w*\\?\n    | [^\\s{}"\\w] )\n'),
     ),
     'Let': (
         'common',
