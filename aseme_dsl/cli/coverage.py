@@ -46,10 +46,11 @@ def command(
     colour: str,
 ) -> int:
     """Print the coverage; 1 if something cannot be read, or too little is covered."""
+    from aseme_dsl.play.coverage.measure import measured
     from aseme_dsl.play.coverage.seen import Seen
     from aseme_dsl.project.building.build import choose
     from aseme_dsl.project.settings.target import all_traces_of
-    from aseme_dsl.project.testing.coverage import coverage_of, model_of, read_runs, source_of_runs
+    from aseme_dsl.project.testing.coverage import model_of, read_runs, source_of_runs
     from aseme_dsl.project.testing.coverage_report import data, lines
 
     files, problems = all_traces_of(targets)
@@ -66,7 +67,7 @@ def command(
     if found and not (seen.traces or seen.scenarios):
         return refuse(found, as_json, colour)
     print_diagnostics(found, colour)
-    coverage = coverage_of(model, seen)
+    coverage = measured(model.system, seen)
     written = write_page(html, model.system, coverage, colour)
     if as_json:
         print_json({"coverage": data(coverage)})

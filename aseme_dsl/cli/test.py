@@ -107,12 +107,13 @@ def command(
     colour: str,
 ) -> int:
     """Print the verdicts; 1 if the file has errors, a scenario has not passed, too little is covered."""
+    from aseme_dsl.play.coverage.measure import measured
     from aseme_dsl.play.coverage.seen import Seen
     from aseme_dsl.project.building.build import activities_folder, choose
     from aseme_dsl.project.files.write import write_file
     from aseme_dsl.project.settings.configuration import OUTPUT
     from aseme_dsl.project.spreading.cluster import ClusterError
-    from aseme_dsl.project.testing.coverage import coverage_of, model_of, written
+    from aseme_dsl.project.testing.coverage import model_of, written
     from aseme_dsl.project.testing.playing import play_scenarios, scenarios_in
 
     form = form_of(form, as_json, None)
@@ -130,14 +131,13 @@ def command(
     scenarios = _chosen(scenarios_in(compiled, bound), name)
     configuration = compiled.configuration
     choice = choose(configuration, activities=activities)
-    project_seed = configuration.run.seed if configuration.run is not None else None
     progress = Progress(form != "text")
     seen = Seen() if measures or coverage_file is not None or html is not None or wanted else None
     try:
         tested = play_scenarios(
             compiled.system,
             scenarios,
-            range(1, seeds + 1) if seeds is not None else (1 if project_seed is None else project_seed,),
+            range(1, seeds + 1) if seeds is not None else (configuration.seed,),
             configuration,
             choice,
             activities_folder(configuration.output or Path(OUTPUT), choice),
@@ -156,7 +156,7 @@ def command(
     code = int(any(item.verdict != "passed" for item in tested))
     if seen is not None:
         model = model_of(compiled.system, choice)
-        coverage = coverage_of(model, seen)
+        coverage = measured(model.system, seen)
         if coverage_file is not None:
             found = write_file(coverage_file, written(model, seen)).diagnostics
             print_diagnostics(found, colour)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from aseme_dsl.amola.statechart import Origin, OriginKind
+from aseme_dsl.amola.statechart import Origin
 from aseme_dsl.amola.suc import UseCase, folded
 from aseme_dsl.amola.system import System
-from aseme_dsl.play.coverage.measure import is_counted
+from aseme_dsl.play.coverage.measure import is_counted, written_formulas
 from aseme_dsl.play.coverage.seen import Seen
 from aseme_dsl.play.coverage.serving import Place, Serving, serving
 from aseme_dsl.play.scenario import InPlaces, Scenario
@@ -133,16 +133,6 @@ def _formulas(system: System, places: Iterable[Place]) -> Iterable[Named]:
     return [Named(item.owner, item.name, spans[item]) for item in found if item in spans]
 
 
-def written_formulas(system: System) -> Iterable[tuple[Origin, Span]]:
-    """The formulas of all roles and the processes of all participants, as the origins of states."""
-    for srm in system.srms:
-        for formula in srm.formulas:
-            yield Origin(OriginKind.FORMULA, srm.name, formula.name), formula.span
-    for aip in system.aips:
-        for participant in aip.participants:
-            yield Origin(OriginKind.PROTOCOL, aip.name, participant.name), participant.span
-
-
 def _places(scenario: Scenario) -> Iterable[Place]:
     """The states that a scenario names."""
     for script in scenario.scripts[:1]:
@@ -227,4 +217,4 @@ def _unserving_scenarios(
                 yield Dangling("scenario", named, "it names no state that serves a goal")
 
 
-__all__ = ["Dangling", "GoalSum", "Goals", "Named", "goals_of", "written_formulas"]
+__all__ = ["Dangling", "GoalSum", "Goals", "Named", "goals_of"]

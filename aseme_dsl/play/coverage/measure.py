@@ -64,10 +64,6 @@ class Share:
     unmeasured: int
 
     @property
-    def is_measured(self) -> bool:
-        return self.unmeasured == 0 or self.total > self.unmeasured
-
-    @property
     def percent(self) -> float | None:
         """The covered part of what was measured; None if nothing was."""
         measured = self.total - self.unmeasured
@@ -99,12 +95,12 @@ class Coverage:
 
 def measured(system: System, seen: Seen) -> Coverage:
     """What runs of a system have reached of it."""
-    cases = serving(system)
+    reaches = {chart.name: reach_of(chart) for chart in system.iacs}
     items = [
-        *_use_cases(system, seen, cases),
-        *_formulas(system, seen),
-        *(item for chart in system.iacs for item in _chart(chart, seen)),
-        *_outcomes(system, seen),
+        *_use_cases(system, seen, serving(system), reaches),
+        *_formulas(system, seen, reaches),
+        *(item for chart in system.iacs for item in _chart(chart, seen, reaches[chart.name])),
+        *_outcomes(system, seen, reaches),
     ]
     order = list(Kind)
     items.sort(key=lambda item: order.index(item.kind))
@@ -123,8 +119,9 @@ def _reached(times: int, can_be: bool, reason: str = "no path leads to it") -> t
 # ---- goals and use cases ----------------------------------------------------------------------------
 
 
-def _use_cases(system: System, seen: Seen, cases: Mapping[str, Serving]) -> Iterator[Item]:
-    reaches = {chart.name: reach_of(chart) for chart in system.iacs}
+def _use_cases(
+    system: System, seen: Seen, cases: Mapping[str, Serving], reaches: Mapping[str, Reach]
+) -> Iterator[Item]:
     owners = {goal.name: goal.depender for goal in system.sag.goals}
     for case in system.suc.usecases:
         found = cases[case.name]
@@ -144,19 +141,18 @@ def _use_cases(system: System, seen: Seen, cases: Mapping[str, Serving]) -> Iter
 # ---- formulas ---------------------------------------------------------------------------------------
 
 
-def _formulas(system: System, seen: Seen) -> Iterator[Item]:
-    written = [
-        (Origin(OriginKind.FORMULA, srm.name, formula.name), formula.span)
-        for srm in system.srms
-        for formula in srm.formulas
-    ]
-    written += [
-        (Origin(OriginKind.PROTOCOL, aip.name, participant.name), participant.span)
-        for aip in system.aips
-        for participant in aip.participants
-    ]
-    reaches = {chart.name: reach_of(chart) for chart in system.iacs}
-    for origin, span in written:
+def written_formulas(system: System) -> Iterator[tuple[Origin, Span]]:
+    """The formulas of all roles and the processes of all participants, as the origins of states."""
+    for srm in system.srms:
+        for formula in srm.formulas:
+            yield Origin(OriginKind.FORMULA, srm.name, formula.name), formula.span
+    for aip in system.aips:
+        for participant in aip.participants:
+            yield Origin(OriginKind.PROTOCOL, aip.name, participant.name), participant.span
+
+
+def _formulas(system: System, seen: Seen, reaches: Mapping[str, Reach]) -> Iterator[Item]:
+    for origin, span in written_formulas(system):
         states = [(chart, state) for chart in system.iacs for state in chart.states if state.origin == origin]
         times = max(
             (seen.roles[c.name].entered[s.label] for c, s in states if c.name in seen.roles), default=0
@@ -180,9 +176,8 @@ def is_counted(state: State) -> bool:
     return state.type in (StateType.BASIC, StateType.OR, StateType.AND) and state.name != state.label
 
 
-def _chart(chart: Statechart, seen: Seen) -> Iterator[Item]:
+def _chart(chart: Statechart, seen: Seen, reach: Reach) -> Iterator[Item]:
     found = seen.roles.get(chart.name, RoleSeen())
-    reach = reach_of(chart)
     for state in chart.states:
         if is_counted(state):
             times = found.entered[state.label]
@@ -193,7 +188,7 @@ def _chart(chart: Statechart, seen: Seen) -> Iterator[Item]:
         times = found.taken[number]
         why = _never_taken(item.source in reach.states, item.expression.condition)
         status, reason = _reached(times, number in reach.transitions, why)
-        name = way_title(chart, number)
+        name = _way_title(chart, number)
         yield Item(Kind.TRANSITIONS, chart.name, name, status, times, item.span, reason, item.source, number)
     yield from _conditions(chart, seen, reach)
 
@@ -204,7 +199,7 @@ def _never_taken(is_entered: bool, condition: Value | None) -> str:
     return "its condition is constant" if never_holds(condition) else "its source is never complete"
 
 
-def way_title(chart: Statechart, number: int) -> str:
+def _way_title(chart: Statechart, number: int) -> str:
     """A transition in words: from where to where, and with what."""
     item = chart.transitions[number]
     text = "reactive" if item.reactive else transition_text(item)
@@ -268,8 +263,7 @@ def _lacks(evaluations: Iterable[str], place: int) -> str:
 # ---- outcomes ---------------------------------------------------------------------------------------
 
 
-def _outcomes(system: System, seen: Seen) -> Iterator[Item]:
-    reaches = {chart.name: reach_of(chart) for chart in system.iacs}
+def _outcomes(system: System, seen: Seen, reaches: Mapping[str, Reach]) -> Iterator[Item]:
     for aip in system.aips:
         for item in aip.outcomes:
             places = [place for where in item.when for place in _places(system, aip.name, where)]
@@ -321,4 +315,13 @@ def _performed(chart: Statechart) -> Mapping[str, Sequence[State]]:
     return found
 
 
-__all__ = ["Coverage", "Item", "Kind", "Share", "Status", "is_counted", "measured", "way_title"]
+__all__ = [
+    "Coverage",
+    "Item",
+    "Kind",
+    "Share",
+    "Status",
+    "is_counted",
+    "measured",
+    "written_formulas",
+]

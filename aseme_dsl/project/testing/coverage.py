@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, cast
 from aseme_dsl import outside
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.running import NotOfThisModel, TraceNotRead
-from aseme_dsl.play.coverage.measure import Coverage, measured
 from aseme_dsl.play.coverage.probes import Probed, Recorder, probed
 from aseme_dsl.play.coverage.seen import Following, RoleSeen, Seen
 from aseme_dsl.play.replay import Model as Replayed
@@ -51,11 +50,6 @@ def model_of(system: System, choice: Choice) -> Model:
 
     labelled = with_labels(system, choice.labels)
     return Model(labelled, role_models(labelled))
-
-
-def coverage_of(model: Model, seen: Seen) -> Coverage:
-    """What the runs that were seen have reached."""
-    return measured(model.system, seen)
 
 
 def source_of_runs(targets: Sequence[str], files: Iterable[Path]) -> str:
@@ -286,4 +280,4 @@ def _seen(document: Mapping[str, object]) -> Seen:
     return Seen(roles, evaluations, scenarios, traces, evaluated, Counter(dict(left_out)))
 
 
-__all__ = ["Model", "coverage_of", "model_of", "read_runs", "source_of_runs", "written"]
+__all__ = ["Model", "model_of", "read_runs", "source_of_runs", "written"]
