@@ -74,14 +74,13 @@ class ScenarioItem(pytest.Item):
         from aseme_dsl.project.testing.playing import play_scenarios
 
         configuration = self.compiled.configuration
-        seed = configuration.run.seed if configuration.run is not None else None
         choice = choose(configuration)
         folder = activities_folder(configuration.output or Path(OUTPUT), choice)
         assert self.compiled.system is not None  # it has no errors
         (result,) = play_scenarios(
             self.compiled.system,
             [self.scenario],
-            (1 if seed is None else seed,),
+            (configuration.seed,),
             configuration,
             choice,
             folder,

@@ -148,7 +148,6 @@ def command(
     from aseme_dsl.project.studying.optimise import Question, optimise
     from aseme_dsl.project.studying.study import TIME, Plan, StudyError
     from aseme_dsl.project.studying.variation import VariationError
-    from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 
     if measure is not None and ":" in measure and not is_function(measure):
         raise click.BadParameter(
@@ -170,7 +169,7 @@ def command(
     configuration = compiled.configuration
     home = configuration.output or Path(OUTPUT)
     choice = choose(configuration, activities=activities)
-    length = duration or (configuration.run.duration if configuration.run else None) or USUAL_LENGTH
+    length = duration or configuration.length
     plan = Plan(measure, length, world, activities_folder(home, choice), configuration, network)
     question = Question(
         knobs,

@@ -73,26 +73,21 @@ def stepper_for(
 ) -> Iterator[Stepper]:
     """A run of a system without errors that is stepped through, of a scenario or of these statements."""
     from aseme_dsl.project.building.build import activities_folder, choose
-    from aseme_dsl.project.playing.operate import generate_version
+    from aseme_dsl.project.playing.operate import generate_version, loaded_for
     from aseme_dsl.project.settings.configuration import OUTPUT
     from aseme_dsl.project.stepping.running import NotPlayable, Stage
     from aseme_dsl.project.stepping.session import NotUnderstood, opened
     from aseme_dsl.project.stepping.stepper import Stepper
-    from aseme_dsl.project.testing.playing import loaded_for
-    from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 
     assert compiled.system is not None
     configuration = compiled.configuration
-    run = configuration.run
-    project_seed = run.seed if run is not None else None
-    chosen = seed if seed is not None else 1 if project_seed is None else project_seed
+    chosen = configuration.seed if seed is None else seed
     choice = choose(configuration, activities=activities)
     folder_of_code = activities_folder(configuration.output or Path(OUTPUT), choice)
-    length = (run.duration if run is not None else None) or USUAL_LENGTH
     with TemporaryDirectory(prefix="asemec-sim-") as folder:
         package, _ = generate_version(compiled.system, Path(folder), choice)
         loaded = loaded_for(package, configuration.folder.resolve())
-        stage = Stage(loaded, configuration, folder_of_code, length)
+        stage = Stage(loaded, configuration, folder_of_code, configuration.length)
         session = opened(compiled, scenario, chosen)
         session = replace(session, statements=(*session.statements, *statements))
         try:

@@ -7,6 +7,7 @@ import time
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,6 +20,7 @@ from aseme_dsl.runtime.version.versions import VERSIONS
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
     from aseme_dsl.runtime.control.replies import Reply
+    from aseme_dsl.runtime.version.loading import Loaded
 
 WITHIN = 10.0
 """How long, in seconds, a swap waits for conversations to end."""
@@ -117,6 +119,15 @@ def generate_version(system: System, output: Path, choice: Choice) -> tuple[Path
     for name, content in files.items():
         _put(home / name, content)
     return home / next(iter(files)).split("/")[0] / system.name, model
+
+
+@lru_cache(maxsize=1)  # all packages have the same module names, and activities import the newest
+def loaded_for(package: Path, project: Path) -> Loaded:
+    """The code of a generated package, for many runs of it in this process. Raises LoadError."""
+    from aseme_dsl.backends.backend import AGENTS
+    from aseme_dsl.runtime.version.loading import RoleBackends, load_system
+
+    return load_system(package, path=[project], mixture=RoleBackends(names=AGENTS))
 
 
 def write_version(system: System, output: Path, choice: Choice, activities: Path | None) -> tuple[str, str]:

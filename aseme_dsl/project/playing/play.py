@@ -286,9 +286,7 @@ def play(
 
 
 def _seed(request: Request, configuration: Configuration) -> int:
-    project = configuration.run
-    seed = request.seed if request.seed is not None else (project.seed if project else None)
-    return 1 if seed is None else seed
+    return configuration.seed if request.seed is None else request.seed
 
 
 def _network(request: Request, configuration: Configuration) -> Network | None:

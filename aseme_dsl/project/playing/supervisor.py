@@ -240,14 +240,13 @@ class _Run:
         project = self._configuration.run
         child = self._world = _Child("")
         child.process = self._spawn([sys.executable, "-m", "aseme_dsl.project.playing.world_process"])
-        seed = self._request.seed if self._request.seed is not None else (project.seed if project else None)
         duration = self._request.duration or (project.duration if project else None)
         asked = {
             "project": str(self._configuration.path.absolute()) if self._configuration.path else None,
             "folder": str(self._configuration.folder.absolute()),
             "path": [str(entry.absolute()) for entry in self._loaded.path],
             "world": made_by,
-            "seed": 1 if seed is None else seed,
+            "seed": self._configuration.seed if self._request.seed is None else self._request.seed,
             "duration": duration,
             "key": self._key.hex(),
         }

@@ -17,6 +17,7 @@ from aseme_dsl.project.files.duration import duration
 from aseme_dsl.project.settings.deployment import Deployment, TlsFiles, network_mistakes
 from aseme_dsl.project.settings.platform_settings import PLATFORMS, MangoConfiguration, SpadeConfiguration
 from aseme_dsl.runtime.message.by_name import made
+from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:
@@ -92,6 +93,17 @@ class Configuration:
     """What carries messages between agents in real time: one of `platforms.PLATFORMS`."""
     spade: SpadeConfiguration | None = None
     mango: MangoConfiguration | None = None
+
+    @property
+    def seed(self) -> int:
+        """The seed of a run for which no other is given."""
+        seed = self.run.seed if self.run is not None else None
+        return 1 if seed is None else seed
+
+    @property
+    def length(self) -> int:
+        """How long a run in virtual time takes (ns) for which nothing else is said."""
+        return (self.run.duration if self.run is not None else None) or USUAL_LENGTH
 
 
 def find_configuration(start: Path) -> tuple[Configuration, tuple[Diagnostic, ...]]:

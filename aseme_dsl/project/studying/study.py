@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
-from functools import lru_cache
 from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -26,7 +25,6 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.team.network import Network
     from aseme_dsl.runtime.team.team import RunResult
     from aseme_dsl.runtime.trace.records import Record
-    from aseme_dsl.runtime.version.loading import Loaded
 
 TIME = "time"
 """The measure that is how long it took until all agents had finished, in s."""
@@ -219,14 +217,6 @@ class _Faults:
             self.without_code.setdefault(str(record["activity"]))
 
 
-@lru_cache(maxsize=1)  # all packages have the same module names, and activities import the newest
-def _loaded(package: Path, configuration_folder: Path) -> Loaded:
-    from aseme_dsl.backends.backend import AGENTS
-    from aseme_dsl.runtime.version.loading import RoleBackends, load_system
-
-    return load_system(package, path=[configuration_folder.resolve()], mixture=RoleBackends(names=AGENTS))
-
-
 def run(package: Path, seed: int, plan: Plan) -> Run:
     """Play one run of a generated package. What it leaves in the project's modules is not there for the next.
 
@@ -241,6 +231,7 @@ def run(package: Path, seed: int, plan: Plan) -> Run:
 
 def _run(package: Path, seed: int, plan: Plan) -> Run:
     from aseme_dsl.project.playing import play
+    from aseme_dsl.project.playing.operate import loaded_for
     from aseme_dsl.runtime.version.loading import LoadError
 
     configuration = plan.configuration
@@ -250,7 +241,7 @@ def _run(package: Path, seed: int, plan: Plan) -> Run:
         configuration = replace(configuration, run=project)
     clocks, faults = _Clocks(), _Faults()
     try:
-        loaded = _loaded(package, configuration.folder)
+        loaded = loaded_for(package, configuration.folder.resolve())
         request = play.Request(duration=plan.length, seed=seed, world=plan.world, network=plan.network)
         played = play.play(
             loaded,

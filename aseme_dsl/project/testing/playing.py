@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -20,14 +19,12 @@ from aseme_dsl.project.spreading.spread import spread
 from aseme_dsl.project.testing.cases import Case, cases_of
 from aseme_dsl.project.testing.shrinking import shrunk, text_of
 from aseme_dsl.project.testing.verdicts import NotRun, ScenarioResult, Verdict, verdict_of
-from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
     from aseme_dsl.project.building.build import Choice
     from aseme_dsl.project.building.project import Compiled
     from aseme_dsl.project.settings.configuration import Configuration
-    from aseme_dsl.runtime.version.loading import Loaded
 
 MANY = 20
 """So many runs one process makes before another one is of use."""
@@ -79,7 +76,6 @@ def play_scenarios(
     from aseme_dsl.project.playing.operate import generate_version
     from aseme_dsl.project.settings.configuration import OUTPUT
 
-    usual = (configuration.run.duration if configuration.run is not None else None) or USUAL_LENGTH
     project = configuration.folder.resolve()
     cases = [cases_of(scenario, seeds) for scenario in scenarios]
     measured = None if seen is None else probed(with_labels(system, choice.labels))
@@ -92,7 +88,7 @@ def play_scenarios(
                 activities,
                 scenario.scripts[part[0].script],
                 part,
-                _end(scenario, part, usual),
+                _end(scenario, part, configuration.length),
                 world_of(scenario.scripts[part[0].script], configuration),
                 measured,
             )
@@ -193,6 +189,7 @@ class _Done:
 
 def _play(job: _Job) -> _Done:
     """The runs of a job; what they leave in the project's modules is not there for the next."""
+    from aseme_dsl.project.playing.operate import loaded_for
     from aseme_dsl.project.playing.play import PlayError, made_world
     from aseme_dsl.runtime.version.loading import LoadError, activities_in, forgetting, importing
 
@@ -219,13 +216,4 @@ def _play(job: _Job) -> _Done:
     return _Done(found, seen)
 
 
-@lru_cache(maxsize=1)  # all packages have the same module names, and activities import the newest
-def loaded_for(package: Path, project: Path) -> Loaded:
-    """The code of a generated package. Raises LoadError."""
-    from aseme_dsl.backends.backend import AGENTS
-    from aseme_dsl.runtime.version.loading import RoleBackends, load_system
-
-    return load_system(package, path=[project], mixture=RoleBackends(names=AGENTS))
-
-
-__all__ = ["loaded_for", "play_scenarios", "scenarios_in", "world_of"]
+__all__ = ["play_scenarios", "scenarios_in", "world_of"]
