@@ -49,7 +49,7 @@ def command(targets: tuple[str, ...], agents: tuple[str, ...], as_json: bool, co
         try:
             found.append(replay(path, agents))
         except NotReplayable as problem:
-            say_unreadable(TraceError(f"{path} cannot be replayed: {problem}"), path, colour)
+            say_unreadable(f"{path} cannot be replayed: {problem}", path, colour)
             code = 1
         except TraceError as problem:
             say_unreadable(problem, path, colour)

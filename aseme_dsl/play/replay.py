@@ -189,7 +189,7 @@ class Replay:
         return value if value is None or kinds[-1] is None else from_json(kinds[-1], value)
 
     def _other_model(self, record: Record) -> None:
-        if "sources" in record:
+        if "sources" in record and record["model"] not in self._known:
             self._learn(record)
         item = self.agents.get(record.get("agent", ""))
         if item is None or record.get("what", "done") != "done" or "reason" in record:

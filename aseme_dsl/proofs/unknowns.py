@@ -60,7 +60,7 @@ def signature(function: Function) -> str:
 
 def is_unknown_function(value: e.Value) -> bool:
     """Whether it calls a function of which only the type is known."""
-    return isinstance(value, e.Call) and not value.function.target.startswith("builtin:")
+    return isinstance(value, e.Call) and value.function.is_of_document
 
 
 def identity(value: e.Value) -> Key:

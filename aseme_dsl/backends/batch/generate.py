@@ -144,7 +144,7 @@ def _of_value(value: Value) -> SingleFeature | None:
             return SingleFeature.OUTCOMES
         case Random():
             return SingleFeature.CHANCE
-        case Call(function=function) if not function.target.startswith("builtin:"):
+        case Call(function=function) if function.is_of_document:
             return SingleFeature.FUNCTIONS
         case Conditional():
             return SingleFeature.CONDITIONALS

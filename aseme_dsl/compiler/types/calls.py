@@ -139,9 +139,7 @@ def _no_overload(
     overloads: Sequence[Function],
 ) -> None:
     related = tuple(
-        Related(function.span, _signature(function))
-        for function in overloads
-        if not function.target.startswith("builtin:")
+        Related(function.span, _signature(function)) for function in overloads if function.is_of_document
     )
     signatures = () if related else tuple(map(_signature, overloads))
     fits = [function for function in overloads if len(function.parameters) == len(arguments)]

@@ -24,7 +24,7 @@ from aseme_dsl.amola.messages import Channel
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, Transition, TransitionKind
 from aseme_dsl.diagrams.compact.elements import SIZES, Link, Look
-from aseme_dsl.diagrams.look.labels import text_width, wrapped
+from aseme_dsl.diagrams.look.labels import room_for, wrapped
 
 _CONSTANT = re.compile(r"\b[A-Z]\w*[a-z]\w*\.([A-Z][A-Z0-9_]+)\b")
 _CHANNEL = re.compile(r"\b(\w+)\.(state|signal|data)\.(\w+)")
@@ -56,7 +56,7 @@ def width(text: str, look: Look) -> float:
     bold = look in (Look.NAME, Look.TITLE, Look.FIELD)
     sign = text[:1] in ICONS and text != ""
     plain = text[1:].lstrip() if sign else text
-    return text_width(plain, SIZES[look]) * (1.09 if bold else 1.03) + (ICON if sign else 0)
+    return room_for(plain, SIZES[look], bold=bold) + (ICON if sign else 0)
 
 
 @dataclass(frozen=True, slots=True)

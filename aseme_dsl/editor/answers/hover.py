@@ -322,7 +322,7 @@ def _function(program: Program, symbol: Symbol) -> Iterator[str]:
     for function in program.inspection.symbols.overloads(symbol.name):
         parameters = ", ".join(f"{kind} {name}" for name, kind in function.parameters)
         yield _fence(f"function {function.name}({parameters}) : {function.result}")
-        if not function.target.startswith("builtin:"):
+        if function.is_of_document:
             yield f"Python: `{function.target}`"
     if symbol.name in FORMS:
         yield _fence(FORMS[symbol.name])

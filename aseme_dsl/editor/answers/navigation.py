@@ -234,5 +234,5 @@ def _python_of(program: Program, symbol: Symbol, folders: PythonFolders) -> Iter
             yield from outcome_places(folders.activities, symbol.owner, symbol.name)
         case Kind.FUNCTION:
             for function in program.inspection.symbols.overloads(symbol.name):
-                if not function.target.startswith("builtin:"):
+                if function.is_of_document:
                     yield target_place(folders.modules, function.target)

@@ -59,6 +59,7 @@ class RoleSwitches:
         knowledge_of(agent.chart, chart, version.messages)
         before = agent.plan
         now = self._team.driver.clock.now()
+        is_other = version is not self._team.version
         self._team.trace.write(
             "select",
             now,
@@ -69,7 +70,7 @@ class RoleSwitches:
             model=kind.PLAN.model,
             source=kind.PLAN.source,
             states=plan_record(kind.PLAN),
-            sources=packed(version.sources) if version is not self._team.version else None,
+            sources=packed(version.sources) if is_other and self._team.trace.active else None,
         )
         agent.begin_as(chart, version.find, messages)
         self._team.renew(agent, version)

@@ -254,8 +254,9 @@ class Swap:
                 team.renew(agent, version)
             if len(self.agents) == len(team.agents):
                 team.set_version(version)
+            sources = packed(version.sources) if team.trace.active else None
             for agent, before, carried in lines:
-                self._tell_done(agent, before, carried)
+                self._tell_done(agent, before, carried, sources)
         finally:
             self._held.close()
         self.state = "done"
@@ -273,7 +274,7 @@ class Swap:
             reasons=list(self.reasons),
         )
 
-    def _tell_done(self, agent: Agent, before: Plan, carried: Carried) -> None:
+    def _tell_done(self, agent: Agent, before: Plan, carried: Carried, sources: str | None) -> None:
         plan = carried.chart.PLAN
         self.team.trace.write(
             "swap",
@@ -289,7 +290,7 @@ class Swap:
             restarted=list(carried.restarted) or None,
             lost=list(carried.lost) or None,
             plan=plan_record(plan) if plan.model != before.model else None,
-            sources=packed(self.version.sources),
+            sources=sources,
         )
 
 

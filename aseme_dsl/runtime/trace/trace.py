@@ -202,6 +202,9 @@ class Trace:
         - `machine`: which clock the machine has, and when the run began by it;
         - `sources`: the texts of the model by their paths, the first one's first.
         """
+        if not self.active:
+            return
+        roles = {plan.name: plan for plan in plans.values()}
         messages = None
         if schema is not None:
             channels = {channel: schema.classes[kind] for channel, kind in schema.channels.items()}
@@ -219,7 +222,7 @@ class Trace:
                 {"name": name, "role": plan.name, "model": plan.model, "source": plan.source}
                 for name, plan in plans.items()
             ],
-            names={plan.name: titles_of(plan) for plan in plans.values()},
+            names={name: titles_of(plan) for name, plan in roles.items()},
             elsewhere=list(elsewhere) or None,
             messages=messages,
             queue=queue,
