@@ -72,7 +72,7 @@ class Measuring:
         self._busy: dict[str, int] = {}
         """How many active states serve a goal now."""
         self._goal_since: dict[str, int] = {}
-        self._conversations: dict[str, int] = {}
+        self._conversations: dict[str, tuple[str, int]] = {}
         self._joined: dict[tuple[str, str], tuple[str, str, str]] = {}
         self._ended: dict[tuple[str, str], tuple[str, str, str]] = {}
         self._members: Counter[str] = Counter()
@@ -156,7 +156,7 @@ class Measuring:
         key = (record["agent"], name)
         if record["what"] in ("open", "join") and key not in self._joined:
             if name not in self._conversations:
-                self._conversations[name] = now
+                self._conversations[name] = protocol, now
                 times.began += 1
             self._complete.discard((record["agent"], record["branch"]))
             self._joined[key] = (protocol, record["participant"], record["branch"])
@@ -168,8 +168,7 @@ class Measuring:
             self._ended[key] = (protocol, participant, how)
             self._members[name] -= 1
             if not self._members[name]:
-                times.lasted.append(now - self._conversations[name])
-                del self._conversations[name]
+                times.lasted.append(now - self._conversations.pop(name)[1])
         elif record["what"] == "gone" and record.get("reason") == "completed":
             protocol, participant, how = self._ended.get((record["peer"], name), ("", "", ""))
             if how == "left":  # it has begun and completed in one step
@@ -188,8 +187,8 @@ class Measuring:
             self.found.goals[goal].lasted.append(now - since)
             self.found.goals[goal].open += 1
         self._goal_since.clear()
-        for name, since in self._conversations.items():
-            times = self.found.protocols[str(name.partition("-")[0])]
+        for protocol, since in self._conversations.values():
+            times = self.found.protocols[protocol]
             times.lasted.append(now - since)
             times.open += 1
         self._conversations.clear()

@@ -126,3 +126,20 @@ def test_a_file_of_coverage_is_not_a_run(desk: Here, folder: Path) -> None:
     done = desk("metrics", "c.json", "s1.jsonl")
     assert (done.code, "1 run" in done.out) == (1, True)
     assert "c.json: error[E035]: it is a file of `asemec test --coverage-file`" in done.out + done.err
+
+
+def test_a_conversation_with_a_name_of_its_own_belongs_to_its_protocol(desk: Here, folder: Path) -> None:
+    """Also one that is still open at the end."""
+    lines = [line for line in (folder / "s1.jsonl").read_text().splitlines() if '"what":"leave"' not in line]
+    own = [
+        line.replace('"hire-ann-', '"talk-').replace(
+            '"kind":"conversation"', '"kind":"conversation","protocol":"hire"'
+        )
+        for line in lines
+    ]
+    (folder / "open.jsonl").write_text("\n".join((*lines, "")))
+    (folder / "own.jsonl").write_text("\n".join((*own, "")))
+    found = [desk("metrics", name, "--json").json["metrics"] for name in ("own.jsonl", "open.jsonl")]
+    assert own != lines
+    assert found[0] == found[1]
+    assert any(row["kind"] == "protocol" and row["open"] for row in found[0]["rows"])
