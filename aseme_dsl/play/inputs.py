@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+import json
+from collections.abc import Callable, Collection, Iterable, Mapping
 from types import GenericAlias
+from typing import TypeAlias
 
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.functions import TYPES
@@ -23,15 +25,23 @@ from aseme_dsl.runtime.chart.inputs import (
 from aseme_dsl.runtime.message.acl import name_of
 from aseme_dsl.runtime.message.as_json import from_json
 from aseme_dsl.runtime.trace.records import InputName, Record
+from aseme_dsl.runtime.trace.trace_reading import Line
 
+Earlier: TypeAlias = Callable[[int, Collection[str]], Iterable[Line]]
+"""The lines before a line that hold one of some texts, the newest first (`TraceReader.before`)."""
 Messages = Mapping[str, type[object]]
 """The classes of messages and enums by name."""
 
 
 class RecordedInputs:
-    """What the lines of a trace say of inputs; it is shown them one after the other."""
+    """What the lines of a trace say of inputs; it is shown them one after the other.
 
-    def __init__(self, agents: Collection[str], reads: Collection[str]) -> None:
+    After the header lines may be left out. Then `earlier` looks for one of those when it is needed.
+    """
+
+    def __init__(
+        self, agents: Collection[str], reads: Collection[str], earlier: Earlier | None = None
+    ) -> None:
         """Of these agents, as far as these channels matter. Both may grow."""
         self._agents = agents
         self._reads = reads
@@ -42,7 +52,10 @@ class RecordedInputs:
         self._branches: dict[tuple[str, str, str], str] = {}
         """Where an agent takes part in a conversation, by its part."""
         self.number = 0
-        """How many lines there were."""
+        """The number of the present line."""
+        self._earlier = earlier
+        self._begin = 0
+        """The number of the first line behind those that were left out; 0 if none were."""
         self._kinds: dict[str, Callable[[Record], None]] = {
             "message": self._published,
             "radio_received": self._published,
@@ -55,12 +68,20 @@ class RecordedInputs:
             "conversation": self._conversation,
         }
 
-    def line(self, record: Record) -> None:
-        """A line of the trace."""
-        self.number += 1
+    def line(self, record: Record, number: int | None = None) -> bool:
+        """The next line of the trace, or the one of a number; whether some before it were left out."""
+        is_next = number is None or number == self.number + 1
+        self.number = self.number + 1 if number is None else number
+        if not is_next:
+            self._begin = self.number
         known = self._kinds.get(record["kind"])
         if known is not None:
             known(record)
+        return not is_next
+
+    def part(self, agent: str, conversation: str, participant: str, branch: str) -> None:
+        """An agent takes part in a conversation as this participant."""
+        self._branches[agent, conversation, participant] = branch
 
     def _say(self, record: Record) -> None:
         self._said[str(record["agent"]), record["sequence"]] = self.number, record
@@ -90,8 +111,42 @@ class RecordedInputs:
 
     def said_at(self, agent: str, identity: Identity) -> int:
         """Which line tells of an input of an agent, counted from 1; 0 if none does."""
-        found = self._brought.get((agent, identity)) or self._said.get(identity)
+        found = self._find(agent, identity)
         return 0 if found is None else found[0]
+
+    def _find(self, agent: str, identity: Identity) -> tuple[int, Record] | None:
+        """The line that tells of an input of an agent, with its number."""
+        found = self._brought.get((agent, identity)) or self._said.get(identity)
+        if found is not None or not self._begin or self._earlier is None:
+            return found
+        texts = f'"sequence":{identity[1]}', f'"input":[{json.dumps(identity[0], ensure_ascii=False)}'
+        for line in self._earlier(self._begin, texts):
+            record = line.record
+            if record["kind"] in ("arrived", "received"):
+                if record["agent"] == agent and identity_of(record["input"]) == identity:
+                    self._brought[agent, identity] = line.number, record
+                    return line.number, record
+            elif record.get("agent") == identity[0] and record.get("sequence") == identity[1]:
+                self._said[identity] = line.number, record
+                return line.number, record
+        return None
+
+    def _branch(self, agent: str, conversation: str, participant: str) -> str:
+        """Where an agent takes part in a conversation. Raises KeyError where the trace does not say."""
+        found = self._branches.get((agent, conversation, participant))
+        if found is not None or not self._begin or self._earlier is None:
+            return self._branches[agent, conversation, participant]
+        text = f'"conversation":{json.dumps(conversation, ensure_ascii=False)}'
+        for line in self._earlier(self._begin, (text,)):
+            record = line.record
+            if (
+                (record["kind"], record.get("agent")) == ("conversation", agent)
+                and record["what"] in ("open", "join")
+                and (record["conversation"], record["participant"]) == (conversation, participant)
+            ):
+                self.part(agent, conversation, participant, record["branch"])
+                return record["branch"]
+        raise KeyError(conversation)
 
     def forget(self, identity: Identity) -> None:
         """An input that only one agent got has been taken."""
@@ -104,12 +159,12 @@ class RecordedInputs:
             LookupError, TypeError, ValueError: the line is not one of this model.
         """
         agent = chart.agent
-        found = self._brought.get((agent, identity)) or self._said.get(identity)
+        found = self._find(agent, identity)
         if found is None:
             return None
         _, record = found
         if record["kind"] == "agent_message" and record["agent"] == agent and agent not in record["to"]:
-            branch = self._branches[agent, record["conversation"], record["participant"]]
+            branch = self._branch(agent, record["conversation"], record["participant"])
             return Addressed(branch, record["receiver"], tuple(record["to"]), name_of(identity))
         match record["kind"]:
             case "message" | "radio_received" | "arrived":
@@ -138,7 +193,7 @@ class RecordedInputs:
     def _mail(self, agent: str, messages: Messages, identity: Identity, record: Record) -> AgentMessage:
         name = str(record["message"])
         content = from_json(messages[name], record["content"]) if name in messages else None
-        branch = self._branches[agent, record["conversation"], record["receiver"]]
+        branch = self._branch(agent, record["conversation"], record["receiver"])
         part = record["participant"]
         answered = [name_of(identity_of(item)) for item in record.get("answers", ()) if item[0] == agent]
         sent = record["time"] if record["kind"] == "agent_message" else record.get("sent")
@@ -181,4 +236,4 @@ def identity_of(value: InputName) -> Identity:
     return str(name), int(number)
 
 
-__all__ = ["Messages", "RecordedInputs", "identity_of"]
+__all__ = ["Earlier", "Messages", "RecordedInputs", "identity_of"]

@@ -3,7 +3,8 @@
 Other lines tell what the inputs are that the line of a step names; what functions of the document gave stands
 there itself. Each step must take the same transitions and lead to the same configuration. At a checkpoint,
 the whole state must be the same. After a swap, a switch of the role or a restart, an agent continues with the
-state of the checkpoint that follows.
+state of the checkpoint that follows. Where lines are left out behind the header, each agent begins with its
+next checkpoint.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from time import perf_counter
 
-from aseme_dsl.play.inputs import Messages, RecordedInputs, identity_of
+from aseme_dsl.play.inputs import Earlier, Messages, RecordedInputs, identity_of
 from aseme_dsl.runtime.agent.renewal import renewed
 from aseme_dsl.runtime.agent.state_transfer import same_states
 from aseme_dsl.runtime.agent.untakable import Untakable
@@ -90,6 +91,8 @@ class _Agent:
     answers: deque[tuple[str, object]] = field(default_factory=deque)
     """What functions gave in the present step."""
     untakable: Untakable = field(default_factory=lambda: Untakable(lambda branch, identity: None))
+    waits: bool = False
+    """Whether its state is not known before its next checkpoint."""
     is_to_look: bool = False
     """Whether it has made a step and not looked yet at what can still be taken."""
     former: list[_Former] = field(default_factory=list)
@@ -98,14 +101,14 @@ class _Agent:
 class Replay:
     """Goes through the lines of a trace once."""
 
-    def __init__(self, models: Models, only: Collection[str] = ()) -> None:
-        """`only` these agents; all, if it is empty."""
+    def __init__(self, models: Models, only: Collection[str] = (), earlier: Earlier | None = None) -> None:
+        """`only` these agents; all, if it is empty. `earlier` gives the lines that may be left out."""
         self._models = models
         self._only = only
         self._known: dict[str, Model] = {}
         self.agents: dict[str, _Agent] = {}
         self._reads: set[str] = set()
-        self._inputs = RecordedInputs(self.agents, self._reads)
+        self._inputs = RecordedInputs(self.agents, self._reads, earlier)
         self._seed = 1
         self._queue = QUEUE
         self.steps = 0
@@ -118,18 +121,21 @@ class Replay:
             "checkpoint": self._checkpoint,
             "consumed": self._consumed,
             "expired": self._expired,
+            "error": self._failed,
             "swap": self._other_model,
             "select": self._other_model,
         }
 
-    def line(self, record: Record) -> Difference | None:
-        """A line, in its turn; the difference, if one shows in it.
+    def line(self, record: Record, number: int | None = None) -> Difference | None:
+        """A line: the next one, or the one of this number; the difference, if one shows in it.
 
         Raises:
             NotReplayable: the trace does not say enough.
         """
         try:
-            self._inputs.line(record)
+            if self._inputs.line(record, number):
+                for item in self.agents.values():
+                    item.waits = True
             known = self._kinds.get(record["kind"])
             return None if known is None else known(record)
         except (LookupError, TypeError, ValueError, AttributeError) as problem:
@@ -198,6 +204,9 @@ class Replay:
         if record["kind"] == "swap":
             labels = same_states(item.chart.PLAN, self._model(record["model"]).kind.PLAN)
         item.former.append(_Former(self._inputs.number, item.model, item.chart, labels))
+        if item.waits:
+            item.model = self._model(record["model"])
+            item.chart = self._chart(item.model, item.name)
 
     def _checkpoint(self, record: Record) -> Difference | None:
         item = self.agents.get(record["agent"])
@@ -206,13 +215,18 @@ class Replay:
         self._look(item)
         model = self._model(record["model"])
         saved = saved_of(record["state"], model.messages)
-        if record.get("anew"):
+        for conversation, participant, branch in record.get("parts", ()):
+            self._inputs.part(item.name, conversation, participant, branch)
+        if record.get("anew") or item.waits:
+            item.waits, item.steps = False, record["step"]
             item.model = model
             item.chart = self._chart(model, item.name)
             item.chart.load(saved)
             item.where = item.chart.configuration() if item.chart.started else ()
             item.untakable.forget()
             return None
+        if item.chart.finished or item.chart.failure is not None:
+            return None  # what it has said farewell with is not in the trace
         expected, got = state_of(saved, shared=False), state_of(item.chart.save(), shared=False)
         if expected == got:
             return None
@@ -233,7 +247,7 @@ class Replay:
 
     def _consumed(self, record: Record) -> None:
         item = self.agents.get(record["agent"])
-        if item is None:
+        if item is None or item.waits:
             return
         self._look(item)
         identity = identity_of(record["input"])
@@ -242,21 +256,19 @@ class Replay:
             if mail is not None:
                 item.chart.give_mail(mail)
                 return
-        chart = item.chart
-        found = self._input(item, record["input"])
-        if isinstance(found, Sample):
-            board = chart.board_of(record["label"])
-            for host in (None, found.sender):
-                newest = board.newest(found.channel, host)
-                if newest is not None and newest.identity == identity:
-                    board.take(found.channel, host)
-                    return
+        item.chart.board_of(record["label"]).consume(identity)
 
     def _expired(self, record: Record) -> None:
         item = self.agents.get(record["agent"])
-        if item is not None:
+        if item is not None and not item.waits:
             self._look(item)
             expired_signals(item.chart, record["time"])
+
+    def _failed(self, record: Record) -> None:
+        """An agent has stopped: for a reason that its chart knows, or for another one."""
+        item = self.agents.get(record["agent"])
+        if item is not None and item.chart.failure is None:
+            item.chart.failure = record["reason"]
 
     def _input(self, item: _Agent, name: InputName) -> Input:
         """An input as the agent's chart is given it."""
@@ -282,7 +294,7 @@ class Replay:
 
     def _step(self, record: Record) -> Difference | None:
         item = self.agents.get(record["agent"])
-        if item is None:
+        if item is None or item.waits:
             return None
         self._look(item)
         if record["step"] != item.steps + 1:

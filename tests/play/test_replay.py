@@ -11,9 +11,12 @@ from typing import Any
 import pytest
 
 from aseme_dsl.play.replay import Difference, NotReplayable, Replay
-from aseme_dsl.project.testing.replaying import models_of, replay
-from aseme_dsl.runtime.agent import agent
+from aseme_dsl.project.testing.replaying import models_of, replay, replayed_to
+from aseme_dsl.runtime.trace import checkpoint, trace_blocks, trace_gzip
+from aseme_dsl.runtime.trace.checkpoint import state_of
+from aseme_dsl.runtime.trace.packed import unpacked
 from aseme_dsl.runtime.trace.records import Record, as_record
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from tests.faults.changing import version
 from tests.faults.test_seeded import TALK, faults
 from tests.faults.test_swap import NET
@@ -47,10 +50,12 @@ def even(n: int) -> bool:
     return n % 2 == 0
 
 
-def recorded(text: str, tmp_path: Path, changes: Any = None, **options: Any) -> list[Record]:
+def recorded(
+    text: str, tmp_path: Path, changes: Any = None, file: str = "trace.jsonl", **options: Any
+) -> list[Record]:
     """The records of a run that go into a file."""
     made = generate(text)
-    path = tmp_path / "trace.jsonl"
+    path = tmp_path / file
     team, _ = make(made, version=version(made), trace=path, **options)
     if changes is not None:
         changes(team)
@@ -78,7 +83,8 @@ def steps(lines: list[Record]) -> int:
 
 @pytest.fixture(autouse=True)
 def often(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(agent, "EVERY", 3)
+    monkeypatch.setattr(checkpoint, "EVERY", 200)
+    monkeypatch.setattr(checkpoint, "SHARE", 1)
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -120,6 +126,36 @@ def test_functions_are_not_called_and_chance_is_the_same(tmp_path: Path) -> None
     before = calls[0]
     assert replayed(lines) == (steps(lines), None)
     assert calls[0] == before > 0
+
+
+@pytest.mark.parametrize("file", ["trace.jsonl.gz", "trace.jsonl"])
+@pytest.mark.parametrize("text", [TALK, AUCTION.replace("ACTIVITIES", ""), NET])
+def test_a_replay_from_near_a_moment_is_the_same(
+    text: str, file: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(checkpoint, "EVERY", 2000)
+    monkeypatch.setattr(trace_blocks, "BLOCK", 1500)
+    monkeypatch.setattr(trace_gzip, "BLOCK", 1500)
+    chance = random.Random("near")
+    names = [name for name, _ in generate(text).package.TEAM]
+    lines = recorded(text, tmp_path, file=file, until=2 * SECOND, faults=faults(chance, names))
+    reader = TraceReader(tmp_path / file)
+    begins, shorter = set(), 0
+    with ExitStack() as stack:
+        models = {"": models_of(unpacked(lines[0]["sources"]), stack)}
+        for moment in range(0, 2 * SECOND, 130 * MS):
+            begins.add([line.number for line, _ in zip(reader.since(moment), range(2), strict=False)][-1])
+            near, difference = replayed_to(reader, moment, lambda _: models[""])
+            assert difference is None
+            whole = Replay(lambda _: models[""])
+            for line in lines:
+                if line["time"] <= moment:
+                    assert whole.line(line) is None
+            shorter += near.steps < whole.steps
+            for name, agent in whole.agents.items():
+                here, there = near.agents[name].chart.save(), agent.chart.save()
+                assert state_of(here, shared=False) == state_of(there, shared=False), (moment, name)
+    assert len(begins) > 3 and shorter > 10  # it does begin in the middle
 
 
 def changed(lines: list[Record], kind: str, number: int, **members: Any) -> list[Record]:

@@ -15,6 +15,7 @@ from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.team.team import RunResult, Setup, Team
 from aseme_dsl.runtime.team.timed_inputs import read_inputs
 from aseme_dsl.runtime.trace.trace import Record
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from aseme_dsl.runtime.trace.trace_schema import schema
 from tests.support.generated import Generated, generate
 
@@ -135,4 +136,4 @@ def check_line(record: Record) -> None:
 
 def lines_of(path: Path) -> list[Record]:
     """The records of a trace on disk."""
-    return [json.loads(line) for line in path.read_text("utf-8").splitlines()]
+    return [line.record for line in TraceReader(path)]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from aseme_dsl.play.replay import Difference, Model, NotReplayable, Replay
-from aseme_dsl.runtime.trace.trace_reading import TraceReader
+from aseme_dsl.play.replay import Difference, Model, Models, NotReplayable, Replay
+from aseme_dsl.runtime.trace.trace_reading import Line, TraceReader
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,13 +37,41 @@ def replay(path: Path, agents: Collection[str] = ()) -> Replayed:
         replaying = Replay(lambda sources: models_of(sources, stack), agents)
         difference = None
         for line in reader:
-            difference = replaying.line(line.record)
+            difference = replaying.line(line.record, line.number)
             if difference is not None:
                 break
     problem = reader.problem if difference is None else None
     return Replayed(
         reader.path, tuple(replaying.agents), replaying.steps, replaying.seconds, difference, problem
     )
+
+
+def replayed_to(
+    reader: TraceReader, moment: int, models: Models, agents: Collection[str] = ()
+) -> tuple[Replay, Difference | None]:
+    """A replay of all steps up to a moment (ns), this one included; with the first difference, if any.
+
+    It begins with the newest checkpoints that are not later, and so does not read what is before them. Where
+    the trace does not say enough there, it begins with the first line.
+
+    Raises:
+        TraceError: it is no trace.
+        NotReplayable: it does not say enough.
+    """
+    try:
+        return _replayed(reader.since(moment, agents), moment, Replay(models, agents, reader.before))
+    except NotReplayable:
+        return _replayed(iter(reader), moment, Replay(models, agents))
+
+
+def _replayed(lines: Iterator[Line], moment: int, replaying: Replay) -> tuple[Replay, Difference | None]:
+    for line in lines:
+        if line.record["time"] > moment:
+            break
+        difference = replaying.line(line.record, line.number)
+        if difference is not None:
+            return replaying, difference
+    return replaying, None
 
 
 def models_of(sources: Mapping[str, str], stack: ExitStack) -> dict[str, Model]:
@@ -74,4 +102,4 @@ def models_of(sources: Mapping[str, str], stack: ExitStack) -> dict[str, Model]:
     return {kind.PLAN.model: Model(kind, messages) for kind in loaded.charts.values()}
 
 
-__all__ = ["Replayed", "models_of", "replay"]
+__all__ = ["Replayed", "models_of", "replay", "replayed_to"]

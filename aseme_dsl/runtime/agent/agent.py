@@ -42,7 +42,6 @@ from aseme_dsl.runtime.message.convert import Messages, converted
 from aseme_dsl.runtime.message.free import ACLMessage
 from aseme_dsl.runtime.ports import Driver
 from aseme_dsl.runtime.time.alarm import Alarm
-from aseme_dsl.runtime.trace.checkpoint import EVERY
 from aseme_dsl.runtime.trace.trace import Trace
 from aseme_dsl.runtime.world.body import AnyBody
 
@@ -123,6 +122,7 @@ class Agent:
         self._has_other_chart = False
         """Whether the next step is the first of a chart that has taken the place of another."""
         self._info_of = {info.label: info for info in self.plan.branches}
+        trace.agents.append(self.checkpoint if driver.clock.virtual else self._checkpoint_soon)
         self.shown: JadeLikeAgent | None = None
         """The agent with its behaviours, if it is shown so; made before the first step."""
         self._effects = Effects(self, bus, self.executions, self.requests, self.overload)
@@ -249,9 +249,9 @@ class Agent:
     def _step(self, inputs: list[Posted]) -> None:
         chart = self.chart
         now = self.driver.clock.now()
-        if self.trace.is_kept and (self._has_other_chart or (self.steps and self.steps % EVERY == 0)):
-            self.trace.checkpoint(now, self.name, self.steps, chart.save(), anew=self._has_other_chart)
-            self._has_other_chart = False
+        self.trace.checkpoint_all()
+        if self._has_other_chart:
+            self.checkpoint()
         self.steps += 1
         if not chart.started:
             self._show()
@@ -299,6 +299,20 @@ class Agent:
             if self.over:
                 return
         self._alarm.set(chart.due(now))
+
+    def checkpoint(self) -> None:
+        """Record the state of the chart. Between two steps, while the agent is guarded."""
+        if self.trace.is_kept:
+            parts = [
+                (conversation, info.participant, info.label)
+                for info, conversation in self.conversations.inside(self)
+            ]
+            now, saved = self.driver.clock.now(), self.chart.save()
+            self.trace.checkpoint(now, self.name, self.steps, saved, parts, anew=self._has_other_chart)
+        self._has_other_chart = False
+
+    def _checkpoint_soon(self) -> None:
+        self.errand(self.checkpoint)
 
     def _trace_step(
         self, now: int, inputs: Iterable[Posted], outcome: Outcome, changed: tuple[str, ...] | None

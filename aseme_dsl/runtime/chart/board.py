@@ -193,6 +193,15 @@ class Board:
             self._drop(item)
         return item
 
+    def consume(self, identity: Identity) -> bool:
+        """Consume the signal with this identity, as an activity has done; whether it waits."""
+        return any(
+            self._drop(item)
+            for waiting in self._signals.values()
+            for item in waiting
+            if item.identity == identity
+        )
+
     def _drop(self, item: Sample) -> bool:
         waiting = self._signals.get(item.channel, [])
         for index, other in enumerate(waiting):

@@ -15,8 +15,11 @@ from aseme_dsl.runtime.chart.inputs import AgentMessage, Sample
 from aseme_dsl.runtime.chart.saving import Saved, Seldom
 from aseme_dsl.runtime.message.as_json import from_json, to_json
 
-EVERY = 1000
-"""After so many steps of an agent there is a checkpoint in its trace."""
+EVERY = 2 << 20
+"""When so many characters of lines have been written, the agents' checkpoints follow: not much more has to be
+read for the state at any moment."""
+SHARE = 8
+"""At least so many times as long as the last checkpoints are the lines up to the next ones."""
 
 _Make: TypeAlias = Callable[[Unpack[tuple[object, ...]]], object]
 
@@ -108,4 +111,4 @@ class _Reader:
         return found
 
 
-__all__ = ["EVERY", "saved_of", "state_of"]
+__all__ = ["EVERY", "SHARE", "saved_of", "state_of"]

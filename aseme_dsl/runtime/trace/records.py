@@ -102,6 +102,7 @@ class Record(TypedDict, total=False):
     step: int
     state: list[object]
     anew: bool
+    parts: list[list[str]]
     functions: list[Call]
     agent_messages: list[InputName]
     again: bool

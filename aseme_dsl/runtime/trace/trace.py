@@ -33,6 +33,7 @@ from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.chart.saving import Saved
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.message.wire import Schema
+from aseme_dsl.runtime.trace import checkpoint
 from aseme_dsl.runtime.trace.checkpoint import state_of
 from aseme_dsl.runtime.trace.fault_counts import FaultCounts
 from aseme_dsl.runtime.trace.packed import packed
@@ -83,6 +84,12 @@ class Trace:
         self._output: Output | None = None
         self._dropped = 0
         self._has_gaps = False
+        self.agents: list[Callable[[], None]] = []
+        """What writes a checkpoint of each agent, or has it written at once."""
+        self._since = 0
+        """How many characters were written since the last checkpoints began."""
+        self._checkpoints = 0
+        """How many characters these have."""
         if path is not None:
             self._part = part_of(path)
             file = format_for(path, self._part)
@@ -138,6 +145,7 @@ class Trace:
                 gap = {"kind": "gap", "time": self.now(), "lines": self._dropped, "reason": _TOO_SLOW}
                 self._dropped = 0
                 output.put(_encode(gap))
+            self._since += len(line)
             output.put(line)
         except (OSError, ValueError) as error:
             self._end(error)
@@ -343,19 +351,45 @@ class Trace:
         """Whether the lines go into a file."""
         return self._output is not None
 
-    def checkpoint(self, moment: int, agent: str, number: int, saved: Saved, *, anew: bool) -> None:
-        """The state of an agent's chart before its next step; `anew`: another chart has taken its place."""
-        if self.is_kept:
-            state = state_of(saved)
-            self.write(
-                "checkpoint",
-                moment,
-                agent=agent,
-                step=number,
-                model=saved.model,
-                anew=anew or None,
-                state=state,
-            )
+    def checkpoint_all(self) -> None:
+        """Have the state of each agent written, if much was written since that was done last."""
+        if self._since < checkpoint.EVERY or not self.is_kept:
+            return
+        with self._lock:
+            if self._since < max(checkpoint.EVERY, checkpoint.SHARE * self._checkpoints):
+                return
+            self._since = self._checkpoints = 0
+        for write in self.agents:
+            write()
+
+    def checkpoint(
+        self,
+        moment: int,
+        agent: str,
+        number: int,
+        saved: Saved,
+        parts: Iterable[tuple[str, str, str]],
+        *,
+        anew: bool,
+    ) -> None:
+        """The state of an agent's chart between two steps; `anew`: another chart has taken its place.
+
+        `parts` are those that it has in conversations: conversation, participant and branch.
+        """
+        if not self.is_kept:
+            return
+        before = self._since
+        self.write(
+            "checkpoint",
+            moment,
+            agent=agent,
+            step=number,
+            model=saved.model,
+            anew=anew or None,
+            parts=[list(part) for part in parts] or None,
+            state=state_of(saved),
+        )
+        self._checkpoints += self._since - before
 
     def _way_text(self, plan: Plan, numbers: tuple[int, ...]) -> str:
         """`_way` as it is written; it is the same each time."""

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import io
 import os
 import threading
 import time
@@ -77,11 +76,10 @@ class JsonLines:
 
     def __init__(self, path: Path) -> None:
         """Raises OSError if there cannot be a file at `path`."""
-        # A text may hold half a surrogate pair; written with a backslash it is JSON's own escape.
-        self._file = io.TextIOWrapper(outside.new_file(path), "utf-8", "backslashreplace", "\n")
+        self._file = outside.new_file(path)
 
     def put(self, lines: Iterable[str]) -> None:
-        self._file.write("".join([f"{line}\n" for line in lines]))
+        self._file.write(encoded(lines))
 
     def flush(self) -> None:
         self._file.flush()
@@ -90,13 +88,19 @@ class JsonLines:
         to_disk(self._file)
 
     def finish(self) -> None:
-        self._file.flush()
+        self.flush()
         to_disk(self._file)
         self._file.close()
 
     def abandon(self) -> None:
         with contextlib.suppress(OSError, ValueError):  # the disk is still full
             self._file.close()
+
+
+def encoded(lines: Iterable[str]) -> bytes:
+    """Lines as they stand in a file, with their ends."""
+    # A text may hold half a surrogate pair; written with a backslash it is JSON's own escape.
+    return "".join([f"{line}\n" for line in lines]).encode("utf-8", "backslashreplace")
 
 
 def to_disk(file: IO[str] | IO[bytes]) -> None:

@@ -1,11 +1,11 @@
 """Gzip: a trace of JSON lines in a compressed file, a tenth as large, that `zcat` and `zgrep` read.
 
-Each MB of lines is a part that is complete in itself: a killed run leaves what it wrote.
+Each block of lines is a member of the file, complete in itself, whose header says what is in it. So a reader
+finds the place from which it needs the lines, and a killed run leaves all that was flushed.
 """
 
 from __future__ import annotations
 
-import contextlib
 import gzip
 import zlib
 from collections.abc import Iterable, Iterator
@@ -14,60 +14,75 @@ from pathlib import Path
 from typing import cast
 
 from aseme_dsl import outside
-from aseme_dsl.runtime.trace.trace_files import to_disk
+from aseme_dsl.runtime.trace.trace_blocks import BLOCK, OPEN, packed
+from aseme_dsl.runtime.trace.trace_files import JsonLines, encoded
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, Torn
 
 MAGIC = b"\x1f\x8b"
-PART_BYTES = 1 << 20
-LEVEL = 6
-"""How hard it is compressed: a match of 130 s becomes 8 MB, at a twentieth of the time that the run takes."""
 
 
-class GzipFile:
-    """Writes lines into a compressed file; a `trace_files.Format`."""
+class GzipFile(JsonLines):
+    """Writes lines into a compressed file; a `trace_files.Format`.
 
-    flush_seconds = 1.0  # a flush ends a part, and small parts are packed badly
-    may_flush = False
+    A flush does not end a block: what was flushed is replaced by the whole block later. So the file has the
+    same bytes whenever it was flushed.
+    """
+
+    flush_seconds = 0.2  # a flush packs the block again
 
     def __init__(self, path: Path) -> None:
         """Raises OSError if there cannot be a file at `path`."""
-        self._file = outside.new_file(path)
-        self._lines: list[bytes] = []
+        super().__init__(path)
+        self._lines: list[str] = []
         self._size = 0
+        self._before = 0
+        """How many lines there are in the blocks that are complete."""
+        self._end = 0
+        """Where these end in the file."""
+        self._flushed: tuple[int, int] = (0, 0)
+        """How many lines of the present block are in the file, and where they end there."""
 
     def put(self, lines: Iterable[str]) -> None:
         for line in lines:
-            data = f"{line}\n".encode("utf-8", "backslashreplace")
-            self._lines.append(data)
-            self._size += len(data)
-            if self._size >= PART_BYTES:
-                self._end_part()
-
-    def _end_part(self) -> None:
-        if self._lines:
-            self._file.write(gzip.compress(b"".join(self._lines), LEVEL, mtime=0))
-            self._lines.clear()
-            self._size = 0
+            self._lines.append(line)
+            self._size += len(line) + 1
+            if self._size >= BLOCK:
+                self._end_block()
 
     def flush(self) -> None:
-        self._end_part()
-        self._file.flush()
-
-    def sync(self) -> None:
-        to_disk(self._file)
+        if len(self._lines) != self._flushed[0]:
+            if self._file.seekable():
+                self._flushed = len(self._lines), self._write(OPEN)
+            else:  # a pipe
+                self._end_block()
+        super().flush()
 
     def finish(self) -> None:
-        self.flush()
-        to_disk(self._file)
-        self._file.close()
+        if self._lines:
+            self._end_block()
+        super().finish()
 
-    def abandon(self) -> None:
-        with contextlib.suppress(OSError, ValueError):  # the disk is still full
-            self._file.close()
+    def _end_block(self) -> None:
+        self._end = self._write()
+        self._before += len(self._lines)
+        self._lines.clear()
+        self._size = 0
+        self._flushed = 0, self._end
+
+    def _write(self, flags: int = 0) -> int:
+        """Write the present block in the place of what was flushed of it; where it ends."""
+        block = packed(encoded(self._lines), self._before + 1, flags)
+        end = self._end + len(block)
+        if self._flushed[0]:
+            self._file.seek(self._end)
+        self._file.write(block)
+        if self._flushed[0] and self._flushed[1] > end:
+            self._file.truncate(end)
+        return end
 
 
 def unpacked_lines(file: BufferedReader) -> Iterator[bytes]:
-    """The lines of a compressed trace, with their ends.
+    """The lines of a compressed trace from a block on, with their ends.
 
     Raises:
         OSError: the file cannot be read, or a line is too long.

@@ -1,13 +1,23 @@
-"""Reading traces: the lines of a trace file of either kind, complete or torn, one at a time."""
+"""Reading traces: the lines of a trace file of any kind, complete or torn, from any place on."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import zlib
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
+from io import BufferedReader
 from pathlib import Path
 
 from aseme_dsl import outside
-from aseme_dsl.runtime.trace.records import Record, as_record
+from aseme_dsl.runtime.trace.records import Record, agents_of, as_record
+from aseme_dsl.runtime.trace.trace_blocks import (
+    BLOCK,
+    CHANGES,
+    Block,
+    packed_blocks,
+    plain_blocks,
+    start_for,
+)
 from aseme_dsl.runtime.trace.trace_files import FORMAT, TraceError, part_of
 from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
 from aseme_dsl.runtime.trace.trace_gzip import unpacked_lines
@@ -24,7 +34,7 @@ class Line:
 
 
 class TraceReader:
-    """The lines of a trace, for one walk through it.
+    """The lines of a trace: all of them, or those from near a moment on, or backwards from one.
 
     A run that was killed leaves `NAME.part`, whose last line may be torn: what is whole is read, and
     `problem` says afterwards what is not. `NAME` stands for `NAME.part` where there is no `NAME`.
@@ -38,13 +48,11 @@ class TraceReader:
         self.problem: str | None = None
         self.finished = False
         """Whether the run came to its end: the last line says so."""
-        try:
-            self._file = outside.open_file(self.path)
-            start = self._file.peek(len(MAGIC))
+        self._blocks: tuple[Block, ...] | None = None
+        with self._open() as file:
+            start = file.peek(len(MAGIC))
             self._is_mcap = start.startswith(MAGIC)
             self._is_packed = start.startswith(GZIP_MAGIC)
-        except OSError as problem:
-            raise TraceError(f"{self.path} cannot be read: {problem.strerror or problem}") from problem
 
     def __iter__(self) -> Iterator[Line]:
         """The lines in their order.
@@ -52,11 +60,105 @@ class TraceReader:
         Raises:
             TraceError: a line that is not the last is none of a trace, or the first is not a known header.
         """
-        number = 0
-        with self._file:
-            texts = lines_in(self._file, self.path) if self._is_mcap else self._texts()
+        return self._lines(None)
+
+    def since(self, moment: int, agents: Collection[str] = ()) -> Iterator[Line]:
+        """The header, then all lines from the newest place on at which the state of each agent is known.
+
+        That is where the agents (all of the header, or these) have a checkpoint not later than `moment` (ns);
+        some lines stand before the oldest of these checkpoints. Between the header and that place come the
+        lines `swap` and `select` that precede it: they tell which model an agent runs. Nothing else of what
+        precedes is decoded. The numbers of the lines are those in the file.
+
+        All lines come where there is no such place: the run has just begun, or the file is one that has no
+        blocks (MCAP, or compressed by another program).
+
+        Raises:
+            TraceError: as from the begin.
+        """
+        blocks = self.blocks()
+        names = agents
+        if not names and blocks:
+            names = {str(item["name"]) for item in agents_of(self.header().record)}
+        start = start_for(blocks, moment, names) if names else None
+        if start is None or start.line == 1:
+            yield from self
+            return
+        yield self.header()
+        for block in blocks:
+            if block.offset < start.offset and block.changes:
+                for number, text in self._texts_of(block):
+                    record = record_of(text)
+                    if number > 1 and record is not None and record["kind"].encode() in CHANGES:
+                        yield Line(number, text, record)
+        yield from self._lines(start)
+
+    def back(self, moment: int) -> Iterator[Line]:
+        """The lines that are not later than `moment` (ns), the newest first.
+
+        The file is decoded block by block; all of it at once where it has no blocks (MCAP, or compressed by
+        another program).
+        """
+        if not self.blocks():
+            for line in reversed(list(self)):
+                if line.record["time"] <= moment:
+                    yield line
+            return
+        for block in reversed(self.blocks()):
+            if block.first <= moment:
+                for line in self._records_of(block):
+                    if line.record["time"] <= moment:
+                        yield line
+
+    def before(self, number: int, texts: Collection[str]) -> Iterator[Line]:
+        """The lines before a line that hold one of some texts, the newest first; only these are decoded.
+
+        There are none where the file has no blocks.
+        """
+        for block in reversed(self.blocks()):
+            if block.line < number:
+                for line in self._records_of(block, texts):
+                    if line.number < number:
+                        yield line
+
+    def header(self) -> Line:
+        """The first line. Raises TraceError."""
+        return next(self._lines(None))
+
+    def blocks(self) -> tuple[Block, ...]:
+        """The parts of the file that can be read by themselves; none in an MCAP file, or in one that another
+        program has compressed. Raises TraceError."""
+        if self._blocks is None:
+            with self._open() as file:
+                try:
+                    if self._is_mcap:
+                        self._blocks = ()
+                    else:
+                        self._blocks = tuple(packed_blocks(file) if self._is_packed else plain_blocks(file))
+                except OSError as problem:
+                    raise self._unread(problem) from problem
+        return self._blocks
+
+    # ---- the file ----------------------------------------------------------------------------
+
+    def _open(self) -> BufferedReader:
+        try:
+            return outside.open_file(self.path)
+        except OSError as problem:
+            raise self._unread(problem) from problem
+
+    def _unread(self, problem: OSError) -> TraceError:
+        return TraceError(f"{self.path} cannot be read: {problem.strerror or problem}")
+
+    def _lines(self, start: Block | None) -> Iterator[Line]:
+        """The lines from a block on."""
+        number = before = 0 if start is None else start.line - 1
+        with self._open() as file:
+            if start is not None:
+                file.seek(start.offset)
+            texts = lines_in(file, self.path) if self._is_mcap else self._texts(file)
             try:
-                for number, text in enumerate(texts, 1):
+                for number, text in enumerate(texts, before + 1):
                     record = record_of(text)
                     if record is None or (number == 1 and record["kind"] != "header"):
                         what = "the header of a trace" if number == 1 else "a line of a trace"
@@ -67,18 +169,19 @@ class TraceReader:
                     self.finished = record["kind"] == "finish"
                     yield Line(number, text, record)
             except Torn as torn:
-                self.problem = f"{self.path}:{torn.lines + 1}: the trace breaks off here: {torn.reason}"
+                place = before + torn.lines + 1
+                self.problem = f"{self.path}:{place}: the trace breaks off here: {torn.reason}"
             except OSError as problem:
-                raise TraceError(f"{self.path} cannot be read: {problem.strerror or problem}") from problem
+                raise self._unread(problem) from problem
         if number == 0 and self.problem is None:
             raise TraceError(f"{self.path} is empty")
         if self.problem is None and not self.finished:
             self.problem = f"{self.path}: the run did not come to its end: there is no line `finish`"
 
-    def _texts(self) -> Iterator[str]:
+    def _texts(self, file: BufferedReader) -> Iterator[str]:
         number = 0
         before: bytes | None = None
-        lines = unpacked_lines(self._file) if self._is_packed else outside.lines(self._file, LONGEST)
+        lines = unpacked_lines(file) if self._is_packed else outside.lines(file, LONGEST)
         torn: Torn | None = None
         try:
             for data in lines:
@@ -95,6 +198,36 @@ class TraceReader:
             yield text
         if torn is not None:
             raise torn
+
+    def _data_of(self, block: Block) -> bytes:
+        """The lines of a block, as far as they are whole."""
+        with self._open() as file:
+            try:
+                file.seek(block.offset)
+                data = file.read(block.size)
+            except OSError as problem:
+                raise self._unread(problem) from problem
+        if self._is_packed:
+            try:
+                data = zlib.decompressobj(zlib.MAX_WBITS + 16).decompress(data, LONGEST + BLOCK)
+            except zlib.error:  # what of it is whole comes from the walk through all
+                return b""
+        return data
+
+    def _texts_of(self, block: Block) -> Iterable[tuple[int, str]]:
+        return enumerate(self._data_of(block).decode("utf-8", "replace").split("\n")[:-1], block.line)
+
+    def _records_of(self, block: Block, texts: Collection[str] = ("",)) -> Iterator[Line]:
+        """The lines of a block that hold one of some texts, the last one first."""
+        data = self._data_of(block).decode("utf-8", "replace")
+        if not any(text in data for text in texts):
+            return
+        lines = data.split("\n")
+        for place in range(len(lines) - 2, -1, -1):
+            found = lines[place]
+            record = record_of(found) if any(text in found for text in texts) else None
+            if record is not None:
+                yield Line(block.line + place, found, record)
 
 
 def _decoded(data: bytes) -> str:

@@ -19,7 +19,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.trace import trace_files, trace_gzip, trace_mcap
+from aseme_dsl.runtime.trace import trace_blocks, trace_files, trace_gzip, trace_mcap
 from aseme_dsl.runtime.trace.trace import Trace
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.trace.trace_formats import format_for
@@ -319,7 +319,7 @@ def test_one_seed_gives_one_file(suffix: str, generated: Generated, tmp_path: Pa
 def test_a_compressed_trace_has_the_same_lines(
     generated: Generated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(trace_gzip, "PART_BYTES", 5000)
+    monkeypatch.setattr(trace_gzip, "BLOCK", 5000)
     run(generated, tmp_path / "a.jsonl")
     run(generated, tmp_path / "a.jsonl.gz")
     plain, packed = (tmp_path / "a.jsonl").read_bytes(), (tmp_path / "a.jsonl.gz").read_bytes()
@@ -328,10 +328,78 @@ def test_a_compressed_trace_has_the_same_lines(
     assert packed.count(trace_gzip.MAGIC + b"\x08") > 3  # each part can be read by itself
 
 
+def test_a_compressed_trace_has_the_same_bytes_whenever_it_is_flushed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trace_gzip, "BLOCK", 3000)
+    texts = ['{"kind":"header","time":0,"agents":[]}']
+    texts += [f'{{"kind":"log","time":{number},"text":"{"ab" * (number % 50)}"}}' for number in range(300)]
+    often, never = tmp_path / "often.jsonl.gz", tmp_path / "never.jsonl.gz"
+    for path in (often, never):
+        file = format_for(path, path)
+        for number, text in enumerate(texts, 1):
+            file.put([text])
+            if path == often and number % 3:
+                file.flush()
+                assert texts_of(path) == texts[:number]
+                assert gzip.decompress(path.read_bytes()).decode().splitlines() == texts[:number]
+        file.finish()
+    assert often.read_bytes() == never.read_bytes()
+
+
+@pytest.mark.parametrize("suffix", ["jsonl", "jsonl.gz", "mcap", "foreign.gz"])
+def test_a_reader_begins_near_a_moment_or_goes_back_from_it(
+    suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trace_gzip, "BLOCK", 500)
+    monkeypatch.setattr(trace_blocks, "BLOCK", 500)
+    agents = [{"name": name, "role": "R", "model": "1"} for name in ("ann", 'b"ob')]
+    texts = [json.dumps({"kind": "header", "time": 0, "agents": agents})]
+    for number in range(1, 1000):
+        kind, agent = "log", "ann"
+        if number % 100 in (0, 3):  # both have a checkpoint at each 100 ns, bob 3 ns later
+            kind, agent = "checkpoint", "ann" if number % 100 == 0 else 'b\\"ob'
+        elif number == 50:
+            kind = "swap"
+        texts.append(f'{{"kind":"{kind}","time":{number},"agent":"{agent}","step":{number}}}')
+    path = tmp_path / f"x.{suffix}"
+    if suffix == "foreign.gz":
+        path.write_bytes(gzip.compress("".join(f"{text}\n" for text in texts).encode()))
+    else:
+        file = format_for(path, path)
+        file.put(texts)
+        file.finish()
+    reader = TraceReader(path)
+    has_blocks = bool(reader.blocks())
+    assert has_blocks == (suffix not in ("mcap", "foreign.gz"))
+    for moment, names, oldest in (
+        (999, (), 900),
+        (902, (), 800),
+        (902, ("ann",), 900),
+        (3, (), 0),
+        (99, (), 0),
+    ):
+        found = list(reader.since(moment, names))
+        assert [line.text for line in found] == [texts[line.number - 1] for line in found]
+        assert found[0].record["kind"] == "header" and found[-1].number == 1000
+        if has_blocks and oldest:
+            assert [line.record["kind"] for line in found[:2]] == ["header", "swap"]
+            begin = found[2].record["time"]
+            assert oldest - 10 < begin <= oldest
+            assert [line.record["time"] for line in found[2:]] == list(range(begin, 1000))
+        else:
+            assert len(found) == 1000
+    for moment in (0, 1, 777, 5000):
+        back = [line.record["time"] for line in reader.back(moment)]
+        assert back == list(range(min(moment, 999), -1, -1))
+    found = list(reader.before(900, ['"step":777}', '"step":555}', '"step":950}']))
+    assert [line.record["time"] for line in found] == ([777, 555] if has_blocks else [])
+
+
 def test_a_compressed_trace_that_is_cut_is_read_as_far_as_it_goes(
     generated: Generated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(trace_gzip, "PART_BYTES", 5000)
+    monkeypatch.setattr(trace_gzip, "BLOCK", 5000)
     path = tmp_path / "a.jsonl.gz"
     run(generated, path)
     whole, texts = path.read_bytes(), texts_of(path)
