@@ -29,7 +29,7 @@ from aseme_dsl.cli.playing import (
     telling_options,
     trace_option,
 )
-from aseme_dsl.cli.run_end import end_data, end_lines, exit_code
+from aseme_dsl.cli.run_end import end_data, end_lines, exit_code, watched_lines
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
     FilePath,
@@ -60,13 +60,16 @@ from aseme_dsl.diagnostics.problems.running import (
 from aseme_dsl.project.settings.platform_settings import IN_PROCESS, PLATFORMS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator, Sequence
 
     from aseme_dsl.project.building.build import Choice
     from aseme_dsl.project.playing.play import Played, Request
+    from aseme_dsl.project.playing.seen import Seen
     from aseme_dsl.project.settings.configuration import Configuration
+    from aseme_dsl.project.testing.watching import Watch, Watched
     from aseme_dsl.runtime.control.control import Changed
     from aseme_dsl.runtime.version.loading import Loaded
+    from aseme_dsl.source import Source
 
 GRACE = 2.0
 """After so many seconds without its supervisor a robot ends, even if it is busy."""
@@ -91,12 +94,14 @@ class _Options:
     backends: tuple[str, ...]
     bodies: dict[str, str]
     control: Path | None
+    strict: bool
     quiet: bool
     verbose: bool
     project: Path | None
     world_at: str | None
     version: str | None
     supervised: bool
+    watched: str | None
     colour: str
 
     @property
@@ -136,11 +141,13 @@ class _Options:
     help="Keys of the operators who may control the agent over the network."
     "  [default: the project's, else none]",
 )
+@click.option("--strict", is_flag=True, help="End the run when the agent breaks a property or a clause.")
 @telling_options
 @click.option("--project", type=FilePath(path_type=Path), hidden=True)
 @click.option("--world-at", hidden=True)
 @click.option("--in-version", "version", hidden=True)
 @click.option("--supervised", is_flag=True, hidden=True)
+@click.option("--watched", hidden=True)
 @colour_option
 @gathered(_Options)
 def command(options: _Options) -> int:
@@ -182,8 +189,9 @@ def _without_effect(options: _Options) -> list[OptionWithoutEffect]:
     return unused
 
 
-def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice] | int:
-    """The system, its folder and its settings; or the exit code, after telling why."""
+def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice, Path | Source | None] | int:
+    """The system, its folder and its settings, and its file if that was built; or the exit code, after
+    telling why."""
     from aseme_dsl.project.building.build import choose
     from aseme_dsl.project.playing.play import NoSuchPlan, carried, in_version, load
     from aseme_dsl.project.settings.configuration import find_configuration, read_configuration
@@ -208,7 +216,7 @@ def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice] |
             for line in lines_without_code(bare, options.target, options.output):
                 click.echo(line)
         loaded = load(report.folder, report.system, configuration, choice)
-        return loaded, report.folder, configuration, choice
+        return loaded, report.folder, configuration, choice, compiled.root
     configuration, problems = (
         read_configuration(options.project) if options.project else find_configuration(folder)
     )
@@ -224,15 +232,22 @@ def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice] |
     loaded = systems[0]
     if options.version is not None:
         loaded = in_version(loaded, options.version, configuration)
-    return loaded, folder, configuration, choice
+    return loaded, folder, configuration, choice, None
 
 
 def _run(
-    options: _Options, loaded: Loaded, folder: Path, configuration: Configuration, choice: Choice
+    options: _Options,
+    loaded: Loaded,
+    folder: Path,
+    configuration: Configuration,
+    choice: Choice,
+    root: Path | Source | None,
 ) -> int:
     """Run the agent; the exit code."""
     from aseme_dsl.project.building.build import activities_folder
     from aseme_dsl.project.playing.play import play
+    from aseme_dsl.project.playing.seen import Seen
+    from aseme_dsl.project.playing.supervisor import SEEN
     from aseme_dsl.project.settings.deployment import Deployment
 
     if options.control is not None:
@@ -248,24 +263,56 @@ def _run(
         progress=False,
         stream=sys.stdout,
     )
+    watch = _watch(options, loaded, root, configuration)
+    seen = None if options.watched is None else Seen(options.watched, lambda text: _say(SEEN + text))
     with ending_left_processes():
         played = play(
             loaded,
             activities_folder(folder, choice),
             configuration,
-            _request(options, folder, configuration),
+            _request(options, folder, configuration, seen),
             tell=telling.line,
             listeners=(telling,),
+            watch=watch or seen,
         )
     telling.end()
-    _print(options, played)
+    watched = () if watch is None else watch.end()
+    _print(options, played, watched)
     code = exit_code(played.result, (), INTERRUPTED)
+    if code == 0 and any(item.verdict == "broken" for item in watched):
+        code = 1
     if played.result.left:
         leave_at_once(code)
     return code
 
 
-def _request(options: _Options, folder: Path, configuration: Configuration) -> Request:
+def _watch(
+    options: _Options,
+    loaded: Loaded,
+    root: Path | Source | None,
+    configuration: Configuration,
+) -> Watch | None:
+    """What watches the properties and clauses that this agent decides; our supervisor watches all of them."""
+    from aseme_dsl.play.scenario import Refused as NotWatched
+    from aseme_dsl.project.testing.watching import script_of, watch_of_agent
+
+    if options.supervised or options.robot not in dict(loaded.team):
+        return None
+
+    def tell(line: str) -> None:
+        if not options.quiet:
+            click.echo(line)
+
+    script = script_of(loaded, root, configuration, dict(loaded.team))
+    if isinstance(script, NotWatched):
+        tell(f"properties and clauses are not watched: {script.span}: {script.reason}")
+        return None
+    if script is None:
+        return None
+    return watch_of_agent(script, options.robot, tell, options.strict, loaded.plans)
+
+
+def _request(options: _Options, folder: Path, configuration: Configuration, seen: Seen | None) -> Request:
     """How the agent is to be run."""
     from aseme_dsl.project.playing.play import Request
     from aseme_dsl.project.playing.supervisor import WORLD
@@ -283,12 +330,12 @@ def _request(options: _Options, folder: Path, configuration: Configuration) -> R
         platform=options.platform or usual,
         robot=options.robot,
         world_at=(world_at, bytes.fromhex(os.environ.get(WORLD, ""))) if world_at is not None else None,
-        begin=_told_to_begin() if options.supervised else lambda: None,
+        begin=_told_to_begin(seen) if options.supervised else lambda: None,
         changed=_tell_change if options.supervised else None,
     )
 
 
-def _print(options: _Options, played: Played) -> None:
+def _print(options: _Options, played: Played, watched: Sequence[Watched]) -> None:
     """How the agent has ended, and what is left behind."""
     result = played.result
     for agent in result.agents:
@@ -306,48 +353,66 @@ def _print(options: _Options, played: Played) -> None:
         agents = [asdict(agent) for agent in result.agents]
         _tell_end({"result": {"agents": agents, **end_data(result)}, "lines": lines})
     else:
-        for line in lines:
+        for line in (*lines, *watched_lines(watched)):
             click.echo(f"  {line}")
 
 
-def _told_to_begin() -> Callable[[], int | None]:
+def _told_to_begin(seen: Seen | None) -> Callable[[], int | None]:
     """Says that we are ready and waits for the beginning; from then on we end when our supervisor does."""
     from aseme_dsl.project.playing.supervisor import READY
 
     def begin() -> int | None:
-        sys.stdout.write(READY + "\n")
-        sys.stdout.flush()
-        line = sys.stdin.readline()
-        if not line:
+        _say(READY)
+        lines = _lines_of_supervisor()
+        origin = next(lines, None)
+        if origin is None:
             os._exit(INTERRUPTED)
-        threading.Thread(target=_end_with_supervisor, name="aseme supervisor", daemon=True).start()
-        return int(line)
+        threading.Thread(
+            target=_end_with_supervisor, args=(lines, seen), name="aseme supervisor", daemon=True
+        ).start()
+        return int(origin)
 
     return begin
+
+
+def _lines_of_supervisor() -> Iterator[str]:
+    """What our supervisor writes, as long as it runs.
+
+    From the file descriptor, not the stream: at the interpreter's end no thread must hold the stream's lock.
+    """
+    rest = b""
+    while got := os.read(0, 4096):
+        *lines, rest = (rest + got).split(b"\n")
+        yield from (line.decode() for line in lines)
+
+
+def _say(line: str) -> None:
+    """Say something to our supervisor."""
+    sys.stdout.write(line + "\n")
+    sys.stdout.flush()
 
 
 def _tell_change(change: Changed) -> None:
     """Says that we play another version now, which our supervisor takes if it starts us again."""
     from aseme_dsl.project.playing.supervisor import CHANGED
 
-    sys.stdout.write(CHANGED + json.dumps(asdict(change), default=str) + "\n")
-    sys.stdout.flush()
+    _say(CHANGED + json.dumps(asdict(change), default=str))
 
 
 def _tell_end(end: dict[str, object]) -> None:
     """Say what our run has left open, which our supervisor shows when all have ended."""
     from aseme_dsl.project.playing.supervisor import ENDED
 
-    sys.stdout.write(ENDED + json.dumps(end) + "\n")
-    sys.stdout.flush()
+    _say(ENDED + json.dumps(end))
 
 
-def _end_with_supervisor() -> None:
+def _end_with_supervisor(lines: Iterator[str], seen: Seen | None) -> None:
+    """Record what our supervisor finds broken, until it has ended; then end, too."""
     from aseme_dsl.runtime.workers.descendants import kill_descendants
 
-    # The file descriptor, not the stream: at the interpreter's end no thread must hold the stream's lock.
-    while os.read(0, 4096):
-        pass
+    for line in lines:
+        if seen is not None:
+            seen.record(line)
     os.kill(os.getpid(), signal.SIGTERM)
     time.sleep(GRACE)
     kill_descendants(lambda line: None)

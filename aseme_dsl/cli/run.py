@@ -27,7 +27,14 @@ from aseme_dsl.cli.playing import (
     telling_options,
     trace_option,
 )
-from aseme_dsl.cli.run_end import allow_option, end_data, end_lines, exit_code
+from aseme_dsl.cli.run_end import (
+    allow_option,
+    end_data,
+    end_lines,
+    exit_code,
+    watched_data,
+    watched_lines,
+)
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
     WRONG_USE,
@@ -67,7 +74,7 @@ from aseme_dsl.diagnostics.problems.scenarios.network import NetworkInRealTime, 
 from aseme_dsl.project.settings.platform_settings import IN_PROCESS, PLATFORMS, ZENOH
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from aseme_dsl.cli.telling import Telling
     from aseme_dsl.project.building.build import Choice, Report
@@ -173,9 +180,7 @@ class _Prepared:
 @body_option("Factory function of the body, for AGENT or all agents. Repeatable.")
 @click.option("--force", is_flag=True, help="Overwrite edited files and files that asemec did not write.")
 @allow_option
-@click.option(
-    "--strict", is_flag=True, help="End the run when a property or a clause is broken; in virtual time."
-)
+@click.option("--strict", is_flag=True, help="End the run when a property or a clause is broken.")
 @stats_option
 @telling_options
 @json_option
@@ -211,8 +216,6 @@ def _check_usage(options: _Options) -> None:
         raise click.UsageError("--role runs one role in this process: not with --platform.")
     if options.process_per_agent and platform == IN_PROCESS:
         raise click.UsageError("--process-per-agent needs a transport between processes, such as zenoh.")
-    if options.strict and _real_time_option(options) is not None:
-        raise click.UsageError("--strict watches a run in virtual time: not with --real.")
     if options.trace is not None:
         inputs: list[Path | str] = [options.target, *([options.script] if options.script is not None else [])]
         check_outputs([(options.trace, "trace")], inputs)
@@ -347,6 +350,7 @@ def _run_processes(options: _Options, prepared: _Prepared, loaded: Loaded, platf
         platform=platform if platform != IN_PROCESS else None,
     )
     place = activities_folder(prepared.folder, prepared.choice)
+    watch = _watch(options, prepared, loaded, None, True, lambda line: click.echo(line, err=options.as_json))
     code = _supervise(
         loaded,
         prepared.folder,
@@ -354,6 +358,7 @@ def _run_processes(options: _Options, prepared: _Prepared, loaded: Loaded, platf
         prepared.configuration,
         request,
         _options_of_robots(options),
+        watch,
         options.quiet,
         options.as_json,
     )
@@ -398,7 +403,7 @@ def _run_here(
         progress=not options.quiet,
         stream=sys.stderr if options.as_json else sys.stdout,
     )
-    watch = _watch(options, prepared, loaded, plan, real, telling)
+    watch = _watch(options, prepared, loaded, plan, real, telling.line)
     with ending_left_processes():
         played = play(
             loaded,
@@ -411,7 +416,7 @@ def _run_here(
             watch=watch,
         )
     telling.end()
-    watched = () if watch is None else watch.end(played.result.end_ns)
+    watched = () if watch is None else watch.end()
     code = exit_code(played.result, options.allowed, INTERRUPTED)
     if code == 0 and any(item.verdict == "broken" for item in watched):
         code = 1
@@ -422,25 +427,29 @@ def _run_here(
 
 
 def _watch(
-    options: _Options, prepared: _Prepared, loaded: Loaded, plan: str | None, real: bool, telling: Telling
+    options: _Options,
+    prepared: _Prepared,
+    loaded: Loaded,
+    plan: str | None,
+    real: bool,
+    tell: Callable[[str], None],
 ) -> Watch | None:
     """What watches the properties and clauses of the system; None, and told, if nothing can."""
     from aseme_dsl.play.scenario import Refused
-    from aseme_dsl.project.testing.watching import Watch, script_for
+    from aseme_dsl.project.testing.watching import Watch, script_of
 
-    if prepared.compiled is None:
-        return None
-    team = dict(loaded.team) if plan is None else {options.agent or plan: plan}
-    script = script_for(prepared.compiled, team or {name: name for name in loaded.charts})
+    team = dict(loaded.team)
+    if plan is not None:
+        usual = next((name for name, role in loaded.team if role == plan), plan)
+        team = {options.agent or usual: plan}
+    root = None if prepared.compiled is None else prepared.compiled.root
+    script = script_of(loaded, root, prepared.configuration, team or {name: name for name in loaded.charts})
     if script is None:
         return None
     if isinstance(script, Refused):
-        telling.line(f"properties and clauses are not watched: {script.span}: {script.reason}")
+        tell(f"properties and clauses are not watched: {script.span}: {script.reason}")
         return None
-    if real:
-        telling.line("properties and clauses are not watched in real time")
-        return None
-    return Watch(script, telling.line, options.strict)
+    return Watch(script, tell, options.strict, loaded.plans if real else None)
 
 
 def _options_of_robots(options: _Options) -> list[str]:
@@ -468,6 +477,7 @@ def _supervise(
     configuration: Configuration,
     request: Request,
     options: list[str],
+    watch: Watch | None,
     quiet: bool,
     as_json: bool,
 ) -> int:
@@ -481,8 +491,10 @@ def _supervise(
             click.echo(f"{name:<{width}} | {line}" if name else line, err=wrong or as_json)
 
     with ending_left_processes():
-        ended = supervise(loaded, folder, activities, configuration, request, options, say)
-    code = INTERRUPTED if ended.reason == "interrupted" else int(ended.failed)
+        ended = supervise(loaded, folder, activities, configuration, request, options, say, watch)
+    watched = () if watch is None else watch.end()
+    is_broken = any(item.verdict == "broken" for item in watched)
+    code = INTERRUPTED if ended.reason == "interrupted" else int(ended.failed or is_broken)
     if as_json:
         robots = [
             {
@@ -494,7 +506,13 @@ def _supervise(
             }
             for robot in ended.robots
         ]
-        result = {"system": loaded.name, "reason": ended.reason, "robots": robots, "folder": str(folder)}
+        result = {
+            "system": loaded.name,
+            "reason": ended.reason,
+            "robots": robots,
+            "watched": watched_data(watched),
+            "folder": str(folder),
+        }
         print_json({"result": result, **diagnostics_json(())})
         return code
     processes = f"({count_processes(len(ended.robots))})"
@@ -504,6 +522,8 @@ def _supervise(
         click.echo(f"  {robot.name}{starts}  trace: {', '.join(map(str, robot.traces))}")
         for line in robot.end.lines:
             click.echo(f"    {line}")
+    for line in watched_lines(watched):
+        click.echo(f"  {line}")
     return code
 
 
@@ -573,15 +593,7 @@ def _print(
                     **end_data(result),
                     "untaken": telling.untaken,
                     "unexpected": telling.unexpected,
-                    "watched": [
-                        {
-                            "of": item.of,
-                            "at": str(item.span),
-                            "verdict": item.verdict,
-                            "time_ns": item.time_ns,
-                        }
-                        for item in watched
-                    ],
+                    "watched": watched_data(watched),
                     "summary": played.summary,
                     "folder": str(prepared.folder),
                     "trace": str(played.trace),
@@ -608,11 +620,8 @@ def _print(
             click.echo(f"  {agent.name} ({agent.role}) completed")
     for line in end_lines(result):
         click.echo(f"  {line}")
-    for item in watched:
-        if item.verdict != "kept":
-            click.echo(f"  {item.text}")
-    if kept := sum(item.verdict == "kept" for item in watched):
-        click.echo(f"  {kept} of {len(watched)} statements of properties and clauses are kept")
+    for line in watched_lines(watched):
+        click.echo(f"  {line}")
     for line in lines_without_code(bare, options.target, options.output) if bare is not None else ():
         click.echo(f"  {line}")
     if result.trace_error is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import click
@@ -11,6 +11,7 @@ from aseme_dsl.cli.shared import CommandT
 from aseme_dsl.cli.terminal import harmless
 
 if TYPE_CHECKING:
+    from aseme_dsl.project.testing.watching import Watched
     from aseme_dsl.runtime.team.team import RunResult
 
 WAITING = "waiting"
@@ -50,3 +51,20 @@ def end_lines(result: RunResult) -> Iterator[str]:
     from aseme_dsl.project.playing.run_end import end_lines
 
     return map(harmless, end_lines(result))
+
+
+def watched_data(watched: Iterable[Watched]) -> list[dict[str, object]]:
+    """What has become of the properties and clauses, as JSON."""
+    return [
+        {"of": item.of, "at": str(item.span), "verdict": item.verdict, "time_ns": item.time_ns}
+        for item in watched
+    ]
+
+
+def watched_lines(watched: Sequence[Watched]) -> Iterator[str]:
+    """What to say of properties and clauses at the end of a run."""
+    for item in watched:
+        if item.verdict != "kept":
+            yield harmless(item.text)
+    if kept := sum(item.verdict == "kept" for item in watched):
+        yield f"{kept} of {len(watched)} statements of properties and clauses are kept"

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from aseme_dsl.play.evaluate import Told
-from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.play.insight import Insight
 from aseme_dsl.runtime.chart.plan import Plan, State, is_in
 
 
@@ -56,21 +56,22 @@ def named(plan: Plan, name: str) -> Sequence[State]:
     return [state for state in plan.states if name in (state.name, state.activity)]
 
 
-def answer(plan: Plan, chart: Chart, followed: Followed, question: str, name: str) -> object:
+def answer(inside: Insight, followed: Followed, question: str, name: str) -> object:
     """The value of `in(T)`, `done(T)` or `count(T)`."""
+    plan = inside.plan
     active = [state for state in named(plan, name) if state.label in followed.active]
     if question == "count":
         first = next(iter(named(plan, name)), None)
         return 0 if first is None else followed.entries.get(first.label, 0)
     if question == "in":
         return bool(active)
-    return any(_is_complete(plan, chart, followed.active, state) for state in active)
+    return any(_is_complete(inside, followed.active, state) for state in active)
 
 
-def _is_complete(plan: Plan, chart: Chart, active: frozenset[str], state: State) -> bool:
+def _is_complete(inside: Insight, active: frozenset[str], state: State) -> bool:
     if state.type == "BASIC":
-        leaf, _, number = chart.RUNNING[state.label]
-        return bool(getattr(chart, leaf) == number + 1)
+        return inside.has_returned(state.label)
+    plan = inside.plan
     parts = plan.children(state.label) if state.type == "AND" else (state,)
     return bool(parts) and all(_has_ended(plan, active, part) for part in parts)
 

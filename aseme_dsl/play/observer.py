@@ -11,6 +11,7 @@ from aseme_dsl.play.assumptions import Assumptions
 from aseme_dsl.play.conversations import Clauses
 from aseme_dsl.play.evaluate import Known, Told, ages, asked, counted, timers, value_of
 from aseme_dsl.play.followed import Followed, answer, around, entered_by
+from aseme_dsl.play.insight import Surroundings
 from aseme_dsl.play.scenario import (
     AllOf,
     AnyOf,
@@ -23,18 +24,15 @@ from aseme_dsl.play.scenario import (
     Says,
     Script,
 )
-from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.chart.plan import Plan
-from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
-from aseme_dsl.runtime.team.team import Team
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.runtime.trace.records import Record
 
 LAST = 6
 """A failure shows so many of the last things that happened to an agent."""
 
-_KINDS = frozenset(
+KINDS = frozenset(
     (
         "step",
         "message",
@@ -108,18 +106,19 @@ class Observer:
         self._timers = frozenset(name for value in values for name in timers(value))
         self._kept = frozenset(name for value in values for kind in (At, Mean) for name in asked(value, kind))
         self._now = 0
-        self._team: Team | None = None
+        self._roles = dict(script.team)
+        self._surroundings: Surroundings | None = None
         self._is_over = False
 
-    def begin(self, team: Team) -> None:
+    def begin(self, surroundings: Surroundings) -> None:
         """The run of the team begins."""
-        self._team = team
+        self._surroundings = surroundings
 
     def wants(self, kind: str, what: str | None) -> bool:
-        return kind in _KINDS
+        return kind in KINDS
 
     def __call__(self, record: Record) -> None:
-        if self._is_over or record["kind"] not in _KINDS:
+        if self._is_over or record["kind"] not in KINDS:
             return
         self._pass_to(record["time"])
         self.assumed.see(record)
@@ -140,17 +139,17 @@ class Observer:
                 self._note(record["agent"], f"fails: {record['reason']}")
                 self._look(_Happening(failed=record["agent"]))
             case "conversation" if self._clauses and record["agent"] in self._agents:
-                info = self._running(record["agent"]).branch_info(record["branch"])
-                self._clauses.conversation(record, info.protocol, self._now)
+                branches = {info.label: info.protocol for info in self._plan(record["agent"]).branches}
+                self._clauses.conversation(record, branches[record["branch"]], self._now)
                 self._take_clauses()
             case "activity" if record["what"] in ("end", "crash"):
                 self._note(record["agent"], ending(record))
 
     # ---- time --------------------------------------------------------------------------------
 
-    def settled(self, team: Team) -> str | None:
+    def settled(self, team: object = None) -> str | None:
         """Nothing is left to do at this instant; why the run ends, if it does."""
-        self._pass_to(team.driver.clock.now())
+        self._pass_to(self._around.now())
         return "broken" if self.broken is not None else None
 
     def _pass_to(self, moment: int) -> None:
@@ -164,8 +163,8 @@ class Observer:
 
     def look(self) -> None:
         """Time alone may have changed something."""
-        if self._team is not None and not self._is_over:
-            self._pass_to(self._team.driver.clock.now())
+        if self._surroundings is not None and not self._is_over:
+            self._pass_to(self._around.now())
             self._look(_NOTHING)
 
     def end(self, moment: int) -> None:
@@ -182,6 +181,11 @@ class Observer:
         """A run that may have been cut off ended at this moment: what is still awaited stays so."""
         self._pass_to(moment + 1)
 
+    @property
+    def now(self) -> int:
+        """How far the run has come (ns)."""
+        return self._now
+
     def is_awaited(self, number: int, moment: int) -> bool:
         """Whether something that an expectation speaks of has still to come."""
         rule = self.script.expectations[number].rule
@@ -194,8 +198,7 @@ class Observer:
 
     def crashed(self, agent: str) -> None:
         """An agent has stopped dead: it is in no state, and knows nothing."""
-        assert self._team is not None
-        self._pass_to(self._team.driver.clock.now())
+        self._pass_to(self._around.now())
         self.assumed.crash(agent, self._now)
         self._agents[agent].forget()
         self._clauses.step(agent, (), _NONE, _NONE, self._now)
@@ -211,7 +214,9 @@ class Observer:
         followed = self._agents[agent]
         plan = self._plan(agent)
         before = followed.active
-        if "configuration" in record:
+        if plan.name != self._roles[agent]:  # it has switched: the labels of its role are not in use
+            followed.active = _NONE
+        elif "configuration" in record:
             leaves = record["configuration"]
             followed.active = frozenset(label for leaf in leaves for label in around(leaf))
         followed.has_begun = True
@@ -226,7 +231,8 @@ class Observer:
             new = entered_by(plan, taken["transitions"])
             if self._counted:
                 followed.count(plan, self._counted, new)
-            entered |= new
+            if plan.name == self._roles[agent]:
+                entered |= new
             at = plan.transitions[taken["transitions"][-1]].at
             self._note(agent, way(plan, taken["source"], taken["target"]), at)
         if self._timers:
@@ -244,11 +250,10 @@ class Observer:
 
     def _wake_for_timers(self, agent: str) -> None:
         """Look again when a timer that a condition asks for runs out."""
-        assert self._team is not None
-        for board in self._team.agent(agent).chart.boards():
-            for name in self._timers.intersection(board.timers if board is not None else ()):
-                if board is not None and board.timers[name] > self._now:
-                    self._team.driver.at(board.timers[name], self.look, background=True)
+        inside = self._around.insight(agent)
+        for moment in (moment for name in self._timers for moment in inside.timers(name)):
+            if moment > self._now:
+                self._around.at(moment, self.look)
 
     def _receive(self, agent: str, said: Said, identity: tuple[str, int]) -> None:
         self._note(agent, f"receives {said.what} from {said.sender}")
@@ -257,10 +262,9 @@ class Observer:
         followed = self._agents[agent]
         measured = self._arrived.get((agent, *identity), said.moment)
         followed.receive(said.what, said.sender, said.content, measured, said.what in self._kept)
-        assert self._team is not None
         for age in self._aged.get(said.what, ()):
             for moment in (measured + age, measured + age + 1):
-                self._team.driver.at(moment, self.look, background=True)
+                self._around.at(moment, self.look)
 
     def _say(self, record: Record) -> None:
         agent = record["agent"]
@@ -285,11 +289,12 @@ class Observer:
             self._look(_Happening(sent=said))
 
     def _plan(self, agent: str) -> Plan:
-        return self._running(agent).plan
+        return self._around.insight(agent).plan
 
-    def _running(self, agent: str) -> Agent:
-        assert self._team is not None
-        return self._team.agent(agent)
+    @property
+    def _around(self) -> Surroundings:
+        assert self._surroundings is not None
+        return self._surroundings
 
     def _note(self, agent: str, text: str, at: str = "") -> None:
         """Something has happened to an agent; `at` is the place of the line in the source."""
@@ -365,30 +370,18 @@ class Observer:
         return is_held, is_held and number not in self._held
 
     def _known(self, agent: str, bound: Told | None = None) -> Known:
-        followed, running = self._agents[agent], self._running(agent)
-        plan, chart = running.plan, running.chart
+        followed, inside = self._agents[agent], self._around.insight(agent)
         return Known(
             self._now,
             self._inputs,
             lambda channel, sender: followed.newest.get((channel, sender)),
-            lambda name: to_json(chart.variable(name)) if chart.started else None,
+            inside.variable,
             bound,
             lambda channel, sender: followed.measured.get((channel, sender), ()),
-            lambda question, state: answer(plan, chart, followed, question, state),
-            lambda activity: next(
-                (
-                    how
-                    for label, how in reversed(chart.outcomes.items())
-                    if plan.by_label[label].activity == activity
-                ),
-                None,
-            ),
-            lambda timer: any(
-                board.timers[timer] <= self._now
-                for board in (chart.boards() if chart.started else ())
-                if board is not None and timer in board.timers
-            ),
-            chart.index,
+            lambda question, state: answer(inside, followed, question, state),
+            inside.outcome,
+            lambda timer: any(moment <= self._now for moment in inside.timers(timer)),
+            inside.index,
         )
 
     def _is_meant(self, says: Says, agent: str, said: Said) -> bool:
@@ -453,4 +446,4 @@ def ending(record: Record) -> str:
     return f"{record['activity']} {'ends' if record['what'] == 'end' else 'fails'}{f': {how}' if how else ''}"
 
 
-__all__ = ["Observer", "Said", "ending", "way"]
+__all__ = ["KINDS", "Observer", "Said", "ending", "way"]

@@ -9,6 +9,7 @@ from typing import Protocol, assert_never
 
 from aseme_dsl.play.coverage.probes import Recorder
 from aseme_dsl.play.evaluate import NotEvaluated
+from aseme_dsl.play.insight import Present
 from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import (
     Act,
@@ -159,7 +160,7 @@ class _Stage:
 
     def begin(self, team: Team) -> None:
         """Give what comes first, and schedule the rest."""
-        self.observer.begin(team)
+        self.observer.begin(Present(team))
         names = {agent for agent, _ in self.script.team}
         speakers = (item.act.sender for item in self.script.stimuli if isinstance(item.act, Receives))
         for name in dict.fromkeys(speakers):

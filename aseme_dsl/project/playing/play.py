@@ -127,7 +127,7 @@ Tell = Callable[[str], None]
 
 
 class Watching(Protocol):
-    """What watches a run in virtual time, and may end it."""
+    """What watches a run, and may end it."""
 
     def begin(self, team: Team) -> None:
         """The run of the team begins."""
@@ -255,7 +255,7 @@ def play(
     """Run a system's team, or one plan, to the end.
 
     `tell` is given each line of the project's `progress`. `tick` is given the time, at every instant at which
-    nothing is left to do. `listeners` are given every line of the trace, and so is `watch`, in virtual time.
+    nothing is left to do. `listeners` are given every line of the trace, and so is `watch`.
 
     Raises:
         PlayError: it cannot be run like that; or the project's own functions fail.
@@ -266,7 +266,7 @@ def play(
 
     if request.robot is not None:
         seed = _seed(request, configuration)
-        return _play_robot(loaded, activities, configuration, request, request.robot, seed, listeners)
+        return _play_robot(loaded, activities, configuration, request, request.robot, seed, listeners, watch)
     platform = request.platform or IN_PROCESS
     try:
         check_installed(platform)
@@ -401,6 +401,7 @@ def _play_robot(
     robot: str,
     seed: int,
     listeners: Iterable[Listener],
+    watching: Watching | None,
 ) -> Played:
     """Run one robot of the team in this process."""
     from aseme_dsl.project.playing.operable import operable, others
@@ -445,10 +446,14 @@ def _play_robot(
                 seed=seed,
                 bodies=bodies,
                 until_ns=request.duration or (project.duration if project and body is not None else None),
-                stop=_Reports(body) if body is not None and project and project.progress else None,
+                stop=_first_of(
+                    _Reports(body) if body is not None and project and project.progress else None,
+                    None if watching is None else watching.settled,
+                ),
                 timed_inputs=script,
                 trace=trace,
-                listeners=listeners,
+                before=None if watching is None else watching.begin,
+                listeners=listeners if watching is None else (*listeners, watching),
                 path=folders,
                 here=[robot],
                 transport=_transport(request.platform or ZENOH, loaded, configuration, [robot]),
@@ -499,6 +504,12 @@ def check_robot(loaded: Loaded, robot: str) -> None:
         if not names:
             raise NoSuchPlan(problems.NoTeamForRobot(loaded.name, robot))
         raise NoSuchPlan(problems.NoSuchRobot(robot, closest(robot, names), tuple(names)))
+
+
+def _first_of(*asked: Callable[[Team], str | None] | None) -> Callable[[Team], str | None] | None:
+    """What asks all of these, and gives the first reason; None if there is none to ask."""
+    calls = [call for call in asked if call is not None]
+    return (lambda team: next(filter(None, [call(team) for call in calls]), None)) if calls else None
 
 
 class _Reports:

@@ -17,16 +17,18 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from types import FrameType
-from typing import IO, TYPE_CHECKING
+from typing import IO, TYPE_CHECKING, Protocol
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics.problems import running as problems
+from aseme_dsl.play.insight import Asked
+from aseme_dsl.play.sightings import asked_text
 from aseme_dsl.project.playing.play import PlayError
 from aseme_dsl.project.settings.platforms import given_environment
 from aseme_dsl.runtime.trace.trace_files import GZIP_SUFFIX
@@ -43,6 +45,10 @@ CHANGED = "\x01changed "
 """With this begins a line in which a robot says, as JSON, which version it plays from now on."""
 ENDED = "\x01ended "
 """With this begins a line in which a robot says, as JSON, how its run has ended: `result`, and as `lines`."""
+SEEN = "\x01seen "
+"""With this begins a line in which a robot says, as JSON, what the properties and clauses may be about."""
+LOOK = 0.1
+"""Seconds between two looks at what the robots say of that."""
 WORLD = "ASEMEC_WORLD"
 """The environment variable that has the key to the world."""
 FEW_ARENAS = {"MALLOC_ARENA_MAX": "2"}
@@ -72,6 +78,29 @@ Handler = Callable[[int, FrameType | None], object] | int | signal.Handlers | No
 """What `signal.signal` takes and gives."""
 Say = Callable[[str, str, bool], None]
 """Shows a line: whose it is (a robot's, or "" for the team's), the line, whether something is wrong."""
+
+
+class TeamWatching(Protocol):
+    """What watches what all robots do, and may end the run."""
+
+    record: Callable[[Mapping[str, object]], None]
+    """Called for what is broken, with the members of the line of a trace."""
+
+    @property
+    def asked(self) -> Asked:
+        """What is asked of the inside of agents."""
+
+    def hear(self, text: str) -> None:
+        """What a robot says it has seen (`SEEN`). May be called from any thread."""
+
+    def crash(self, agent: str, moment: int) -> None:
+        """The process of a robot has stopped dead."""
+
+    def look(self, moment: int) -> str | None:
+        """The time is `moment` (ns); why the run ends, if it does."""
+
+    def finish(self, moment: int) -> None:
+        """The run has ended at this moment (ns)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,11 +173,12 @@ def supervise(
     request: Request,
     options: Sequence[str],
     say: Say,
+    watch: TeamWatching | None = None,
 ) -> Supervised:
     """Play a team with a process for each robot, to the end.
 
-    `folder` is the output folder of the build, `options` are passed on to every robot. Must be called in the
-    main thread. Ctrl-C and SIGTERM end all.
+    `folder` is the output folder of the build, `options` are passed on to every robot. `watch` is shown what
+    all robots do. Must be called in the main thread. Ctrl-C and SIGTERM end all.
 
     Raises:
         PlayError: it cannot be begun: no team, no transport, a robot or the world that does not start.
@@ -164,7 +194,9 @@ def supervise(
         check_installed(platform)
         with provided(platform, loaded, configuration, lambda line: say("", line, False)):
             options = [*options, "--platform", platform]
-            return _Run(loaded, folder, activities, configuration, request, options, say).run()
+            if watch is not None:
+                options += ["--watched", asked_text(watch.asked)]
+            return _Run(loaded, folder, activities, configuration, request, options, say, watch).run()
     except (TransportError, PlatformError) as problem:
         raise PlayError(problems.NotPlayed(str(problem))) from problem
 
@@ -181,7 +213,11 @@ class _Run:
         request: Request,
         options: Sequence[str],
         say: Say,
+        watching: TeamWatching | None,
     ) -> None:
+        self._watching = watching
+        if watching is not None:
+            watching.record = self._record
         self._loaded = loaded
         self._folder = folder
         self._activities = activities
@@ -212,6 +248,8 @@ class _Run:
                 over = self._time_is_over()
             finally:
                 self._end_all()
+                if self._watching is not None:
+                    self._watching.finish(self._now)
         ends = tuple(
             RobotEnd(child.name, child.code or 0, child.starts, tuple(child.traces), child.end)
             for child in self._robots.values()
@@ -329,11 +367,30 @@ class _Run:
         while not self._reason and not all(child.over for child in self._robots.values()):
             starts = [child.again_at for child in self._robots.values() if child.again_at is not None]
             rest = max(0.0, min(starts) - time.monotonic()) if starts else None
+            if self._watching is not None:
+                rest = LOOK if rest is None else min(rest, LOOK)
             with contextlib.suppress(Empty):
                 self._heed(self._news.get(timeout=rest))
+            if self._watching is not None and not self._reason:
+                self._reason = self._watching.look(self._now) or ""
             for child in self._robots.values():
                 if child.again_at is not None and child.again_at <= time.monotonic():
                     self._start(child)
+
+    @property
+    def _now(self) -> int:
+        """The time of the run (ns)."""
+        return 0 if self._origin is None else time.monotonic_ns() - self._origin
+
+    def _record(self, breach: Mapping[str, object]) -> None:
+        """Write into the trace of the first robot whose process runs that something is broken.
+
+        What is found when all have ended is in no trace: theirs are closed.
+        """
+        running = (child for child in self._robots.values() if not child.over and child.again_at is None)
+        child = next(running, None)
+        if child is not None:
+            _write(child, json.dumps(breach))
 
     def _heed(self, news: _News) -> None:
         if news.kind == "stop":
@@ -359,6 +416,8 @@ class _Run:
         if code in _DELIBERATE:
             child.over = True
             return
+        if self._watching is not None:
+            self._watching.crash(child.name, self._now)
         lived = time.monotonic() - child.began
         child.short_lives = 0 if lived >= SETTLED else child.short_lives + 1
         how = f"{child.name} {_how_ended(code)}"
@@ -451,6 +510,8 @@ class _Run:
                     self._news.put(_News("", kind, str(value)))
         elif line == READY:
             self._news.put(_News(name, "ready"))
+        elif line.startswith(SEEN) and self._watching is not None:
+            self._watching.hear(line.removeprefix(SEEN))
         elif line.startswith(CHANGED):
             version = _object(line.removeprefix(CHANGED))
             if not {"hash", "whole_team"} <= version.keys():
@@ -481,7 +542,7 @@ def _object(text: str) -> dict[str, object]:
 def _write(child: _Child, line: str) -> None:
     process = child.process
     if process is not None and process.stdin is not None:
-        with contextlib.suppress(OSError):  # it has ended, which will be told
+        with contextlib.suppress(OSError, ValueError):  # it has ended, which will be told
             process.stdin.write(line + "\n")
             process.stdin.flush()
 

@@ -2,22 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from aseme_dsl.play.deciding import decided_by
+from aseme_dsl.play.insight import Asked, Present, asked_by
 from aseme_dsl.play.observer import Observer
-from aseme_dsl.play.scenario import Refused, Script
+from aseme_dsl.play.scenario import Expectation, Refused, Script
+from aseme_dsl.play.sightings import LAG, Later, Reporter
 from aseme_dsl.runtime.monitor.rules import Verdict
 from aseme_dsl.runtime.time.clock import shown
-from aseme_dsl.source import Span
+from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from pathlib import Path
 
-    from aseme_dsl.project.building.project import Compiled
+    from aseme_dsl.project.settings.configuration import Configuration
+    from aseme_dsl.runtime.chart.plan import Plan
     from aseme_dsl.runtime.team.team import Team
     from aseme_dsl.runtime.trace.records import Record
+    from aseme_dsl.runtime.version.loading import Loaded
+
+Breach = Mapping[str, object]
+"""The members of a line `breach` of a trace."""
+BROKEN = "a property or clause is broken"
+"""Why a run ends with `--strict`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,64 +53,155 @@ class Watched:
         since = "" if self.assumed is None else f"; the assumption {self.assumed} was broken before"
         return f"{self.verdict}{when}: {self.of} ({self.span}){since}"
 
+    @property
+    def breach(self) -> Breach:
+        """What a trace says of it."""
+        assumed = None if self.assumed is None else str(self.assumed)
+        return {"of": self.of, "at": str(self.span), "broken": self.time_ns, "assumed": assumed}
 
-def script_for(compiled: Compiled, team: Mapping[str, str]) -> Script | Refused | None:
-    """What the properties and clauses of a system say of a team; None if it has none."""
+
+def script_for(
+    root: Source | Path,
+    sources: Mapping[str, str] | None,
+    configuration: Configuration,
+    team: Mapping[str, str],
+) -> Script | Refused | None:
+    """What the properties and clauses of a system without errors say of a team; None if it has none."""
     from aseme_dsl.compiler.phases import inspect_files, watched_of
     from aseme_dsl.project.building.project import options_of
 
-    system = compiled.system
-    if system is None or not (
-        any(aip.clauses for aip in system.aips) or any("property" in item.text for item in system.sources)
-    ):
-        return None
-    found = watched_of(inspect_files(compiled.root, None, options_of(compiled.configuration)), team)
+    found = watched_of(inspect_files(root, sources, options_of(configuration)), team)
     if found.refused is not None:
         return found.refused
     return found.scripts[0] if found.scripts[0].expectations else None
 
 
-class Watch:
-    """Watches one run in virtual time: a listener of its trace."""
+def script_of(
+    loaded: Loaded, root: Path | Source | None, configuration: Configuration, team: Mapping[str, str]
+) -> Script | Refused | None:
+    """What the properties and clauses of a generated system say of a team; None if it has none.
 
-    def __init__(self, script: Script, tell: Callable[[str], None], is_strict: bool) -> None:
-        """`tell` is given a line for each that is broken; with `is_strict` that ends the run."""
+    They are read in the file `root`, or else in the texts from which it was generated.
+    """
+    if not any(word in text for text in loaded.sources.values() for word in ("property", "clause")):
+        return None
+    if root is not None:
+        return script_for(root, None, configuration, team)
+    first, *_ = loaded.sources
+    return script_for(Source(first, loaded.sources[first]), loaded.sources, configuration, team)
+
+
+class Watch:
+    """Watches one run: a listener of its trace.
+
+    In virtual time it looks at each line at once. In real time, and at agents in other processes, it looks
+    `LAG` ns later.
+    """
+
+    def __init__(
+        self,
+        script: Script,
+        tell: Callable[[str], None],
+        is_strict: bool,
+        plans: Iterable[Plan] | None = None,
+    ) -> None:
+        """`tell` is given a line for each that is broken; with `is_strict` that ends the run. The `plans` of
+        the roles are given for a run in real time."""
         self._script = script
         self._observer = Observer(script, {})
         self._tell = tell
         self._is_strict = is_strict
         self._told: set[int] = set()
+        self._later = None if plans is None else Later(self._observer, plans)
+        self._reporter = None if self._later is None else Reporter(self.asked, self._later.take)
+        self._has_told_of_stranger = False
+        self.record: Callable[[Breach], None] = lambda breach: None
+        """Called for each that is broken: it writes the line of the trace."""
+
+    @property
+    def asked(self) -> Asked:
+        """What is asked of the inside of agents."""
+        return asked_by(self._script.conditions)
 
     def begin(self, team: Team) -> None:
         """The run of the team begins."""
-        self._observer.begin(team)
+        if self._reporter is None:
+            self._observer.begin(Present(team))
+        else:
+            self._reporter.begin(team)
+        clock = team.driver.clock
+        self.record = lambda breach: team.trace.write("breach", clock.now(), **breach)
+        team.at_end.append(lambda: self.finish(clock.now()))
 
     def wants(self, kind: str, what: str | None) -> bool:
         return self._observer.wants(kind, what)
 
     def __call__(self, record: Record) -> None:
-        self._observer(record)
+        if self._reporter is None:
+            self._observer(record)
+        else:
+            self._reporter(record)
 
     def settled(self, team: Team) -> str | None:
         """Nothing is left to do at this instant; why the run ends, if it does."""
-        self._observer.settled(team)
+        return self.look(team.driver.clock.now())
+
+    # ---- of a run with a process for each agent --------------------------------------------------
+
+    def hear(self, text: str) -> None:
+        """A sighting by the process of an agent. Raises ValueError for another text."""
+        assert self._later is not None
+        self._later.hear(text)
+
+    def crash(self, agent: str, moment: int) -> None:
+        """The process of an agent has stopped dead."""
+        assert self._later is not None
+        self._later.crash(agent, moment)
+
+    def look(self, moment: int) -> str | None:
+        """The time is `moment`; why the run ends, if it does."""
+        if self._later is None:
+            self._observer.settled()
+        else:
+            self._later.pass_to(moment - LAG)
+        self._judge()
+        return BROKEN if self._told and self._is_strict else None
+
+    def finish(self, moment: int) -> None:
+        """The run has ended at this moment."""
+        if self._later is None:
+            self._observer.rest(moment)
+        else:
+            self._later.pass_to(moment)
+        self._judge()
+
+    # ---- what is broken --------------------------------------------------------------------------
+
+    def _judge(self) -> None:
         for number, state in enumerate(self._observer.states):
             if state.verdict is Verdict.BROKEN and number not in self._told:
                 self._told.add(number)
-                self._tell(self._of(number, "broken").text)
-        return "a property or clause is broken" if self._told and self._is_strict else None
+                found = self._of(number, "broken")
+                self._tell(found.text)
+                self.record(found.breach)
+        stranger = None if self._later is None else self._later.stranger
+        if stranger is not None and not self._has_told_of_stranger:
+            self._has_told_of_stranger = True
+            agent, since = stranger
+            why = f"{agent} runs another version of its role"
+            self._tell(f"properties and clauses are not watched from {shown(since)} on: {why}")
 
-    def end(self, moment: int) -> tuple[Watched, ...]:
-        """What has become of them in a run that ended at this moment."""
-        self._observer.rest(moment)
+    def end(self) -> tuple[Watched, ...]:
+        """What has become of them in a run that has ended (see `finish`)."""
         found = []
+        is_cut = self._later is not None and self._later.stranger is not None
         for number, item in enumerate(self._script.expectations):
             state = self._observer.states[number]
             if state.verdict is Verdict.BROKEN:
                 verdict = "broken"
             elif not self._observer.met.issuperset(item.witnesses):
-                verdict = "vacuous"
-            elif self._observer.is_awaited(number, moment):
+                verdict = "open" if is_cut else "vacuous"
+            elif is_cut or self._observer.is_awaited(number, self._observer.now):
                 verdict = "open"
             else:
                 verdict = "kept"
@@ -115,4 +216,21 @@ class Watch:
         return Watched(item.of, item.span, verdict, state.at if verdict == "broken" else 0, assumed)
 
 
-__all__ = ["Watch", "Watched", "script_for"]
+def watch_of_agent(
+    script: Script, agent: str, tell: Callable[[str], None], is_strict: bool, plans: Iterable[Plan]
+) -> Watch | None:
+    """Watches one agent in real time, whose process sees no other; reports what that cannot decide."""
+    decided = decided_by(script, agent)
+    _tell_all(tell, f"watched for {agent} only", decided.partly)
+    _tell_all(tell, "not decided here", decided.elsewhere)
+    if decided.elsewhere:
+        tell("  other agents decide it: `asemec run --process-per-agent` watches the whole team")
+    return Watch(decided.script, tell, is_strict, plans) if decided.script.expectations else None
+
+
+def _tell_all(tell: Callable[[str], None], what: str, items: Sequence[Expectation]) -> None:
+    for item in items:
+        tell(f"{what}: {item.of} ({item.span})")
+
+
+__all__ = ["BROKEN", "Breach", "Watch", "Watched", "script_for", "script_of", "watch_of_agent"]

@@ -7,6 +7,7 @@ are included; all times are in ns.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import assert_never
@@ -142,6 +143,37 @@ class NotWithin:
 
 Rule = Sometime | At | AfterFirst | Always | Never | InOrder | Before | Until | LeadsTo | NotWithin
 
+
+def conditions_of(rule: Rule) -> tuple[int, ...]:
+    """The numbers of the conditions that a rule speaks of."""
+    match rule:
+        case InOrder(conditions=conditions):
+            return conditions
+        case Sometime() | At() | Always() | Never():
+            return (rule.condition,)
+        case AfterFirst() | NotWithin():
+            return rule.trigger, rule.condition
+        case Before() | Until() | LeadsTo():
+            return rule.first, rule.second
+        case _:
+            assert_never(rule)
+
+
+def renumbered(rule: Rule, numbers: Mapping[int, int]) -> Rule:
+    """The same rule about conditions that have other numbers."""
+    match rule:
+        case InOrder(conditions=conditions):
+            return InOrder(tuple(numbers[number] for number in conditions))
+        case Sometime() | At() | Always() | Never():
+            return replace(rule, condition=numbers[rule.condition])
+        case AfterFirst() | NotWithin():
+            return replace(rule, trigger=numbers[rule.trigger], condition=numbers[rule.condition])
+        case Before() | Until() | LeadsTo():
+            return replace(rule, first=numbers[rule.first], second=numbers[rule.second])
+        case _:
+            assert_never(rule)
+
+
 # ---- what becomes of them ---------------------------------------------------------------------------
 
 
@@ -254,6 +286,8 @@ __all__ = [
     "Until",
     "Verdict",
     "View",
+    "conditions_of",
     "ended",
+    "renumbered",
     "seen",
 ]

@@ -1,0 +1,126 @@
+"""Properties and clauses in real time: in one process, in one agent's process, and in a process for each."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.cli.support import GOOD, Here, asemec
+from tests.runtime.playing import check_line
+from tests.support.network import own_name
+
+BEATS = """\
+system NAME
+message Pulse { int number }
+topic air { signal Pulse queued }
+srm drummer {
+  var n : int = 0
+  liveness { drummer = Beat~ }
+  activities { Beat takes 20ms }
+  control drummer {
+    repeat Beat : / n = n + 1 ; air.signal.Pulse.number = n ; write_messages.air.signal.Pulse
+  }
+}
+srm listener {
+  liveness { listener = Hear~ }
+  activities { Hear takes 1ms }
+  control listener { repeat Hear : [has(air.signal.Pulse)] }
+}
+team Band { ann : drummer  bob : listener }
+property "it ends" { never ann has [n > 3] }
+property "it is heard" { every sent air.signal.Pulse leads to received air.signal.Pulse by bob within 10min }
+property "both play" { always bob in listener  never fault }
+"""
+"""One counts and publishes for ever; the other hears it."""
+
+
+def breaches(path: Path) -> list[dict[str, Any]]:
+    """What the trace says is broken."""
+    records = [json.loads(line) for line in path.read_text().splitlines()]
+    for record in records:
+        check_line(record)
+    return [record for record in records if record["kind"] == "breach"]
+
+
+@pytest.fixture
+def band(tmp_path: Path) -> Path:
+    path = tmp_path / "band.aseme"
+    path.write_text(BEATS.replace("NAME", own_name("Band")))
+    return path
+
+
+def verdicts(done: Any) -> list[tuple[str, str]]:
+    return [(item["of"], item["verdict"]) for item in done.json["result"]["watched"]]
+
+
+ALL = [
+    ('property "it ends"', "broken"),
+    ('property "it is heard"', "kept"),
+    ('property "both play"', "kept"),
+    ('property "both play"', "kept"),
+]
+
+
+def test_a_breach_ends_a_strict_run_in_real_time(band: Path) -> None:
+    done = asemec("run", "band.aseme", "-o", "out", "--real", "--strict", "--json", "-q", cwd=band.parent)
+    assert (done.code, done.json["result"]["reason"]) == (1, "a property or clause is broken"), done.out
+    assert [item for item in verdicts(done) if item[0] != ALL[1][0]] == [ALL[0], *ALL[2:]]
+    (found,) = breaches(band.parent / "out" / "trace.jsonl")
+    assert (found["of"], found["at"]) == ('property "it ends"', "band.aseme:18:22")
+    assert found["broken"] <= found["time"]
+
+
+def test_the_line_is_the_same_in_virtual_time(
+    band: Path, here: Here, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(band.parent)
+    done = here("run", "band.aseme", "-o", "out", "--strict", "--json", "-q")
+    assert (done.code, done.json["result"]["reason"]) == (1, "a property or clause is broken")
+    (found,) = breaches(band.parent / "out" / "trace.jsonl")
+    assert (found["of"], found["at"], found["broken"]) == (
+        'property "it ends"',
+        "band.aseme:18:22",
+        80_000_000,
+    )
+    # An output directory has the texts of its model.
+    again = here("run", "out", "--strict", "--json", "-q")
+    assert (again.code, verdicts(again)) == (1, verdicts(done))
+
+
+def test_the_process_of_one_agent_watches_what_that_decides(band: Path) -> None:
+    pytest.importorskip("zenoh")
+    done = asemec("node", "ann", "band.aseme", "-o", "out", "--strict", cwd=band.parent)
+    assert done.code == 1, done.out + done.err
+    told = [line.strip() for line in done.out.splitlines() if "band.aseme:" in line or "other agents" in line]
+    broken = [line for line in told if line.startswith("broken at")]
+    assert told[:4] == [
+        'watched for ann only: property "both play" (band.aseme:20:48)',
+        'not decided here: property "it is heard" (band.aseme:19:26)',
+        'not decided here: property "both play" (band.aseme:20:24)',
+        "other agents decide it: `asemec run --process-per-agent` watches the whole team",
+    ]
+    assert len(broken) == 2 and all('property "it ends" (band.aseme:18:22)' in line for line in broken)
+    (found,) = breaches(band.parent / "out" / "trace.ann.jsonl")
+    assert found["of"] == 'property "it ends"'
+    other = asemec("node", "bob", "--from", "out", "--for", "200ms", "--strict", cwd=band.parent)
+    assert (other.code, 'not decided here: property "it ends"' in other.out) == (0, True), other.out
+
+
+def test_the_supervisor_watches_what_all_processes_do(band: Path) -> None:
+    pytest.importorskip("zenoh")
+    options = ("--process-per-agent", "--strict", "--json", "-q")
+    done = asemec("run", "band.aseme", "-o", "out", *options, cwd=band.parent)
+    assert (done.code, done.json["result"]["reason"]) == (1, "a property or clause is broken"), done.err
+    assert [item for item in verdicts(done) if item[0] != ALL[1][0]] == [ALL[0], *ALL[2:]]
+    assert dict(verdicts(done))[ALL[1][0]] in ("kept", "open")
+    (found,) = breaches(band.parent / "out" / "trace.ann.jsonl")
+    assert (found["of"], found["at"]) == ('property "it ends"', "band.aseme:18:22")
+
+
+def test_a_run_without_properties_is_as_before(folder: Path, here: Here) -> None:
+    (folder / "good.aseme").write_text(GOOD)
+    done = here("run", "good.aseme", "-o", "out", "--for", "10ms", "--real", "--json", "-q")
+    assert done.json["result"]["watched"] == []
