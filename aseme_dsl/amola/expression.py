@@ -20,7 +20,7 @@ from aseme_dsl.source import Source, Span
 class Literal:
     """A constant; a duration's value is in ns. The initial value of an enum is its constant's name.
 
-    That of an agent or a message is empty: there is none at first.
+    That of an agent or a message is empty: there is none at first, nor after `clear(now)`.
     """
 
     value: bool | int | float | str
@@ -170,12 +170,25 @@ class Size:
 
 @dataclass(frozen=True, slots=True)
 class Contains:
-    """`contains(x.items, v)`: whether an element of the list equals the value."""
+    """`contains(x.items, v)`: whether an element of the list, or its member at the path, equals the value."""
 
     list: Value
     value: Value
     span: Span
+    path: tuple[str, ...] = ()
     type: Type = BOOL
+
+
+@dataclass(frozen=True, slots=True)
+class Find:
+    """`find(x.items.id, v)`: the number of the first element that, or whose member at the path, equals the
+    value; absent where there is none."""
+
+    list: Value
+    value: Value
+    span: Span
+    path: tuple[str, ...] = ()
+    type: Type = INT
 
 
 class Change(StrEnum):
@@ -440,6 +453,7 @@ Value = (
     | Element
     | Size
     | Contains
+    | Find
     | Changed
     | NewMessage
     | Has
@@ -653,7 +667,7 @@ def operands(value: Value) -> tuple[Value, ...]:
             return (whole, index)
         case Size(list=whole):
             return (whole,)
-        case Contains(list=whole, value=wanted):
+        case Contains(list=whole, value=wanted) | Find(list=whole, value=wanted):
             return (whole, wanted)
         case Changed(list=whole):
             return (whole, *value.given)
@@ -689,7 +703,7 @@ def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
             return replace(value, list=parts[0], index=parts[1])
         case Size():
             return replace(value, list=parts[0])
-        case Contains():
+        case Contains() | Find():
             return replace(value, list=parts[0], value=parts[1])
         case Changed(list=whole):
             given = iter(parts[1:])
@@ -957,8 +971,10 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = ".".join((f"{show(whole, _ATOM)}[{show(index)}]", *path))
             case Size(list=whole):
                 text = f"size({show(whole)})"
-            case Contains(list=whole, value=wanted):
-                text = f"contains({show(whole)}, {show(wanted)})"
+            case Contains(list=whole, value=wanted, path=path) | Find(list=whole, value=wanted, path=path):
+                word = "find" if isinstance(item, Find) else "contains"
+                searched = ".".join((show(whole, _ATOM if path else 0), *path))
+                text = f"{word}({searched}, {show(wanted)})"
             case Changed(change=change, list=whole):
                 text = _changed_text(change, show(whole), [show(part) for part in item.given])
             case NewMessage(message=message):
@@ -1061,6 +1077,8 @@ def action_text(action: Action, *, expand: bool = False) -> str:
                 return f"{value_text(target)} {action.operator}= {value_text(value.right, expand=expand)}"
             if isinstance(value, Changed):
                 return value_text(value, expand=expand)
+            if isinstance(value, Literal) and value.type.begins_unset:
+                return f"clear({value_text(target)})"
             return f"{value_text(target)} = {value_text(value, expand=expand)}"
         case Publish(channel=channel):
             return f"write_messages.{channel}"

@@ -38,8 +38,8 @@ def value_term(value: e.Value) -> Term:
     match value:
         case e.Named(expression=inner):
             return value_term(inner)
-        case e.Literal(value=constant):
-            return ("const", constant)
+        case e.Literal(value=constant, type=kind):
+            return ("const", None if kind.begins_unset else constant)
         case e.EnumConstant(type=kind, constant=constant, number=number):
             return ("enum", kind.name, constant, number)
         case e.VariableValue(name=name, path=path):
@@ -67,8 +67,10 @@ def value_term(value: e.Value) -> Term:
             return ("element", value_term(whole), value_term(index), path)
         case e.Size(list=whole):
             return ("size", value_term(whole))
-        case e.Contains(list=whole, value=wanted):
-            return ("contains", value_term(whole), value_term(wanted))
+        case e.Contains(list=whole, value=wanted, path=path):
+            return ("contains", value_term(whole), value_term(wanted), *((path,) if path else ()))
+        case e.Find(list=whole, value=wanted, path=path):
+            return ("find", value_term(whole), value_term(wanted), *((path,) if path else ()))
         case e.Changed(change=change, list=whole, given=given):
             return (change.value, value_term(whole), *map(value_term, given))
         case e.NewMessage(message=message, fills=fills, rest=rest, taken=taken):

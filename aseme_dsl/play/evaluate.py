@@ -91,6 +91,7 @@ def not_evaluated(value: e.Value) -> Iterator[e.Value]:
                 | e.Element()
                 | e.Size()
                 | e.Contains()
+                | e.Find()
                 | e.Has()
                 | e.Age()
                 | e.Not()
@@ -236,12 +237,20 @@ def _computed(value: e.Value, parts: Sequence[object]) -> object:
             return list(parts)
         case e.Size():
             return len(cast("Sequence[object]", parts[0]))
-        case e.Contains():
-            return parts[1] in cast("Sequence[object]", parts[0])
+        case e.Contains(path=path, list=whole):
+            return parts[1] in _searched(whole, parts[0], path)
+        case e.Find(path=path, list=whole):
+            searched = _searched(whole, parts[0], path)
+            return searched.index(parts[1]) if parts[1] in searched else None
         case e.Element(path=path, type=kind):
             elements, place = cast("Sequence[object]", parts[0]), cast(int, parts[1])
             return _member(elements[place], path, kind) if 0 <= place < len(elements) else None
     raise LookupError(f"{e.value_text(value)} is not evaluated")  # see `not_evaluated`
+
+
+def _searched(whole: e.Value, elements: object, path: Sequence[str]) -> list[object]:
+    """What is looked at in a list: its elements, or the members of them at a path."""
+    return [_member(item, path, whole.type) for item in cast("Sequence[object]", elements)]
 
 
 def _called(function: Function, parts: Sequence[object]) -> object:

@@ -228,7 +228,7 @@ class Encoder:
                 return self._present(presences(message, self._vocabulary)[:1]), False
             case e.At() | e.Mean():
                 return self.symbols[THERE, *identity(value)], False
-            case e.Element():
+            case e.Element() | e.Find():
                 read = self._all(Truth(*self._look(operand)) for operand in e.operands(value))
                 return self.terms.and_(read.yes, self.symbols[SET, *identity(value)]), read.fault
             case e.Holds():
@@ -282,7 +282,7 @@ class Encoder:
                 return found, self.terms.or_(*(fault for _, fault in parts))
             case e.Size() if (count := written_size(value)) is not None:
                 return self._z3.IntVal(count, self._context), False
-            case e.Size() | e.Contains() | e.Element() | e.ListValue() | e.NewMessage():
+            case e.Size() | e.Contains() | e.Find() | e.Element() | e.ListValue() | e.NewMessage():
                 faults = [self._compute(part)[1] for part in e.operands(value)]
                 return True if _whole(value) else self.symbols[identity(value)], self.terms.or_(*faults)
             case e.Compare(operator=operator) if is_of_messages(value):

@@ -16,7 +16,8 @@ Key = tuple[object, ...]
 HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "expired", "age"
 OUTCOME, STATE, INDEX = "outcome", "state", "index"
 TAKEN, SENDER, REASON = "taken", "sender", "reason"
-LIST, ELEMENT, SIZE, CONTAINS, NEW, SAME = "list", "element", "size", "contains", "new", "same"
+LIST, ELEMENT, SIZE, CONTAINS, FIND = "list", "element", "size", "contains", "find"
+NEW, SAME = "new", "same"
 AT, MEAN, CALL, RAISES, THERE = "at", "mean", "call", "raises", "there"
 PRESENCES = (HAS, SET, THERE)
 
@@ -114,8 +115,10 @@ def identity(value: e.Value) -> Key:
             return (ELEMENT, identity(whole), identity(index), path)
         case e.Size(list=whole):
             return (SIZE, identity(whole))
-        case e.Contains(list=whole, value=wanted):
-            return (CONTAINS, identity(whole), identity(wanted))
+        case e.Contains(list=whole, value=wanted, path=path):
+            return (CONTAINS, identity(whole), identity(wanted), path)
+        case e.Find(list=whole, value=wanted, path=path):
+            return (FIND, identity(whole), identity(wanted), path)
         case e.NewMessage(message=message, fills=fills, rest=rest):
             filled = tuple((item.path, identity(item.value)) for item in fills)
             return (NEW, message, filled, None if rest is None else identity(rest))
@@ -200,7 +203,7 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 yield from read
                 text = e.value_text(replace(part, operator="=="))
                 yield Unknown(identity(part), text, BOOL, tuple(dict.fromkeys(item.key for item in read)))
-            case e.Size() | e.Contains() | e.Element():
+            case e.Size() | e.Contains() | e.Find() | e.Element():
                 read = list(_needs(part, vocabulary))
                 yield from read
                 needs = tuple(dict.fromkeys(item.key for item in read))
@@ -249,7 +252,7 @@ def written_size(value: e.Size) -> int | None:
 
 def is_beyond(value: e.Value) -> bool:
     """Whether it looks into a list, of which nothing is known but how long it is."""
-    return any(isinstance(part, e.Element | e.Contains) for part in e.walk(value))
+    return any(isinstance(part, e.Element | e.Contains | e.Find) for part in e.walk(value))
 
 
 def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
@@ -263,7 +266,7 @@ def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 yield from itertools.islice(_presence_unknowns(message, vocabulary), 1)
             case e.At() | e.Mean():
                 yield Unknown((THERE, *identity(item)), e.value_text(item), BOOL)
-            case e.Element():
+            case e.Element() | e.Find():
                 yield Unknown((SET, *identity(item)), e.value_text(item), BOOL)
                 stack.extend(reversed(e.operands(item)))
             case e.Has() | e.Holds() | e.Logic() | e.Not():

@@ -86,11 +86,33 @@ def test_another_region_sees_the_list_in_the_next_step(play: Play) -> None:
     assert run.active == ["B", "D"]
 
 
+@pytest.mark.parametrize(
+    ("actions", "number"),
+    [
+        ("xs = [4, 5, 4]; n = find(xs, 4)", 0),
+        ("xs = [4, 5]; n = find(xs, n - 2)", 1),
+        ("d = [1, 2.5]; n = find(d, 1)", 0),
+        ("ys = [3, 1]; append(xs, 6); n = find(ys, 1); xs[find(xs, 6)] = 0", 1),
+    ],
+)
+def test_an_element_is_found(play: Play, actions: str, number: int) -> None:
+    assert after(play, actions).variable("n") == number
+
+
+@pytest.mark.parametrize("action", ["n = find(xs, 9)", "remove(xs[find(xs, 9)])", "xs[find(xs, 9)] = 1"])
+def test_what_is_not_found_is_absent(play: Play, action: str) -> None:
+    """ "It is absent where there is none." An action that needs it is not done."""
+    run = after(play, f"xs = [1]; {action}; append(xs, 2)")
+    assert (run.variable("n"), run.variable("xs"), run.active) == (7, (1, 2), ["B"])
+    assert [line for line in run.did if line.startswith("fault")]
+
+
 def with_messages(play: Play, actions: str, condition: str = "n == 9") -> Run:
     """An agent that has got a message on `t.state.M`, and is in B after these actions."""
     run = play(
         "message Inner { int y  optional int z } message Big { int x  Inner inner  repeated int many }"
         " srm R { var m : M  var o : M  var b : Big  var q : list[2] of M  var n : int = 7"
+        " var bs : list of Big"
         " liveness { R = A . B . C }"
         f" control R {{ enter B : / {actions} enter C : when [{condition}] }} }}"
     ).step()
@@ -113,6 +135,39 @@ def test_a_variable_without_a_message_is_absent(play: Play, condition: str) -> N
     run = with_messages(play, "n = m.x; o = m", condition)
     assert (run.active, run.variable("n"), run.variable("o")) == (["B"], 7, None)
     assert [line for line in run.did if line.startswith("fault")]
+
+
+@pytest.mark.parametrize(
+    ("condition", "holds"),
+    [
+        ("contains(q.x, 3)", True),
+        ("contains(q.x, 4)", False),
+        ("!contains(q.x, 4)", True),
+        ('find(q.s, "a") == 0', True),
+        ("find(q.x, 4) < 9", False),
+        ("!(find(q.x, 4) < 9)", False),
+        ("q[find(q.x, n - 1)].s == m.s", True),
+        ("contains(bs.inner.y, 8) && find(bs.inner.z, 1) == 1", True),
+        ("contains(bs.inner.z, 0)", False),
+        ("contains(bs.inner, bs[1].inner)", True),
+        ("find(bs[1].many, 5) == 1", True),
+    ],
+)
+def test_an_element_is_found_by_a_member(play: Play, condition: str, holds: bool) -> None:
+    """ "An element without an optional member f equals nothing." """
+    made = "Big { inner = Inner { y = 7 }, .. }", "Big { many = [4, 5], inner = Inner { y = 8, z = 1 }, .. }"
+    actions = f"m = t.state.M; append(q, m); n = 4; append(bs, {made[0]}); append(bs, {made[1]})"
+    run = with_messages(play, actions, condition)
+    assert run.active == (["C"] if holds else ["B"])
+
+
+def test_a_variable_is_emptied(play: Play) -> None:
+    """ "After `clear(m)` it holds nothing again." """
+    actions = "m = t.state.M; o = m; clear(m); n = o.x"
+    run = with_messages(play, actions, "!has(m) && has(o) && n == 3")
+    assert (run.active, run.variable("m")) == (["C"], None)
+    run = with_messages(play, "m = t.state.M; clear(m)", "m.x == 3 || m.x != 3")
+    assert run.active == ["B"]
 
 
 def test_a_list_of_messages(play: Play) -> None:

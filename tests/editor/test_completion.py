@@ -373,6 +373,9 @@ def test_a_message_that_is_made() -> None:
         return labels(text.replace("ACTION", typed))
 
     assert then("now = ‸")[:3] == ["desk.signal.Order", "now", "Order"]
+    assert [then(f"n = {form}(‸")[0] for form in ("find", "size")] == ["queue", "queue"]
+    assert then("n = find(queue.‸") == ["id", "item", "place"]
+    assert "clear" in then("‸")
     assert then("append(queue, ‸")[:3] == ["desk.signal.Order", "now", "Order"]
     for begun in ("now = Order { ", "append(queue, Order { id = n, ", "write_messages.desk.signal.Order { "):
         assert then(f"{begun}‸") == ["id", "item", "place"]

@@ -106,12 +106,12 @@ srm r {
   var m : M  var q : list of M
   liveness { r = A . B }
   control r {
-    enter B : [m.x == q[0].x] / m = t.state.M; append(q, m); write_messages.t.state.M { x = q[1].x, ..m }
+    enter B : [m.x == q[0].x && contains(q.x, find(q.x, 3))] / m = t.state.M; append(q, m); write_messages.t.state.M { x = q[1].x, ..m }
   }
 }
 """
     after = renamed(text.replace("^", ""), "message M { int ^x", "y")
-    assert "[m.y == q[0].y]" in after and "{ y = q[1].y, ..m }" in after
+    assert "[m.y == q[0].y && contains(q.y, find(q.y, 3))]" in after and "{ y = q[1].y, ..m }" in after
 
 
 def test_a_formula_is_renamed_in_its_role_only() -> None:

@@ -1526,6 +1526,19 @@ class Reference:
                     held, number = [self.compute(item) for item in read]
                     numbered = dict(enumerate(held))
                     found = member(numbered[number], path) if number in numbered else ABSENT
+            case ("find", items, wanted, *more):
+                # "The number of the first one … absent where there is none"
+                read = [self.look_up(items, region)]
+                read.append(ABSENT if read[0] is ABSENT else self.look_up(wanted, region))
+                found = ABSENT
+                if ABSENT not in read:
+                    held, sought = [self.compute(item) for item in read]
+                    looked = [n for n, item in enumerate(held) if member(item, *(more or [()])) == sought]
+                    found = looked[0] if looked else ABSENT
+            case ("contains", items, wanted, path):
+                read = [self.look_up(items, region)]
+                read.append(ABSENT if read[0] is ABSENT else self.look_up(wanted, region))
+                return ABSENT if ABSENT in read else ("contains", *read, path)
             case ("new", name, fills, rest):
                 # "A new message is absent where something that it is made of is"
                 made = [(path, self.look_up(value, region)) for path, value in fills]
@@ -1607,6 +1620,9 @@ class Reference:
             case ("contains", items, wanted):
                 sought = self.compute(wanted)
                 return any(item == sought for item in self.compute(items))
+            case ("contains", items, wanted, path):
+                sought = self.compute(wanted)
+                return any(member(item, path) == sought for item in self.compute(items))
             case ("builtin", name, *arguments):
                 return BUILT_IN[name](*[self.compute(argument) for argument in arguments])
             case ("call", name, *arguments):
@@ -1761,7 +1777,8 @@ def parts(term: Term | None) -> Iterator[Term]:
     if term is None:
         return
     yield term
-    path = term[3] if term[0] == "element" else term[2:] and term[2] if term[0] == "variable" else None
+    at = {"element": 3, "contains": 3, "find": 3, "variable": 2}.get(str(term[0]), len(term))
+    path = term[at] if at < len(term) else None
     for item in term[1:]:
         if isinstance(item, tuple) and item and term[0] not in ("member", "taken") and item is not path:
             yield from parts(item)

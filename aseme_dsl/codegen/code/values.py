@@ -25,6 +25,7 @@ from aseme_dsl.amola.expression import (
     Element,
     EnumConstant,
     Expired,
+    Find,
     Has,
     Holds,
     Index,
@@ -279,8 +280,8 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
     match value:
         case Named(expression=inner):
             return evaluate(inner, names, known)
-        case Literal(value=constant):
-            return Piece(Const(constant), known=known)
+        case Literal(value=constant, type=kind):
+            return Piece(NONE if kind.begins_unset else Const(constant), known=known)
         case EnumConstant(constant=constant, type=kind, number=number):
             names.enums.add((kind.name, constant))
             return Piece(EnumName(names.constants[kind.name, constant], number), known=known)
@@ -341,6 +342,8 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return Piece(CallOf(Name("len"), (piece.code,)), piece.needs, piece.known)
         case Contains():
             return _contains(value, "in", names, known)
+        case Find():
+            return _find(value, names, known)
         case Changed():
             return _changed(value, names, known)
         case NewMessage():
@@ -402,6 +405,7 @@ def may_fail(value: Value) -> bool:
             NewMessage()
             | Member()
             | Element()
+            | Find()
             | Outcome()
             | Age()
             | At()
@@ -485,7 +489,24 @@ def _element(value: Element, names: Names, known: Known) -> Piece:
 
 def _contains(value: Contains, word: str, names: Names, known: Known) -> Piece:
     whole, wanted = _pair(value.list, value.value, names, known)
-    return Piece(compared(wanted.code, word, whole.code), whole.needs + wanted.needs, wanted.known)
+    searched = _searched(whole.code, value.path)
+    return Piece(compared(wanted.code, word, searched), whole.needs + wanted.needs, wanted.known)
+
+
+def _find(value: Find, names: Names, known: Known) -> Piece:
+    """The number of an element, which must be there; both sides are computed once."""
+    whole, wanted = _pair(value.list, value.value, names, known)
+    items, sought = names.local(), names.local()
+    there = compared(
+        Group(Bind(sought, wanted.code)), "in", Group(Bind(items, _searched(whole.code, value.path)))
+    )
+    number = CallOf(Field(items, "index"), (sought,))
+    return Piece(number, (*whole.needs, *wanted.needs, there), wanted.known)
+
+
+def _searched(items: Expr, path: tuple[str, ...]) -> Expr:
+    """What is looked at in a list: its elements, or the members of them at a path."""
+    return own_call("of_each", items, Const(path)) if path else items
 
 
 def _changed(value: Changed, names: Names, known: Known) -> Piece:

@@ -39,7 +39,7 @@ from aseme_dsl.diagnostics.problems.talk import MessageHasAName, NotTaken
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
-NOTHING = ("NULL", "null", "None", "nil", "undefined")
+NOTHING = ("NULL", "null", "None", "none", "nil", "nothing", "undefined")
 """How other languages write that something is not there."""
 
 INDEX = "index"

@@ -42,8 +42,10 @@ FORMS: dict[str, str] = {
     "reason": "reason(agent) == left",
     "size": "size(topic.state.Message.members)",
     "contains": "contains(topic.state.Message.members, value)",
+    "find": "find(topic.state.Message.members.id, value)",
     "append": "append(list, value)",
     "remove": "remove(list, value)",
+    "clear": "clear(variable)",
 }
 """What looks like a function and is part of the language, with an example of its use."""
 
@@ -57,8 +59,10 @@ YIELDING = frozenset(
         "reason",
         "size",
         "contains",
+        "find",
         "append",
         "remove",
+        "clear",
         *STATE_QUESTIONS,
         *ROUND_QUESTIONS,
     )

@@ -60,7 +60,11 @@ def _of_list(checker: Checker, written: tree.Call) -> str | None:
         return None
     if word in (*SIZES, "size"):
         return f"size({first})"
-    if word not in ("append", "remove", "contains"):
+    if word == "clear":
+        return f"{first} = []"
+    if word == "index":
+        word = "find"
+    if word not in ("append", "remove", "contains", "find"):
         return None
     return f"{word}({', '.join((first, *(item.span.text for item in written.arguments)))})"
 

@@ -1,4 +1,4 @@
-"""Lists: `[a, b]`, `x.items[i]`, `size(…)` and `contains(…)`, typed."""
+"""Lists: `[a, b]`, `x.items[i]`, `size(…)`, `contains(…)` and `find(…)`, typed."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.messages import DOUBLE, INT, Kind, Type, list_of
 from aseme_dsl.compiler.names.checker import Checker, is_number
-from aseme_dsl.compiler.names.paths import member_path, unnamed
+from aseme_dsl.compiler.names.paths import member_path, unnamed, value_of_path
 from aseme_dsl.compiler.read.builtins import FORMS
 from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.compiler.types.calls import assignable, fits, is_given
@@ -16,7 +16,7 @@ from aseme_dsl.compiler.types.operators import arithmetic
 from aseme_dsl.diagnostics import Related
 from aseme_dsl.diagnostics.problems.expressions import values as problems
 from aseme_dsl.diagnostics.problems.expressions.arguments import OtherKind, OtherThanElements
-from aseme_dsl.diagnostics.problems.expressions.bounds import ChangeOfOther
+from aseme_dsl.diagnostics.problems.expressions.bounds import ChangeOfOther, NeverEmpty
 from aseme_dsl.diagnostics.problems.expressions.paths import MemberOfVariable
 from aseme_dsl.diagnostics.wording import a
 from aseme_dsl.grammar.text import tree
@@ -87,29 +87,42 @@ def size(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Va
     return amola.Size(arguments[0], written.span)
 
 
-def contains(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
-    """`contains(list, value)` (E504)."""
-    if not _is_of_list(checker, "contains", written, arguments, 2):
+SEARCHES = ("contains", "find")
+"""The forms that look for an element."""
+
+
+def searched(
+    checker: Checker, written: tree.Call, arguments: Sequence[Value], members: tuple[tree.Name, ...]
+) -> Value | None:
+    """`contains(list, value)` and `find(list, value)`, perhaps by a member of the elements (E504, E501)."""
+    word = written.function.text
+    if not _is_of_list(checker, word, written, arguments, 2):
         return None
     whole, wanted = arguments
-    kind: Type | None = whole.type.element
-    assert kind is not None
-    if not fits(wanted.type, kind):
-        other = OtherThanElements("contains", FORMS["contains"], str(kind), str(wanted.type))
-        checker.report(other, wanted.span)
+    assert whole.type.element is not None
+    found = member_path(checker, whole.type.element, (), members)
+    if found is None:
         return None
-    return amola.Contains(whole, wanted, written.span)
+    path, kind = found
+    if not fits(wanted.type, kind):
+        of = OtherThanElements(word, FORMS[word], str(kind), str(wanted.type), ".".join(path))
+        checker.report(of, wanted.span)
+        return None
+    kind_of_search = amola.Find if word == "find" else amola.Contains
+    return kind_of_search(whole, wanted, written.span, path)
 
 
-CHANGES = ("append", "remove")
-"""The actions that change a list."""
+CHANGES = ("append", "remove", "clear")
+"""The actions that change a list or empty a variable."""
 
 Typed = Callable[[Checker, tree.Expression], Value | None]
 
 
 def change(checker: Checker, written: tree.Call, typed: Typed) -> amola.Assign | None:
-    """`append(xs, v)`, `remove(xs, v)` and `remove(xs[i])` (E504, E535)."""
+    """`append(xs, v)`, `remove(xs, v)`, `remove(xs[i])` (E504, E535) and `clear(now)` (E507)."""
     word, arguments = written.function.text, written.arguments
+    if word == "clear":
+        return _clear(checker, written)
     if word == "remove" and len(arguments) == 1 and isinstance(arguments[0], tree.Element):
         return _drop(checker, written, arguments[0], typed)
     if not is_given(checker, word, written, 2):
@@ -122,6 +135,26 @@ def change(checker: Checker, written: tree.Call, typed: Typed) -> amola.Assign |
         return None
     changed = amola.Changed(amola.Change(word), target, value, None, target.type, written.span)
     return amola.Assign(target, changed, written.span)
+
+
+def _clear(checker: Checker, written: tree.Call) -> amola.Assign | None:
+    """`clear(now)`: the variable holds nothing again."""
+    if not is_given(checker, "clear", written, 1):
+        return None
+    place = written.arguments[0]
+    name = place.segments[0].text if isinstance(place, tree.Path) else ""
+    known = None if name in checker.scope.parameters else checker.scope.variables.get(name)
+    whole = isinstance(place, tree.Path) and len(place.segments) == 1
+    if known is None and isinstance(place, tree.Path) and value_of_path(checker, place) is None:
+        return None
+    if known is None or not whole or not known[1].begins_unset:
+        kind = None if known is None or not whole else str(known[1])
+        is_list = known is not None and whole and known[1].kind is Kind.LIST
+        fix = f"{name} = []" if is_list else None
+        checker.report(NeverEmpty(place.span.text, kind, fix), written.span, fix=fix)
+        return None
+    target = amola.VariableValue(*known, place.span)
+    return amola.Assign(target, amola.Literal("", target.type, written.span), written.span)
 
 
 def _drop(checker: Checker, written: tree.Call, place: tree.Element, typed: Typed) -> amola.Assign | None:
@@ -191,4 +224,4 @@ def _is_of_list(
     return not is_empty(checker, arguments[0])
 
 
-__all__ = ["CHANGES", "change", "contains", "element", "is_empty", "literal", "put", "size"]
+__all__ = ["CHANGES", "SEARCHES", "change", "element", "is_empty", "literal", "put", "searched", "size"]

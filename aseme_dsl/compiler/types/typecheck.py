@@ -50,7 +50,7 @@ from aseme_dsl.diagnostics.problems.talk import EventWithoutMessage
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
-LISTS = {"size": lists.size, "contains": lists.contains}
+LISTS = ("size", *lists.SEARCHES)
 """The forms that are about lists."""
 
 DEEPEST = 100
@@ -360,6 +360,32 @@ def _is_change(checker: Checker, name: str) -> bool:
     return name in lists.CHANGES and not checker.scope.symbols.overloads(name)
 
 
+def _is_search(checker: Checker, name: str | None) -> bool:
+    """Whether it is `contains` or `find` of the language, and no function of the file."""
+    return name in lists.SEARCHES and not checker.scope.symbols.overloads(name)
+
+
+def _apart(checker: Checker, written: tree.Call, depth: int) -> tuple[tree.Call, tuple[tree.Name, ...]]:
+    """`find(orders.id, v)` with the list alone, `find(orders, v)`, and the members of its elements, `id`."""
+    match written.arguments:
+        case (tree.Path(segments=names), *others):
+            first: list[tree.Expression] = [
+                tree.Path(names[:count], names[0].span.to(names[count - 1].span))
+                for count in range(1, len(names))
+            ]
+            members = [names[count:] for count in range(1, len(names))]
+        case (tree.Element(members=names) as item, *others):
+            first = [replace(item, members=names[:count]) for count in range(len(names))]
+            members = [names[count:] for count in range(len(names))]
+        case _:
+            return written, ()
+    for whole, rest in zip(first, members, strict=True):
+        found = _value(Checker(checker.scope), whole, depth + 1)
+        if found is not None and found.type.kind is Kind.LIST:
+            return replace(written, arguments=(whole, *others)), rest
+    return written, ()
+
+
 def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
     name = function_name(checker, written)
     if name == "expired":
@@ -379,12 +405,15 @@ def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
         near = closest(written.function.text, (*checker.scope.symbols.function_names, *FORMS))
         if near in ("expired", "start_timer") or "timer" in written.function.text.lower():
             return None  # its first argument is the name of a timer, and what is wrong has been said
+    written, members = _apart(checker, written, depth) if _is_search(checker, name) else (written, ())
     arguments = [_value(checker, argument, depth + 1) for argument in written.arguments]
     typed = [argument for argument in arguments if argument is not None]
     if name is None or len(typed) < len(arguments):
         return None
     if name in LISTS and not checker.scope.symbols.overloads(name):
-        return LISTS[name](checker, written, typed)
+        if _is_search(checker, name):
+            return lists.searched(checker, written, typed, members)
+        return lists.size(checker, written, typed)
     return call(checker, name, written, typed)
 
 

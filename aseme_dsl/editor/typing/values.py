@@ -19,9 +19,10 @@ from aseme_dsl.grammar.formulas.words import Malformed
 from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Source
 
-ACTION_FORMS = ("start_timer", "append", "remove")
+ACTION_FORMS = ("start_timer", "append", "remove", "clear")
 """The forms of the language that are actions, not values."""
 
+_ABOUT_LISTS = ("append", "size", "contains", "find")
 _ABOUT_MESSAGES = ("has", "age", "at", "mean")
 
 
@@ -39,8 +40,10 @@ def values(scope: Scope, known: Known, slot: Slot, text: str, wanted: Type | Non
         if slot.target or (call is not None and call.function == "append"):
             made = f"{wanted.name} {{ $0 }}"
             yield Item(wanted.name, ItemKind.MESSAGE, "a new message", "", made, is_snippet=True, rank=1)
+    wants_list = call is not None and call.argument == 0 and call.function in _ABOUT_LISTS
     for name, (_, kind) in scope.variables.items():
-        yield Item(name, ItemKind.VARIABLE, str(kind), rank=_rank(kind, wanted, 2))
+        rank = 0 if wants_list and kind.kind is Kind.LIST else _rank(kind, wanted, 2)
+        yield Item(name, ItemKind.VARIABLE, str(kind), rank=rank)
     for name, given in scope.parameters.items():
         yield Item(name, ItemKind.VARIABLE, str(given or ""), rank=_rank(given, wanted, 2))
     for let in scope.lets.values():

@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 from aseme_dsl.runtime.chart.board import NEVER, Board, built
 from aseme_dsl.runtime.chart.bounds import OutOfBounds, check, check_length, check_place
 from aseme_dsl.runtime.chart.functions import checked, find_function, results_of
+from aseme_dsl.runtime.chart.history import value_of
 from aseme_dsl.runtime.chart.inputs import (
     AgentMessage,
     Cancel,
@@ -329,6 +330,11 @@ class Chart(ChartState):
         """A list with another element at a place. Raises OutOfBounds if there is none."""
         check_place(name, items, place)
         return (*items[:place], item, *items[place + 1 :])
+
+    @staticmethod
+    def of_each(items: tuple[object, ...], path: tuple[str, ...]) -> tuple[object, ...]:
+        """The members at a path of the elements of a list; None where an optional one is not there."""
+        return tuple([value_of(item, path) for item in items])
 
     @staticmethod
     def made(

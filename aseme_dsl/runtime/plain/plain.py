@@ -317,6 +317,10 @@ class Plain:
         self._check_place(name, items, place)
         return (*items[:place], item, *items[place + 1 :])
 
+    def of_each(self, items: Any, path: tuple[str, ...]) -> Any:
+        """The members at a path of the elements of a list; None where an optional one is not there."""
+        return tuple([_member(item, path) for item in items])
+
     def made(
         self,
         kind: Any,
@@ -398,6 +402,13 @@ def _called(leaves: Sequence[str], names: Sequence[str], region: int, number: in
     alone = next(others, None) is None
     name = name.strip("()")  # what has no name is called by its type
     return name if alone else f"{name} {label}"
+
+
+def _member(message: Any, path: tuple[str, ...]) -> Any:
+    """A member of a member …, or None where one on the way is absent."""
+    for name in path:
+        message = None if message is None else getattr(message, name)
+    return message
 
 
 def _with(message: Any, path: tuple[str, ...], value: object) -> Any:

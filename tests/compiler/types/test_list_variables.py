@@ -46,6 +46,8 @@ def test_lists_of_every_value(written: str) -> None:
 
 
 NO_LIST = "`append` changes a variable that is a list, not `ys`"
+NEVER_EMPTY = "`clear` empties a variable that holds a message or an agent, not "
+OTHER = "the list holds values of type int: a string is not among them"
 WANTED = "an int is wanted here, not a string"
 
 
@@ -72,6 +74,12 @@ WANTED = "an int is wanted here, not a string"
             "length",
             "the variable `xs` is a list of int: it has no members",
         ),
+        (text(action="xs[find(xs)] = 1"), "E504", "find(xs)", "`find` takes 2 arguments, not 1"),
+        (text(action='xs[find(xs, "a")] = 1'), "E504", '"a"', OTHER),
+        (text(action="clear(xs)"), "E507", "clear(xs)", NEVER_EMPTY + "`xs`, which is a list of int"),
+        (text(action="clear(zs)"), "E200", "zs", "there is no variable or let `zs`"),
+        (text(action="clear(xs[0])"), "E507", "clear(xs[0])", NEVER_EMPTY + "`xs[0]`"),
+        (text(action="xs.index(1)"), "E502", "xs.index", "`xs.index` is not a function"),
         (text(action="xs = append(xs, 1)"), "E504", "append(xs, 1)", "`append` is an action, not a value"),
     ],
 )
@@ -137,6 +145,8 @@ def with_messages(action: str = "m = t.state.Order; append(q, m)", condition: st
             "remove(q, m); m = has(m) ? m : o", "m == o && q[0] != m && contains(q, Order { id = 1, .. })"
         ),
         with_messages(condition='has(m) && has(m.note) && m.place.x == 1 && contains(m.names, "a")'),
+        with_messages("clear(m); m = q[find(q.id, 3)]; remove(q[find(q.place.x, m.id)])"),
+        with_messages(condition='contains(q.note, "a") && find(q[0].names, "b") == 1'),
         with_messages(condition='q[0].names[1] == "a" && size(q[1].names) > 0 && q[0].place.x < m.place.x'),
     ],
 )
@@ -213,6 +223,21 @@ def test_variables_hold_messages(written: str) -> None:
             "an Order and a list of Order cannot be compared",
         ),
         (with_messages(condition="m.age > 3"), "E501", "age", "`Order` has no member `age`"),
+        (with_messages(condition="contains(q.ids, 1)"), "E501", "ids", "`Order` has no member `ids`"),
+        (with_messages(condition="find(q.id.x, 1) == 0"), "E501", "x", "`id` is an int: it has no members"),
+        (
+            with_messages(condition="contains(q.note, 1)"),
+            "E504",
+            "1",
+            "`note` of an element is a string, not an int",
+        ),
+        (
+            with_messages(condition="q.id == 1"),
+            "E501",
+            "id",
+            "the variable `q` is a list of Order: it has no members",
+        ),
+        (with_messages("m = none"), "E200", "none", "there is no variable or let `none`"),
         (with_messages(condition="has(q[0])"), "E504", "q[0]", "`has` wants a message, not an Order"),
     ],
 )

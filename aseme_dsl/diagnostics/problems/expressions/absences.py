@@ -73,7 +73,7 @@ class NotAValue(NoVariableOrLet):
             case "participant":
                 return "it is a participant; one agent of it is the `sender(…)` of a message that it has sent"
             case "nothing":
-                return "write `!has(topic.state.Message)` to ask whether a message is not there"
+                return "ask `!has(now)` whether a message is not there; `clear(now)` empties a variable"
             case "topic":
                 return f"it is a topic: `{self.name}.state.Message.member` reads from it"
             case "message":
@@ -131,9 +131,13 @@ class NoMembers(Absent):
     def hint(self) -> str | None:
         if self.kind == "list":
             last = self.owner.rpartition(".")[2]
-            return f"take one of its elements: `{last}[0].{self.name}` for the first"
+            first = f"take one of its elements: `{last}[0].{self.name}` for the first"
+            return f"{first}; `find(….{last}.{self.name}, v)` looks for one"
         if self.type.startswith("list of ") and self.kind == "variable" and self.name in (*SIZES, "size"):
             return f"write `size({self.owner})`"
+        if self.type.startswith("list of ") and self.kind in ("variable", "let"):
+            of_one = f"of one element it is `{self.owner}[0].{self.name}`"
+            return f"{of_one}; `find({self.owner}.{self.name}, v)` looks for the element"
         if self.hides_topic:
             return f"the variable hides the topic `{self.owner}`: call it something else"
         return None

@@ -204,11 +204,16 @@ class SenderOfOther(_OfForm):
 
 
 class OtherThanElements(_OfForm):
+    """`member` is that of the elements which is looked at, if it is not the elements."""
+
     type: str
     wanted: str
+    member: str = ""
 
     @property
     def message(self) -> str:
+        if self.member:
+            return f"`{self.member}` of an element is {a(self.type)}, not {a(self.wanted)}"
         return f"the list holds values of type {self.type}: {a(self.wanted)} is not among them"
 
 

@@ -130,6 +130,28 @@ class ChangeOfOther(Problem):
     hint = "declare a list: `var names : list of string`"
 
 
+class NeverEmpty(Problem):
+    """`clear` of what always holds a value; `type` where it is a variable, `instead` what empties a list."""
+
+    code = "E507"
+    written: str
+    type: str | None
+    instead: str | None
+
+    @property
+    def message(self) -> str:
+        what = f"`{self.written}`" + (f", which is {a(self.type)}" if self.type is not None else "")
+        return f"`clear` empties a variable that holds a message or an agent, not {what}"
+
+    @property
+    def hint(self) -> str | None:
+        if self.instead is not None:
+            return f"a list is emptied by `{self.instead}`"
+        if self.type is not None:
+            return f"it always holds a value: assign one, `{self.written} = ...`"
+        return "name the variable alone: `clear(now)`"
+
+
 class ResultWithOtherBounds(Problem):
     """`bounds` and `own` are those of the result and of the variable, empty where it has none."""
 
