@@ -106,7 +106,8 @@ srm r {
   var m : M  var q : list of M
   liveness { r = A . B }
   control r {
-    enter B : [m.x == q[0].x && contains(q.x, find(q.x, 3))] / m = t.state.M; append(q, m); write_messages.t.state.M { x = q[1].x, ..m }
+    enter B : [m.x == q[0].x && contains(q.x, find(q.x, 3))]
+            / m = t.state.M; append(q, m); write_messages.t.state.M { x = q[1].x, ..m }
   }
 }
 """

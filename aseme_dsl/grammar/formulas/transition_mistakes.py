@@ -22,6 +22,7 @@ _COLON = re.compile(
     r'(?:(?:"[^"\n]*"|[^{}":\n])*,)?\s*[A-Za-z_][\w.]*\s*:',
     re.ASCII,
 )
+_NESTED = re.compile(r'(?:(?:"[^"\n]*"|[^{}"\n])*,)?\s*(?P<member>[A-Za-z_][\w.]*)\s*\{', re.ASCII)
 _UNCLOSED = re.compile(r"[^{}\n]*?([^\s{},;]+)[ \t,;]*(?=\bto\b(?!\s*=)|\n|\Z)", re.ASCII)
 """A message with its braces, and what may be wrong inside them."""
 
@@ -51,6 +52,10 @@ def check_content(reader: Reader) -> None:
     if colon is not None:
         at = Span(reader.source, colon.end() - 1, colon.end())
         raise Malformed(Diagnostic(problems.MemberWithColon(), place, edits=(Edit(at, " ="),)))
+    nested = _NESTED.match(text, found.end())
+    if nested is not None:
+        whole = Span(reader.source, place.start, nested.end())
+        raise Malformed(Diagnostic(problems.MemberWithBraces(nested["member"]), whole))
     end = _UNCLOSED.match(text, found.end())
     if end is not None:
         at = Span(reader.source, end.end(1), end.end(1))

@@ -215,6 +215,13 @@ def test_variables_hold_messages(written: str) -> None:
         ),
         (with_messages("append(q, { id = 1 })"), "E102", ", {", "no message stands before '{'"),
         (with_messages("append(q, Order { id: 1 })"), "E102", ", Order {", "a member is filled with '='"),
+        (
+            with_messages("m = Order { id = 1, to { x = 3 } }"),
+            "E102",
+            "= Order { id = 1, to {",
+            "a member is filled with '='",
+        ),
+        (with_messages("m = Order { id = 1, .. }.id"), "E102", ".", "no member of a new message is read"),
         (with_messages(condition="m < o"), "E509", "m < o", "`<` does not order values of type Order"),
         (
             with_messages(condition="m == q"),

@@ -352,9 +352,9 @@ class RestWithoutComma(UnexpectedInExpression):
 
 
 class RestOutsideBraces(UnexpectedInExpression):
-    """`now = ..other`"""
+    """`now = ..other`, and `Order { place = ..other }`"""
 
-    hint = "'..' stands in braces: `Order { ..other }`; a whole message is assigned without it"
+    hint = "leave it out: only the members of another message follow '..', as in `Order { id = 7, ..other }`"
 
 
 class ReplyByBehindReceiver(UnexpectedInExpression):
@@ -366,6 +366,7 @@ class ReplyByBehindReceiver(UnexpectedInExpression):
 class MemberOfNewMessage(UnexpectedInExpression):
     """`Order { id = 7, .. }.id`"""
 
+    message = "no member of a new message is read"
     hint = "use the value itself, or assign the message to a variable and ask for its member"
 
 
@@ -403,6 +404,18 @@ class MemberWithColon(Problem):
     hint = "write = for :"
 
 
+class MemberWithBraces(Problem):
+    """`Order { id = 1, place { x = 3 } }`"""
+
+    code = "E102"
+    member: str
+    message = "a member is filled with '='"
+
+    @property
+    def hint(self) -> str:
+        return f"write `{self.member} = Message {{ ... }}`, with the type of `{self.member}` for `Message`"
+
+
 class NewBeforeMessage(Problem):
     code = "E102"
     message = "'new' is not a word of the language"
@@ -412,7 +425,7 @@ class NewBeforeMessage(Problem):
 class ContentWithoutMessage(Problem):
     code = "E102"
     message = "no message stands before '{'"
-    hint = "write which message it is: `Order { id = 7, .. }`"
+    hint = "write the name of its type before '{', as `Order { id = 7, .. }` does"
 
 
 class ContentNotClosed(Problem):
