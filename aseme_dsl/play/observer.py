@@ -121,6 +121,8 @@ class Observer:
         if self._is_over or record["kind"] not in KINDS:
             return
         self._pass_to(record["time"])
+        if self.broken is not None and self.states[self.broken].at < self._now:
+            return  # what comes later is not part of the story
         self.assumed.see(record)
         match record["kind"]:
             case "step":
@@ -176,6 +178,10 @@ class Observer:
                 if not item.of.startswith("clause"):  # its conversation may have been cut off
                     self._take(place, ended(item.rule, self.states[place], moment))
         self._is_over = True
+
+    def places(self) -> dict[str, frozenset[str]]:
+        """The labels of the states that each agent is in."""
+        return {name: agent.active for name, agent in self._agents.items()}
 
     def rest(self, moment: int) -> None:
         """A run that may have been cut off ended at this moment: what is still awaited stays so."""

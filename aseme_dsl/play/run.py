@@ -56,6 +56,8 @@ class Played:
     failures: Mapping[str, str]
     faults: tuple[str, ...]
     story: tuple[str, ...]
+    ends: Mapping[str, frozenset[str]]
+    """The labels of the states that each agent is in at the end."""
     assumption: tuple[Assumption, int] | None = None
     """The assumption that held no longer first, and since when."""
 
@@ -136,6 +138,7 @@ def play(
         observer.failures,
         tuple(observer.faults),
         observer.story(),
+        observer.places(),
         observer.assumed.broken,
     )
 

@@ -201,3 +201,43 @@ scenario "nobody walks, shrunk" {
     (folder / "good.aseme").write_text(GOOD + SHRINKS + saved)
     again = here("test", "good.aseme", "-k", "shrunk")
     assert (again.code, "failed   nobody walks, shrunk" in again.out) == (1, True), again.out
+
+
+AWAITED = """
+scenario "it comes home, and sits down" {
+  one : robot
+  at 500ms  one receives eyes.state.Seen { ball = true }
+  at 600ms  one receives eyes.state.Seen { ball = true }
+  at 2500ms one receives eyes.state.Seen { home = true }
+  in order one in Walk, one in Stand
+  for 4s
+}
+"""
+
+
+def test_what_has_not_come_is_not_made_smaller_by_leaving_out_what_leads_to_it(
+    here: Here, folder: Path
+) -> None:
+    (folder / "good.aseme").write_text(GOOD + AWAITED)
+    done = here("test", "good.aseme")
+    lines = done.out.splitlines()
+    assert done.code == 1
+    assert "  also without the input of line 18" in lines, done.out
+    assert "    one  2.5 s  receives eyes.state.Seen from input" in lines, done.out
+
+
+LATE = """
+scenario "it walks" {
+  one : robot
+  at 1500ms one in Walk
+  for 4s
+}
+"""
+
+
+def test_a_story_ends_where_the_expectation_is_broken(here: Here, folder: Path) -> None:
+    (folder / "good.aseme").write_text(GOOD + LATE)
+    done = here("test", "good.aseme")
+    assert "good.aseme:18:3: not so at 1.5 s" in done.out
+    assert "    one  1 s  Stand ends" in done.out.splitlines(), done.out
+    assert "2 s" not in done.out

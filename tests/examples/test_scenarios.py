@@ -1,4 +1,4 @@
-"""The scenarios of the examples pass."""
+"""The scenarios of the examples and of the acceptance files pass, and reach nearly every state."""
 
 from __future__ import annotations
 
@@ -8,36 +8,47 @@ import pytest
 
 from tests.cli.support import Here
 
-EXAMPLES = Path(__file__).parent.parent.parent / "examples"
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples"
+ACCEPTANCE = ROOT / "tests" / "acceptance" / "scenarios"
 
 
 EACH = {
-    "auction": 7,
-    "cell": 9,
-    "goalie": 8,
-    "home": 9,
-    "hospital": 7,
-    "meetings": 8,
-    "patrol": 10,
-    "robocup": 8,
-    "warehouse": 7,
+    EXAMPLES / "auction": 12,
+    EXAMPLES / "cell": 14,
+    EXAMPLES / "goalie": 15,
+    EXAMPLES / "home": 15,
+    EXAMPLES / "hospital": 14,
+    EXAMPLES / "meetings": 18,
+    EXAMPLES / "patrol": 19,
+    EXAMPLES / "robocup": 27,
+    EXAMPLES / "warehouse": 11,
+    ACCEPTANCE / "contract_net.aseme": 11,
+    ACCEPTANCE / "kouretes.aseme": 18,
+    ACCEPTANCE / "testbehavior.aseme": 5,
 }
 
 
-@pytest.mark.parametrize(("example", "number"), EACH.items())
-def test_they_pass(
-    example: str,
+@pytest.mark.parametrize(
+    ("target", "number"), EACH.items(), ids=[str(path.relative_to(ROOT)) for path in EACH]
+)
+def test_they_pass_and_reach_nearly_every_state(
+    target: Path,
     number: int,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
     tmp_path: Path,
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    done = Here(capsys)("test", EXAMPLES / example, "-j", "1", "--json")
+    done = Here(capsys)("test", target, "-j", "1", "--json", "--fail-under", "95")
     verdicts = [item["verdict"] for item in done.json["scenarios"]]
     assert verdicts == ["passed"] * number, done.out
+    assert done.code == 0, done.err
 
 
-def test_every_example_has_some() -> None:
-    assert {path.parent.name for path in EXAMPLES.glob("*/pyproject.toml")} == set(EACH)
-    assert sum(EACH.values()) >= 60
+def test_every_example_and_every_acceptance_file_has_some() -> None:
+    assert set(EACH) == {
+        *(path.parent for path in EXAMPLES.glob("*/pyproject.toml")),
+        *(ACCEPTANCE / path.name for path in ACCEPTANCE.parent.glob("*.aseme")),
+    }
+    assert sum(number for path, number in EACH.items() if path.parent == EXAMPLES) >= 60

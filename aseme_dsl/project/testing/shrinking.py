@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from aseme_dsl.play.run import Played
 from aseme_dsl.play.scenario import Scenario, Script
-from aseme_dsl.runtime.monitor.rules import Sometime
+from aseme_dsl.runtime.monitor.rules import AfterFirst, At, InOrder, LeadsTo, Sometime
 from aseme_dsl.source import Span
 
 MOST = 500
@@ -27,7 +27,11 @@ class Shrunk:
 
 
 def shrunk(script: Script, inputs: Mapping[str, object], found: Played, play: Run) -> Shrunk:
-    """Drop stimuli one by one, then move the values towards 0, as long as the same expectation is broken."""
+    """Drop stimuli one by one, then move the values towards 0, as long as the same expectation is broken.
+
+    What has not come does not come without stimuli, either. So such a failure is the same only if the agents
+    end in the same states.
+    """
     left = MOST
 
     def fails(smaller: Script, values: Mapping[str, object]) -> Played | None:
@@ -46,7 +50,7 @@ def shrunk(script: Script, inputs: Mapping[str, object], found: Played, play: Ru
             continue
         smaller = replace(script, stimuli=tuple(other for other in script.stimuli if other is not item))
         run = fails(smaller, inputs)
-        if run is not None:
+        if run is not None and (not _is_awaited(script, found) or _as_far(run, found)):
             script, best = smaller, run
             dropped.append(item.span)
     values = dict(inputs)
@@ -64,6 +68,20 @@ def shrunk(script: Script, inputs: Mapping[str, object], found: Played, play: Ru
             if tried in (passing, failing):
                 break
     return Shrunk(best, values, tuple(dropped))
+
+
+def _is_awaited(script: Script, run: Played) -> bool:
+    """Whether the expectation is broken because something has not come."""
+    assert run.broken is not None
+    rule = script.expectations[run.broken].rule
+    return isinstance(rule, Sometime | At | AfterFirst | InOrder | LeadsTo)
+
+
+def _as_far(run: Played, found: Played) -> bool:
+    """Whether a run has come as far as another one."""
+    assert found.broken is not None
+    stages = (each.states[found.broken].stage for each in (run, found))
+    return len(set(stages)) == 1 and run.ends == found.ends
 
 
 def _between(one: float, other: float, is_whole: bool) -> float:
