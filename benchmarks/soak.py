@@ -169,7 +169,7 @@ def played(duration: int, trace: Path | None) -> list[Sample]:
 def virtual(hours: float) -> bool:
     """The long match; its trace, some gigabytes an hour, goes nowhere."""
     with tempfile.TemporaryDirectory() as folder:
-        trace = Path(folder) / "trace.jsonl"
+        trace = Path(folder) / "trace.jsonl.gz"
         Path(f"{trace}.part").symlink_to("/dev/null")
         return judged("one process", played(int(hours * 60 * MINUTE), trace))
 
@@ -188,7 +188,7 @@ def real(minutes: float, number: signal.Signals) -> bool:
         environment = {**os.environ, "PYTHONPATH": str(ROOT)}
         with subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL) as team:
             process = psutil.Process(team.pid)
-            trace = project / "build" / "trace.jsonl"
+            trace = project / "build" / "trace.jsonl.gz"
             while not part_of(trace).exists() and team.poll() is None:
                 time.sleep(0.1)
             begun = time.monotonic()

@@ -126,10 +126,10 @@ team T { one : r }
         "build s.aseme -o out",
         "run s.aseme -o out",
         "run s.aseme -o out --real",
-        "trace out/trace.jsonl",
-        "bench s.aseme --rounds 1 --steps 5 --inputs out/trace.jsonl",
+        "trace out/trace.jsonl.gz",
+        "bench s.aseme --rounds 1 --steps 5 --inputs out/trace.jsonl.gz",
         "diagram s.aseme iac -o drawn",
-        "sniff out/trace.jsonl",
+        "sniff out/trace.jsonl.gz",
     ],
     ids=lambda command: command.split()[0] + "-real" * command.endswith("--real"),
 )

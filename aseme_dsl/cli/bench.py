@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     " role that has a plain statechart is measured in both forms. The inputs are random (--seed) or recorded"
     f" (--inputs). {TARGET_HELP}",
     epilog="Example: asemec bench team.aseme   ·   asemec bench team.aseme --role player --steps 9000 --json"
-    "   ·   asemec bench team.aseme --inputs out/trace.jsonl -o bench.md --plot bench.svg",
+    "   ·   asemec bench team.aseme --inputs out/trace.jsonl.gz -o bench.md --plot bench.svg",
 )
 @target_argument
 @click.option("--role", "roles", multiple=True, metavar="ROLE", help="Only this role. Repeatable.")

@@ -129,7 +129,7 @@ class _Options:
     tuple(name for name in PLATFORMS if name != IN_PROCESS),
 )
 @input_option("JSON Lines file of timed messages and events for the agent.")
-@trace_option("Trace file.  [default: OUTPUT/trace.AGENT.jsonl]")
+@trace_option("Trace file.  [default: OUTPUT/trace.AGENT.jsonl.gz]")
 @state_option
 @activities_option
 @play_backend_option
@@ -316,6 +316,7 @@ def _request(options: _Options, folder: Path, configuration: Configuration, seen
     """How the agent is to be run."""
     from aseme_dsl.project.playing.play import Request
     from aseme_dsl.project.playing.supervisor import WORLD
+    from aseme_dsl.runtime.trace.trace_files import name_for
 
     usual = configuration.platform if configuration.platform != IN_PROCESS else None
     world_at = options.world_at
@@ -324,7 +325,7 @@ def _request(options: _Options, folder: Path, configuration: Configuration, seen
         seed=options.seed,
         real=True,
         script=options.script,
-        trace=options.trace or folder / f"trace.{options.robot}.jsonl",
+        trace=options.trace or folder / name_for(options.robot),
         bodies=options.bodies,
         state=options.state,
         platform=options.platform or usual,

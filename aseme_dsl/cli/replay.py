@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     " was recorded. The first difference is shown. TARGET is a trace (JSON Lines or MCAP). A file, a project"
     " directory or an output directory stands for the traces of its last run. Default: the project in the"
     " current directory.",
-    epilog="Example: asemec replay out/trace.jsonl --agent robot1",
+    epilog="Example: asemec replay out/trace.jsonl.gz --agent robot1",
 )
 @targets_argument
 @click.option(

@@ -166,7 +166,7 @@ class _Prepared:
     "JSON Lines file of timed messages and events:"
     ' {"at": "1s", "channel": "vision.state.Ball", "message": {}}.'
 )
-@trace_option("Trace file.  [default: the project's, else OUTPUT/trace.jsonl]")
+@trace_option("Trace file.  [default: the project's, else OUTPUT/trace.jsonl.gz]")
 @state_option
 @activities_option
 @folder_option("--templates", text="Directory of templates that override the backend's, by file name.")
@@ -374,10 +374,11 @@ def _run_here(
     """Run all agents in this process; the exit code."""
     from aseme_dsl.project.building.build import activities_folder
     from aseme_dsl.project.playing.play import Request, play
+    from aseme_dsl.runtime.trace.trace_files import USUAL
 
     configuration, trace = prepared.configuration, options.trace
     if configuration.run is None or configuration.run.trace is None:
-        trace = trace or prepared.folder / "trace.jsonl"
+        trace = trace or prepared.folder / USUAL
     real = options.real or platform not in (None, IN_PROCESS)
     request = Request(
         plan,

@@ -64,7 +64,7 @@ def _known_kinds(
     " alternatives; filters of different kinds must all match. TARGET is a trace (JSON Lines or MCAP, or the"
     " TARGET.part of a killed run). A file, a project directory or an output directory stands for the traces"
     " of its last run. Default: the project in the current directory.",
-    epilog="Example: asemec trace out/trace.jsonl --lines --agent robot1 --from 12.5s --to 14s",
+    epilog="Example: asemec trace out/trace.jsonl.gz --lines --agent robot1 --from 12.5s --to 14s",
 )
 @targets_argument
 @click.option("--lines", is_flag=True, help="List the records instead of a summary.")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
 from tests.cli.support import GOOD, Here, asemec
+from tests.support.traces import records_of, texts_of
 
 TWO = """\
 system Pair
@@ -101,7 +101,7 @@ def test_an_own_behaviour_is_heard_in_a_run(here: Here, folder: Path) -> None:
     (folder / "in.jsonl").write_text(SEEN)
     done = asemec("run", "out", "--for", "2500ms", "--input", "in.jsonl", cwd=folder)
     assert done.code == 0, done.err
-    trace = [json.loads(line) for line in (folder / "out/trace.jsonl").read_text().splitlines()]
+    trace = records_of(folder / "out/trace.jsonl.gz")
     logs = [(line["time"], line["text"]) for line in trace if line["kind"] == "log"]
     assert logs[:3] == [(0, "one sets out"), (0, "two sets out"), (1_000_000_000, "one sets out")]
 
@@ -172,7 +172,7 @@ def test_activities_import_messages_under_either_name(
     )
     assert done.code == 0, done.out + done.err
     assert "all agents completed" in done.out
-    assert '"text":"seen"' in (folder / "out/trace.jsonl").read_text()
+    assert '"text":"seen"' in "".join(texts_of(folder / "out/trace.jsonl.gz"))
 
 
 # ---- which one ----------------------------------------------------------------------------------

@@ -335,7 +335,7 @@ class TestConfiguration:
         for words in (("build", "walker"), ("run", "walker", "--for", "1s"), ("run", "walker/good.aseme")):
             assert here(*words).code == 0
             assert not (folder / "out").exists()
-        assert (folder / "walker/out/trace.jsonl").exists()
+        assert (folder / "walker/out/trace.jsonl.gz").exists()
 
     def test_a_file_of_no_project_is_built_where_one_works(self, here: Here, folder: Path) -> None:
         (folder / "deep").mkdir()
@@ -621,7 +621,7 @@ team Players { bob : player }
         files = (path for path in output.rglob("*") if path.is_file() and path.suffix != ".pyc")
         outputs.append({str(path.relative_to(output)): path.read_bytes() for path in files})
     assert outputs[0] == outputs[1] == outputs[2] == outputs[3]
-    assert {".asemec.json", "trace.jsonl"} <= set(outputs[0])
+    assert {".asemec.json", "trace.jsonl.gz"} <= set(outputs[0])
     assert b'"file": "<stdlib>/protocols.aseme"' in outputs[0]["models/aip.request.json"]
     assert b'"file": "team.aseme"' in outputs[0]["models/iac.player.json"]
     assert {name.split("/")[0] for name in outputs[0]} >= {"models", "diagrams", *backends}

@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 import pytest
 
 from tests.cli.support import Here
+from tests.support.traces import records_of, texts_of
 
 LIFT = """\
 system Lift
@@ -94,11 +95,11 @@ def test_a_part_is_covered_once_it_is_shown_to_decide(lift: Here) -> None:
 
 def test_traces_and_scenarios_count_together(lift: Here, folder: Path) -> None:
     assert lift("run", "lift.aseme", "--for", "5s", "--quiet", "--allow", "waiting").code == 0
-    alone = lift("coverage", "out/trace.jsonl", "--json")
+    alone = lift("coverage", "out/trace.jsonl.gz", "--json")
     assert (alone.code, alone.json["coverage"]["traces"]) == (0, 1)
     assert shares(alone.json)["conditions"] == (0, 2, 1, 0)
     assert lift("test", "lift.aseme", "--coverage-file", "some.json", "-k", "high").code == 0
-    both = lift("coverage", "some.json", "out/trace.jsonl", "--json")
+    both = lift("coverage", "some.json", "out/trace.jsonl.gz", "--json")
     assert shares(both.json)["states"] == (5, 5, 0, 0)
     once = lift("coverage", "some.json", "--json")
     waits = [statuses(item.json, "state")["Wait"][1] for item in (alone, once, both)]
@@ -107,7 +108,7 @@ def test_traces_and_scenarios_count_together(lift: Here, folder: Path) -> None:
     assert lift("coverage", "lift.aseme", "--json").json == alone.json
     assert lift("coverage", "out", "--json").json == alone.json
     # By hand: a state is entered when a step takes a transition into it.
-    records = [json.loads(line) for line in (folder / "out/trace.jsonl").read_text().splitlines()]
+    records = records_of(folder / "out/trace.jsonl.gz")
     ways = [way for record in records if record["kind"] == "step" for way in record["taken"]]
     label = next(item["label"] for item in records if item.get("activity") == "Wait")
     assert waits[0] == sum(way["target"] == label for way in ways)
@@ -115,7 +116,7 @@ def test_traces_and_scenarios_count_together(lift: Here, folder: Path) -> None:
 
 def without_model(trace: Path, path: Path) -> None:
     """Write a trace as of an earlier version, which cannot be replayed."""
-    header, *others = trace.read_text().splitlines()
+    header, *others = texts_of(trace)
     record = json.loads(header)
     del record["sources"]
     path.write_text("\n".join((json.dumps(record), *others, "")))
@@ -128,7 +129,7 @@ def test_conditions_of_a_trace_are_those_of_its_replay(lift: Here, folder: Path)
     arguments = ("--input", "calls.jsonl", "--for", "15s", "--quiet", "--allow", "waiting")
     assert lift("run", "lift.aseme", *arguments).code == 0
     assert shares(lift("coverage", "out", "--json").json)["conditions"] == (2, 2, 1, 0)
-    without_model(folder / "out/trace.jsonl", folder / "old.jsonl")
+    without_model(folder / "out/trace.jsonl.gz", folder / "old.jsonl")
     old = lift("coverage", "old.jsonl", "--json")
     assert (old.code, shares(old.json)["conditions"]) == (0, (0, 2, 1, 2))
     assert old.json["coverage"]["shares"]["conditions"]["percent"] is None
@@ -146,7 +147,7 @@ def test_less_than_wanted_is_an_error(lift: Here, folder: Path) -> None:
     assert under("80.1") == (1, "80.0% of the states are covered, but 80.1% are wanted\n")
     assert under("60", "use-cases=90")[1] == "50.0% of the use cases are covered, but 90% are wanted\n"
     assert lift("run", "lift.aseme", "--for", "5s", "--quiet", "--allow", "waiting").code == 0
-    without_model(folder / "out/trace.jsonl", folder / "old.jsonl")
+    without_model(folder / "out/trace.jsonl.gz", folder / "old.jsonl")
     done = lift("coverage", "old.jsonl", "--fail-under", "conditions=1")
     assert (done.code, done.err) == (1, "conditions were not measured, but 1% of them are wanted\n")
     assert [under(word)[0] for word in ("x", "101", "colours=3")] == [2, 2, 2]
@@ -157,7 +158,7 @@ def test_what_cannot_be_counted_is_said(lift: Here, folder: Path) -> None:
     assert lift("run", "lift.aseme", "--for", "2s", "--quiet", "--allow", "waiting").code == 0
     assert lift("test", "lift.aseme", "--coverage-file", "some.json").code == 0
     (folder / "lift.aseme").write_text(LIFT.replace("> 3", "> 4"))
-    for file, who in (("out/trace.jsonl", "lift"), ("some.json", "lift")):
+    for file, who in (("out/trace.jsonl.gz", "lift"), ("some.json", "lift")):
         done = lift("coverage", file, "--source", "lift.aseme")
         assert (done.code, done.out) == (1, "")
         assert f"{file}: error[E035]: `{who}` ran another version of `Lift`" in done.err

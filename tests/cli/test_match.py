@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.support import asemec
+from tests.support.traces import texts_of
 
 TEAM = """\
 system Team
@@ -152,9 +153,11 @@ def test_the_football_field_is_ready(teams: Path) -> None:
     assert done.out == "  seed  carol   dan\n     1      0     0  (after 2 s)\n"
     assert "carol 0:0 dan" in (teams / "pictures" / "match-1.svg").read_text("utf-8")
     for side, name in (("home", "carol"), ("away", "dan")):
-        shown = asemec("trace", f"pictures/match-1.{side}.jsonl", "--lines", "--kind", "activity", cwd=teams)
+        shown = asemec(
+            "trace", f"pictures/match-1.{side}.jsonl.gz", "--lines", "--kind", "activity", cwd=teams
+        )
         assert shown.code == 0 and "keeper" in shown.out and "start Stand" in shown.out
-        assert f'"system":"{name}"' in (teams / "pictures" / f"match-1.{side}.jsonl").read_text("utf-8")
+        assert f'"system":"{name}"' in texts_of(teams / "pictures" / f"match-1.{side}.jsonl.gz")[0]
 
 
 def test_what_cannot_be_played_is_said(teams: Path) -> None:

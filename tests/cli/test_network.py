@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
 from tests.cli.support import Here
+from tests.support.traces import records_of
 
 TEAM = """system Team
 message Note { int n }
@@ -38,7 +38,7 @@ def team(here: Here, folder: Path) -> Here:
 
 
 def hears(folder: Path) -> float:
-    lines = map(json.loads, (folder / "out" / "trace.jsonl").read_text().splitlines())
+    lines = records_of(folder / "out" / "trace.jsonl.gz")
     return next(
         line["time"] / 1e9
         for line in lines

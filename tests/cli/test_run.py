@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import signal
@@ -13,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.support import GOOD, Here, asemec, command
+from tests.support.traces import records_of
 
 SCRIPT = """\
 {"at": "2500ms", "channel": "eyes.state.Seen", "message": {"ball": true}}
@@ -130,7 +130,7 @@ def project(folder: Path) -> Path:
 
 
 def trace(path: Path) -> list[dict[str, object]]:
-    return [json.loads(line) for line in path.read_text().splitlines()]
+    return records_of(path)
 
 
 def test_a_team_plays_until_all_have_finished(here: Here, script: Path) -> None:
@@ -143,7 +143,7 @@ def test_a_team_plays_until_all_have_finished(here: Here, script: Path) -> None:
     assert "    3.00 s  two  Walk" in lines
     assert "finished after 6 s (virtual, seed 1): all agents completed" in lines
     assert "  one (robot) completed" in lines
-    assert trace(Path("out/trace.jsonl"))[-1]["reason"] == "finished"
+    assert trace(Path("out/trace.jsonl.gz"))[-1]["reason"] == "finished"
     for part in ("models/iac.robot.json", "diagrams/iac.robot.svg", "monas/Walker/robot/plan.py"):
         assert (Path("out") / part).exists()
 
@@ -241,7 +241,7 @@ def test_json(here: Here, script: Path) -> None:
         ("one", True),
         ("two", True),
     ]
-    assert result["trace"] == str(Path("out/trace.jsonl"))
+    assert result["trace"] == str(Path("out/trace.jsonl.gz"))
     assert "Stand" in done.err
     failed = here("run", "bad.aseme", "--json")
     assert (failed.code, failed.json["result"], failed.json["errors"]) == (1, None, 2)
@@ -382,7 +382,7 @@ class TestProjects:
         assert "the court of seed 9 is closed" in lines
         assert "stopped after 2 s (virtual, seed 9): the world is over" in lines
         assert "one  Stand" not in done.out
-        assert (project / "made/trace.jsonl").exists()
+        assert (project / "made/trace.jsonl.gz").exists()
 
     def test_from_anywhere(
         self,
@@ -474,7 +474,7 @@ def test_ctrl_c_ends_a_run_with_its_trace_whole(folder: Path) -> None:
     assert process.returncode == 130
     assert ": interrupted" in out
     assert "Traceback" not in err
-    assert trace(folder / "out/trace.jsonl")[-1]["reason"] == "interrupted"
+    assert trace(folder / "out/trace.jsonl.gz")[-1]["reason"] == "interrupted"
 
 
 def test_what_is_built_within_the_second_of_the_build_before_is_what_runs(here: Here, folder: Path) -> None:
@@ -494,7 +494,7 @@ def test_real_time(here: Here, folder: Path) -> None:
     done = here("run", "good.aseme", "--real", "--for", "50ms")
     assert done.code == 0, done.err
     assert "time limit reached" in done.out
-    assert trace(Path("out/trace.jsonl"))[0]["clock"] == "real"
+    assert trace(Path("out/trace.jsonl.gz"))[0]["clock"] == "real"
 
 
 def test_a_trace_that_cannot_be_written(here: Here, folder: Path) -> None:

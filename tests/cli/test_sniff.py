@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import os
 import shutil
@@ -19,7 +20,10 @@ import pytest
 
 from aseme_dsl.cli import main
 from aseme_dsl.diagrams.sequence.sequence import Mark
+from aseme_dsl.project.playing.following import TraceFollower
 from aseme_dsl.project.playing.sniff import Sniffer
+from aseme_dsl.runtime.trace import trace_gzip
+from aseme_dsl.runtime.trace.trace_formats import format_for
 from tests.cli.support import Here
 from tests.conftest import Snapshot
 from tests.diagrams.overlaps import Painted, overlaps
@@ -99,7 +103,7 @@ def test_what_is_said_as_lines(run: Path, here: Here) -> None:
 def test_a_deadline_that_passes_is_shown(run: Path, here: Here) -> None:
     Path("activities/carry_out.py").write_text(BREAK.replace("wait(1)", "wait(600)"), "utf-8")
     here("run", "kitchen.aseme", "--activities", "activities", "-q", "--for", "5min")
-    assert lines(here("sniff", "out/trace.jsonl", "--from", "10s").out) == [
+    assert lines(here("sniff", "out/trace.jsonl.gz", "--from", "10s").out) == [
         "122.2 s ann ! continues to wait (2min) [contract_net-ann-1]",
         "122.2 s ann -- cancel Contract --> bob [contract_net-ann-1]",
         "123.2 s bob -- inform Contract --> ann [contract_net-ann-1]",
@@ -131,7 +135,7 @@ team Shop { ann : a  bob : b }
 def test_a_deadline_after_which_the_agent_goes_on_waiting(folder: Path, here: Here) -> None:
     Path("shop.aseme").write_text(ON, "utf-8")
     here("run", "shop.aseme", "-q", "--for", "5s", "--allow", "waiting")
-    assert lines(here("sniff", "out/trace.jsonl").out) == [
+    assert lines(here("sniff", "out/trace.jsonl.gz").out) == [
         "0 s ann -- request Job (id j) --> bob [work-ann-1]",
         "2 s ann ! continues to wait (the timer patience) [work-ann-1]",
         "3 s bob -- inform Job --> ann [work-ann-1]",
@@ -567,7 +571,7 @@ def test_a_folder_stands_for_its_last_run(folder: Path, here: Here) -> None:
 
 
 def test_a_run_is_followed_from_before_its_begin_to_its_end(folder: Path) -> None:
-    command = [sys.executable, "-m", "aseme_dsl", "sniff", "out", "--follow"]
+    command = [sys.executable, "-m", "aseme_dsl", "sniff", "out/trace.jsonl", "--follow"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, encoding="utf-8") as sniffing:
         try:
             assert sniffing.stdout is not None
@@ -589,6 +593,34 @@ def test_a_run_is_followed_from_before_its_begin_to_its_end(folder: Path) -> Non
             assert sniffing.wait(60) == 0
         finally:
             sniffing.kill()
+
+
+@pytest.mark.parametrize("name", ["talk.jsonl", "talk.jsonl.gz"])
+def test_each_record_is_followed_once_however_the_file_grows(
+    name: str, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trace_gzip, "BLOCK", 2000)
+    said = [header("one"), *(mail(number, "one", ["two"], number) for number in range(100)), FINISH]
+    file = format_for(Path(name), Path(f"{name}.part"))
+    follower = TraceFollower(Path(name))
+    seen: list[object] = []
+    for number, record in enumerate(said):
+        file.put([json.dumps(record)])
+        if number % 3 == 0:
+            file.flush()
+            seen += follower.poll()
+            assert seen == said[: number + 1]
+    file.finish()
+    Path(f"{name}.part").replace(name)
+    seen += follower.poll()
+    assert seen == said and follower.finished
+    assert list(follower.poll()) == []
+    follower.close()
+
+
+def test_what_another_program_has_compressed_cannot_be_followed(folder: Path, here: Here) -> None:
+    Path("talk.jsonl.gz").write_bytes(gzip.compress(f"{json.dumps(header('one'))}\n".encode()))
+    assert "compressed by another program: it cannot be followed" in here("sniff", "talk.jsonl.gz", "-f").err
 
 
 WAIT = """
@@ -616,7 +648,7 @@ def test_a_run_is_followed_from_before_its_folder(
 def test_a_team_that_runs_is_followed(run: Path) -> None:
     """In real time: what is said is seen before the run is over."""
     Path("activities/carry_out.py").write_text(WAIT, "utf-8")
-    (run / "trace.jsonl").unlink()
+    (run / "trace.jsonl.gz").unlink()
     asemec = [sys.executable, "-m", "aseme_dsl"]
     command = [*asemec, "run", "kitchen.aseme", "--activities", "activities", "--real", "-q"]
     playing = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

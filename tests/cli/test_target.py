@@ -34,9 +34,9 @@ def test_a_trace_is_found_whatever_is_named(here: Here, project: Path) -> None:
     (project / "made").mkdir()
     done = here("run", "--for", "2s", "--allow", "waiting")
     assert done.code == 0, done.err
-    assert (project / "made" / "trace.jsonl").is_file()
+    assert (project / "made" / "trace.jsonl.gz").is_file()
     for command in ("trace", "sniff"):
-        said = here(command, "made/trace.jsonl").out
+        said = here(command, "made/trace.jsonl.gz").out
         for target in ([], ["."], ["made"], ["src/walker.aseme"], [str(project)]):
             again = here(command, *target)
             assert (again.code, again.out.replace(f"{project}/", "")) == (0, said), (command, target)
@@ -56,7 +56,7 @@ def test_a_project_without_a_run_has_no_trace(here: Here, project: Path) -> None
         done = here(command)
         assert done.code == 1
         assert done.err.endswith(
-            "error[E001]: there is no trace made/trace.jsonl\n   hint: `asemec run` writes it\n"
+            "error[E001]: there is no trace made/trace.jsonl.gz\n   hint: `asemec run` writes it\n"
         )
 
 
@@ -85,12 +85,12 @@ USES = {
     "build": Use(says="Walker -> made: "),
     "diagram": Use(after=("--format", "dot", "-o", "drawn"), says="files: "),
     "view": Use(says="src/walker.aseme: http://"),
-    "run": Use(after=("--for", "2s", "--allow", "waiting"), says="  trace: made/trace.jsonl\n"),
+    "run": Use(after=("--for", "2s", "--allow", "waiting"), says="  trace: made/trace.jsonl.gz\n"),
     "test": Use(says="0 scenarios\n"),
     "sim": Use(after=("--plain",), says="0 s\n"),
     "node": Use(("one",), ("--for", "1ms", "--trace", "one.jsonl"), says="  trace: one.jsonl\n"),
     "swap": Use(code=1, says="error[E034]: nothing has changed:\nnothing runs from made: "),
-    "trace": Use(says="made/trace.jsonl: Walker, seed 1, virtual time\n"),
+    "trace": Use(says="made/trace.jsonl.gz: Walker, seed 1, virtual time\n"),
     "replay": Use(says=" of "),
     "coverage": Use(),
     "metrics": Use(),
@@ -194,7 +194,7 @@ def test_an_output_folder_whose_source_is_gone(here: Here, project: Path, name: 
 def test_a_build_that_makes_no_agents_is_an_output_folder_too(here: Here, project: Path) -> None:
     assert here("build", "-o", "other", "--only", "models").code == 0
     done = here("run", "other", "--for", "1s", "--allow", "waiting")
-    assert (done.code, "trace: other/trace.jsonl" in done.out) == (0, True), done
+    assert (done.code, "trace: other/trace.jsonl.gz" in done.out) == (0, True), done
 
 
 def test_what_is_made_of_an_output_folder_goes_there(here: Here, project: Path) -> None:
@@ -244,7 +244,7 @@ def test_without_a_project_the_output_folder_is_where_one_works(here: Here, fold
     (folder / "src/walker.aseme").write_text(GOOD)
     assert here("run", "src/walker.aseme", "--for", "2s", "--allow", "waiting").code == 0
     for target in ("src/walker.aseme", "src", "out"):
-        assert here("trace", target).out.startswith("out/trace.jsonl: Walker"), target
+        assert here("trace", target).out.startswith("out/trace.jsonl.gz: Walker"), target
 
 
 def test_two_sources_of_one_name_do_not_replace_each_other(here: Here, folder: Path) -> None:

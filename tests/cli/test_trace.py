@@ -12,6 +12,7 @@ import pytest
 
 from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from tests.cli.support import Here
+from tests.support.traces import texts_of
 
 ROOT = Path(__file__).parents[2]
 HEADER = {
@@ -242,7 +243,7 @@ srm r {
 """)
     assert here("run", "two.aseme", "--quiet", "-o", "two").code == 0
     lines = here(
-        "trace", "two/trace.jsonl", "--lines", "--kind", "step", "--kind", "activity"
+        "trace", "two/trace.jsonl.gz", "--lines", "--kind", "step", "--kind", "activity"
     ).out.splitlines()
     said = [line[36:].strip() for line in lines]
     assert said[:3] == [
@@ -253,7 +254,7 @@ srm r {
     assert "; start of (Look . Go) || Turn (0.3.2.2.1) -> Turn; " in said[3]
     assert said[3].endswith("  in (Look . Go) || Turn, Look (0.3.2.1.2.2), Turn")
     assert "step 3: Look (0.3.2.1.2.2) -> Go  in (Look . Go) || Turn, Go, Turn" in said
-    only = here("trace", "two/trace.jsonl", "--lines", "--state", "Go").out
+    only = here("trace", "two/trace.jsonl.gz", "--lines", "--state", "Go").out
     assert [" ".join(line.split()[2:5]) for line in only.splitlines()] == [
         "step step 3:",
         "activity start Go",
@@ -261,6 +262,6 @@ srm r {
         "step step 4:",
     ]
     # A trace of before has no names: its labels are shown.
-    text = (folder / "two/trace.jsonl").read_text()
+    text = "".join(f"{line}\n" for line in texts_of(folder / "two/trace.jsonl.gz"))
     (folder / "old.jsonl").write_text(re.sub('"names":.*?}},', "", text, count=1))
     assert "0.1 -> 0.2  in 0.2" in here("trace", "old.jsonl", "--lines").out

@@ -71,7 +71,7 @@ def test_our_code_finds_no_posix(tmp_path: Path) -> None:
 def test_the_commands_of_a_project(tmp_path: Path) -> None:
     text = GOOD.replace("system Walker", "system Walker  // geht, bis er zu Hause ist: «ω»")
     (tmp_path / "team.aseme").write_text(text, "utf-8")
-    out = tmp_path / "out" / "trace.jsonl"
+    out = tmp_path / "out" / "trace.jsonl.gz"
     for words, said in {
         "check team.aseme": "no problems found in 1 file",
         "fmt --check team.aseme": "",
@@ -83,9 +83,9 @@ def test_the_commands_of_a_project(tmp_path: Path) -> None:
         assert done.code == (1 if words.startswith("fmt") else 0), (words, done.err)
         assert said in done.out, (words, done.out)
         assert "Traceback" not in done.err
-    there = out.read_text("utf-8")
+    there = out.read_bytes()
     assert asemec("run", "team.aseme", "--for", "2s", cwd=tmp_path).code == 0
-    assert out.read_text("utf-8") == there  # the same run as on this system
+    assert out.read_bytes() == there  # the same run as on this system
 
 
 def test_the_language_server_starts(tmp_path: Path) -> None:

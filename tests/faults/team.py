@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import re
 import signal
@@ -17,7 +16,9 @@ from typing import Any
 
 import psutil
 
+from aseme_dsl.runtime.trace.trace_files import TraceError
 from tests.support.network import own_name
+from tests.support.traces import records_of
 from tests.support.waiting import LONG, wait_until
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -130,12 +131,11 @@ class Started:
 
     def trace(self, robot: str, life: int = 1) -> list[dict[str, Any]]:
         """What is in a trace so far."""
-        name = f"trace.{robot}{'' if life == 1 else f'.{life}'}.jsonl"
+        name = f"trace.{robot}{'' if life == 1 else f'.{life}'}.jsonl.gz"
         whole, part = self.folder / "out" / name, self.folder / "out" / f"{name}.part"
         for path in (whole, part, whole):  # it may get its name between two looks
-            with contextlib.suppress(FileNotFoundError):
-                lines = path.read_text("utf-8").split("\n")[:-1]
-                return [json.loads(line) for line in lines]
+            with contextlib.suppress(TraceError):  # it is not there, or has no line yet
+                return records_of(path)
         return []
 
     def news(self, robot: str) -> list[str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import signal
 import subprocess
 import textwrap
@@ -12,6 +11,7 @@ import psutil
 import pytest
 
 from tests.cli.support import command
+from tests.support.traces import records_of
 from tests.support.waiting import LONG, wait_until
 
 TEXT = """
@@ -106,7 +106,7 @@ def test_a_signal_ends_a_run_whose_activities_never_would(number: int, tmp_path:
         started.kill()
     assert started.returncode == 130, err
     assert "stopped" in out
-    lines = [json.loads(line) for line in (tmp_path / "out/trace.jsonl").read_text().splitlines()]
+    lines = records_of(tmp_path / "out/trace.jsonl.gz")
     assert lines[-1]["kind"] == "finish" and lines[-1]["reason"] == "interrupted"
     reasons = " ".join(line["reason"] for line in lines if line["kind"] == "fault")
     for name in ("Deaf", "Busy", "Blocking", "Looping"):
@@ -166,8 +166,7 @@ def test_a_thread_that_ends_the_process_ends_all_and_leaves_the_trace(tmp_path: 
     finally:
         started.kill()
     assert started.returncode == 7
-    trace = tmp_path / "out/trace.jsonl.part"
-    lines = [json.loads(line) for line in trace.read_text().splitlines()]
+    lines = records_of(tmp_path / "out/trace.jsonl.gz.part")
     assert lines[0]["kind"] == "header" and lines[-1]["kind"] != "finish"
     assert "ready" in [line.get("text") for line in lines]
 
@@ -257,7 +256,7 @@ def test_a_signal_ends_a_run_in_virtual_time_whose_activity_does_not_return(
         started.kill()
     assert started.returncode == 130, out
     assert "stopped" in out
-    lines = [json.loads(line) for line in (tmp_path / "out/trace.jsonl").read_text().splitlines()]
+    lines = records_of(tmp_path / "out/trace.jsonl.gz")
     assert lines[-1]["kind"] == "finish" and lines[-1]["reason"] == "interrupted"
     (fault,) = [line for line in lines if line["kind"] == "fault"]
     assert (fault["agent"], fault["activity"]) == ("r1", "Look")

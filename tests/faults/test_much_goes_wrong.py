@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import subprocess
 import sys
@@ -20,6 +19,7 @@ from tests.faults.changing import version
 from tests.runtime.playing import MS, SECOND, check_line, lines_of, make
 from tests.support.generated import generate
 from tests.support.network import own_name
+from tests.support.traces import records_of
 from tests.support.waiting import LONG, wait_until
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -251,7 +251,7 @@ def test_in_virtual_time(project: Path, here: Here) -> None:
     (project / "activities/watch.py").write_text(watch)
     first = here("run", ".", "--for", "8s", "--quiet", "--state", "memory")
     assert first.code == 1  # mia has failed
-    trace = lines_of(project / "out/trace.jsonl")
+    trace = lines_of(project / "out/trace.jsonl.gz")
     check_told(first.out + first.err, trace)
     assert {line["agent"] for line in trace if line["kind"] == "activity" and line["time"] > 7 * SECOND} == {
         "chief", "ann", "bob"
@@ -365,7 +365,7 @@ def test_in_real_time_with_a_swap(project: Path, here: Here) -> None:
         if process.stdout is not None:
             process.stdout.close()
     text = "".join(said)
-    trace = [json.loads(line) for line in (project / "out/trace.jsonl").read_text().splitlines()]
+    trace = records_of(project / "out/trace.jsonl.gz")
     check_told(text, trace)
     changed = [line for line in trace if line["kind"] == "swap" and line["what"] == "done"]
     assert bool(changed) == (done.code == 0)

@@ -25,6 +25,7 @@ from aseme_dsl.runtime.trace.trace import Record
 from tests.cli import support as cli
 from tests.faults.test_swap import ONE, WITHOUT_KICK
 from tests.runtime.playing import SECOND, make
+from tests.support.traces import records_of
 from tests.support.waiting import LONG, wait_until
 
 LONGER = ONE.replace("Search . (Kick | Wait)", "Search . (Kick | Wait) . Cheer")
@@ -127,7 +128,7 @@ def test_a_team_is_asked_and_changed(here: Here) -> None:
     process.send_signal(signal.SIGINT)
     process.wait(LONG)
     assert here.asemec("status", "-o", "out")[0] == 1
-    kinds = [json.loads(line)["kind"] for line in (here.folder / "out/trace.jsonl").read_text().splitlines()]
+    kinds = [line["kind"] for line in records_of(here.folder / "out/trace.jsonl.gz")]
     assert kinds.count("swap") == 3  # refused, and done by two
     assert kinds.count("select") == 2
 

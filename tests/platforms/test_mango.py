@@ -30,6 +30,7 @@ from tests.runtime.transport.test_parts import NET, TEAM, Box
 from tests.security.lines import line
 from tests.support.generated import Generated, generate
 from tests.support.network import own_port
+from tests.support.traces import records_of
 from tests.support.waiting import LONG, wait_until
 
 NAMES = ("ann", "bob", "cat")
@@ -231,8 +232,6 @@ def test_a_team_in_one_process(tmp_path: Path) -> None:
         [*command, "--for", "2s", "-q", "-o", str(tmp_path)], capture_output=True, text=True, timeout=60
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    trace = (tmp_path / "trace.jsonl").read_text("utf-8").splitlines()
-    said = {
-        record["performative"] for line in trace if (record := json.loads(line))["kind"] == "agent_message"
-    }
+    trace = records_of(tmp_path / "trace.jsonl.gz")
+    said = {record["performative"] for record in trace if record["kind"] == "agent_message"}
     assert {"cfp", "refuse"} <= said

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import contextlib
 import json
-import os
 import random
 import socket
 from collections import Counter
 from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
+from typing import Any, cast
 
 import pytest
 
+from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.control.control_socket import ask, endpoints
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport import meeting as meetings
@@ -94,9 +97,8 @@ def token(chance: random.Random) -> str:
 
 def latest(run: Started, robot: str) -> dict[str, int]:
     """The last signal that has come from each other robot, by the end of a long trace."""
-    with (run.folder / "out" / f"trace.{robot}.jsonl.part").open("rb") as file:
-        file.seek(-min(1 << 17, file.seek(0, os.SEEK_END)), os.SEEK_END)
-        records = [json.loads(text) for text in file.read().split(b"\n")[1:-1]]
+    reader = TraceReader(run.folder / "out" / f"trace.{robot}.jsonl.gz.part")
+    records = [cast("dict[str, Any]", line.record) for line in islice(reader.back(NEVER), 1000)][::-1]
     found = {other: signals_from(records, other)[-1:] for other in ROBOTS if other != robot}
     return {other: numbers[0] for other, numbers in found.items() if numbers}
 

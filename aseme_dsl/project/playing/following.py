@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
+import zlib
 from collections.abc import Iterator
 from contextlib import suppress
+from io import BufferedReader
 from pathlib import Path
-from typing import BinaryIO
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.trace.records import Record
+from aseme_dsl.runtime.trace.trace_blocks import is_ours, packed_blocks, unpacked
 from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC
@@ -30,39 +32,72 @@ class TraceFollower:
         self.path = path
         self.finished = False
         """Whether the run has ended: its last line was read."""
-        self._file: BinaryIO | None = None
+        self._file: BufferedReader | None = None
         self._rest = b""
+        self._seen = 0
+        """How many lines of the present block of a compressed trace were read."""
 
     def poll(self) -> Iterator[Record]:
         """The records that were written since it was looked at last; it waits for nothing.
 
         Raises:
-            TraceError: it cannot be read, or is not text: an MCAP file, or a compressed one.
+            TraceError: it cannot be read; it is an MCAP file, or another program has compressed it.
         """
         try:
             if self._file is None or self._is_another(self._file):
                 self._open()
             if self._file is None:
                 return
-            while piece := self._file.read(_AT_ONCE):
-                yield from self._records(piece)
+            if self._is_packed(self._file):
+                yield from self._packed(self._file)
+            else:
+                while piece := self._file.read(_AT_ONCE):
+                    yield from self._records(piece)
         except OSError as problem:
             raise TraceError(f"{self.path} cannot be read: {reason_of(problem)}") from problem
+
+    def _is_packed(self, file: BufferedReader) -> bool:
+        place = file.tell()
+        file.seek(0)
+        start = file.read(len(GZIP_MAGIC))
+        file.seek(place)
+        return start == GZIP_MAGIC
+
+    def _packed(self, file: BufferedReader) -> Iterator[Record]:
+        """The records of the blocks from the present one on; the last one may still grow."""
+        offset = file.tell()
+        blocks = list(packed_blocks(file, offset))
+        if not blocks and not offset and not is_ours(file):
+            raise TraceError(f"{self.path} was compressed by another program: it cannot be followed")
+        for block in blocks:
+            file.seek(offset)
+            try:
+                *lines, _ = unpacked(file.read(block.size)).split(b"\n")
+            except zlib.error:  # it is just being written
+                file.seek(offset)
+                break
+            before, self._seen = self._seen, len(lines) if block.is_open else 0
+            if not block.is_open:
+                offset += block.size
+            file.seek(offset)
+            for line in lines[before:]:
+                yield from self._record(line)
 
     def _records(self, piece: bytes) -> Iterator[Record]:
         """The records that end in a piece of the file."""
         *lines, self._rest = (self._rest + piece).split(b"\n")
         if (lines or [self._rest])[0].startswith(MAGIC):
             raise TraceError(f"{self.path} is MCAP: it can be read when the run has ended, and not followed")
-        if (lines or [self._rest])[0].startswith(GZIP_MAGIC):
-            raise TraceError(f"{self.path} is compressed: it can be read when the run has ended")
         if len(self._rest) > LONGEST:
             raise TraceError(f"{self.path} cannot be read: a line is longer than {LONGEST} bytes")
         for line in lines:
-            record = record_of(line.decode("utf-8", "replace"))
-            if record is not None:
-                self.finished = record["kind"] == "finish"
-                yield record
+            yield from self._record(line)
+
+    def _record(self, line: bytes) -> Iterator[Record]:
+        record = record_of(line.decode("utf-8", "replace"))
+        if record is not None:
+            self.finished = record["kind"] == "finish"
+            yield record
 
     def close(self) -> None:
         """Let the file go."""
@@ -73,13 +108,14 @@ class TraceFollower:
     def _open(self) -> None:
         self.close()
         self._rest = b""
+        self._seen = 0
         self.finished = False
         for path in (part_of(self.path), self.path):
             with suppress(FileNotFoundError, IsADirectoryError):
                 self._file = outside.open_file(path)
                 return
 
-    def _is_another(self, file: BinaryIO) -> bool:
+    def _is_another(self, file: BufferedReader) -> bool:
         """Whether another run writes there now than the one that is being read."""
         mine = os.fstat(file.fileno())
         if mine.st_size < file.tell():

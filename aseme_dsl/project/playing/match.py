@@ -175,7 +175,7 @@ class _Seat:
         spawned = get_context("spawn")
         ours, theirs = spawned.Pipe()
         self._connection: Connection[object, object] = ours
-        trace = None if output is None else output / f"match-{seed}.{side}.jsonl"
+        trace = None if output is None else output / f"match-{seed}.{side}.jsonl.gz"
         where = Side(contestant.package, contestant.activities, contestant.folder, seed, trace)
         self._process: SpawnProcess = spawned.Process(
             target=run_team, args=(theirs, where), name=f"aseme {side}", daemon=True

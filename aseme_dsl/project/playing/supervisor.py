@@ -31,7 +31,7 @@ from aseme_dsl.play.insight import Asked
 from aseme_dsl.play.sightings import asked_text
 from aseme_dsl.project.playing.play import PlayError
 from aseme_dsl.project.settings.platforms import given_environment
-from aseme_dsl.runtime.trace.trace_files import GZIP_SUFFIX
+from aseme_dsl.runtime.trace.trace_files import USUAL, name_for
 
 if TYPE_CHECKING:
     from aseme_dsl.project.playing.play import Request
@@ -323,10 +323,9 @@ class _Run:
     def _trace(self, child: _Child) -> Path:
         """A file for each agent process, and another one for each further incarnation."""
         project = self._configuration.run
-        given = self._request.trace or (project.trace if project else None) or self._folder / "trace.jsonl"
+        given = self._request.trace or (project.trace if project else None) or self._folder / USUAL
         life = f".{child.starts}" if child.starts > 1 else ""
-        suffix = "".join(given.suffixes[-2:]) if given.suffix == GZIP_SUFFIX else given.suffix
-        return given.with_name(f"{given.name.removesuffix(suffix)}.{child.name}{life}{suffix}")
+        return given.with_name(name_for(f"{child.name}{life}", given.name))
 
     def _spawn(self, command: list[str]) -> subprocess.Popen[str]:
         own = {"PYTHONUNBUFFERED": "1", WORLD: self._key.hex()}

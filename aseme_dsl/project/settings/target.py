@@ -18,7 +18,11 @@ from aseme_dsl.project.settings.configuration import (
     find_configuration,
     read_configuration,
 )
+from aseme_dsl.runtime.trace.trace_files import GZIP_SUFFIX, USUAL, part_of
 from aseme_dsl.source import STANDARD_INPUT
+
+_EARLIER = "trace.jsonl"
+"""What a trace of an earlier version is called."""
 
 
 def project_here() -> str:
@@ -147,8 +151,8 @@ def traces_of(target: Path, *, following: bool = False) -> tuple[tuple[Path, ...
         if configuration.run is not None and configuration.run.trace is not None:
             return (configuration.run.trace,), ()
         folder = configuration.output or Path(OUTPUT)
-    whole = _latest(folder)
-    each = sorted(folder.glob("trace.*.jsonl"))
+    whole = _newest(folder / USUAL, folder / _EARLIER)
+    each = _of_each_agent(folder)
     if not following and not each and not _is_there(whole) and not _is_there(folder / f"{whole.name}.part"):
         return (), (Diagnostic(wrong.NoTrace(str(whole)), None, path=str(target)),)
     if following or not each:
@@ -157,12 +161,24 @@ def traces_of(target: Path, *, following: bool = False) -> tuple[tuple[Path, ...
     return ((whole,) if whole.is_file() and whole.stat().st_mtime > last else tuple(each)), ()
 
 
-def _latest(folder: Path) -> Path:
-    """The trace of the last run of a whole team: compressed, if that is the newer one."""
-    plain, packed = folder / "trace.jsonl", folder / "trace.jsonl.gz"
-    if packed.is_file() and not (plain.is_file() and plain.stat().st_mtime > packed.stat().st_mtime):
-        return packed
-    return plain
+def _newest(*paths: Path) -> Path:
+    """The newest of some traces, complete or still being written; the first one, if there is none."""
+    times = {path: max(map(_time_of, (path, part_of(path)))) for path in paths}
+    return max(paths, key=lambda path: times[path])
+
+
+def _of_each_agent(folder: Path) -> list[Path]:
+    """The traces of a run with a process for each agent; of an agent's compressed and plain one the newer."""
+    found = [*folder.glob("trace.*.jsonl.gz"), *folder.glob("trace.*.jsonl")]
+    names = sorted({path.name.removesuffix(GZIP_SUFFIX) for path in found})
+    return [_newest(folder / f"{name}{GZIP_SUFFIX}", folder / name) for name in names]
+
+
+def _time_of(path: Path) -> float:
+    try:
+        return path.stat().st_mtime
+    except OSError:
+        return 0.0
 
 
 def _traces_in(folder: Path) -> bool:

@@ -55,7 +55,7 @@ def replayed_to(
     the trace does not say enough there, it begins with the first line.
 
     Raises:
-        TraceError: it is no trace.
+        TraceError: it is not a trace.
         NotReplayable: it does not say enough.
     """
     try:

@@ -138,7 +138,7 @@ def packed_blocks(file: BufferedReader, offset: int = 0) -> Iterator[Block]:
 
 
 def plain_blocks(file: BufferedReader) -> Iterator[Block]:
-    """The blocks of a trace that is not compressed: it is gone through, but its records are not decoded."""
+    """The blocks of a trace that is not compressed: its lines are read, but not decoded."""
     offset, line = 0, 1
     file.seek(0)
     while data := file.read(BLOCK):
@@ -147,6 +147,23 @@ def plain_blocks(file: BufferedReader) -> Iterator[Block]:
         yield block
         offset += len(data)
         line += block.lines
+
+
+def is_ours(file: BufferedReader) -> bool:
+    """Whether a compressed file begins as a trace does, as far as it has been written."""
+    file.seek(0)
+    start = file.read(len(_START))
+    file.seek(0)
+    return _START.startswith(start)
+
+
+def unpacked(data: bytes) -> bytes:
+    """The lines of a block of a compressed file. Raises zlib.error if it is damaged or not whole."""
+    reader = zlib.decompressobj(zlib.MAX_WBITS + 16)
+    found = reader.decompress(data, LONGEST + BLOCK)
+    if not reader.eof:
+        raise zlib.error("it is not whole")
+    return found
 
 
 def start_for(blocks: Iterable[Block], moment: int, agents: Iterable[str]) -> Block | None:
@@ -171,8 +188,10 @@ __all__ = [
     "OPEN",
     "Block",
     "block_of",
+    "is_ours",
     "packed",
     "packed_blocks",
     "plain_blocks",
     "start_for",
+    "unpacked",
 ]

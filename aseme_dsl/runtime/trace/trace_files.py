@@ -23,6 +23,8 @@ FORMAT = 2
 MCAP_SUFFIX = ".mcap"
 GZIP_SUFFIX = ".gz"
 PART = ".part"
+USUAL = "trace.jsonl.gz"
+"""The name of a trace in the output directory, if no other is given."""
 MOST_LINES = 50_000
 """So many lines wait for the disk at most."""
 GATHER_SECONDS = 0.05
@@ -110,6 +112,13 @@ def to_disk(file: IO[str] | IO[bytes]) -> None:
     except OSError as error:
         if error.errno not in (errno.EINVAL, errno.ENOTSUP):  # a pipe, a device
             raise
+
+
+def name_for(agent: str, name: str = USUAL) -> str:
+    """What the trace of one agent is called beside one of this name."""
+    suffixes = Path(name).suffixes
+    suffix = "".join(suffixes[-2:] if suffixes[-1:] == [GZIP_SUFFIX] else suffixes[-1:])
+    return f"{name.removesuffix(suffix)}.{agent}{suffix}"
 
 
 def part_of(path: Path) -> Path:

@@ -11,12 +11,12 @@ from pathlib import Path
 from aseme_dsl import outside
 from aseme_dsl.runtime.trace.records import Record, agents_of, as_record
 from aseme_dsl.runtime.trace.trace_blocks import (
-    BLOCK,
     CHANGES,
     Block,
     packed_blocks,
     plain_blocks,
     start_for,
+    unpacked,
 )
 from aseme_dsl.runtime.trace.trace_files import FORMAT, TraceError, part_of
 from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
@@ -209,7 +209,7 @@ class TraceReader:
                 raise self._unread(problem) from problem
         if self._is_packed:
             try:
-                data = zlib.decompressobj(zlib.MAX_WBITS + 16).decompress(data, LONGEST + BLOCK)
+                return unpacked(data)
             except zlib.error:  # what of it is whole comes from the walk through all
                 return b""
         return data
