@@ -98,6 +98,7 @@ LONG = [
     ("compact drawings", ["benchmarks/compact.py"], {}),
     ("broken files", ["benchmarks/broken_files.py"], {}),
     ("one slip, one message", ["benchmarks/mutations.py"], {}),
+    ("whether scenarios notice mistakes", ["-m", "benchmarks.mutants"], {}),
     (
         "mutations of all examples",
         ["-m", "pytest", "-n", "auto", "tests/cli/test_mutations.py"],

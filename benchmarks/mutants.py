@@ -21,6 +21,7 @@ import os
 import random
 import signal
 import sys
+import threading
 import time
 from collections import Counter, deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -29,20 +30,31 @@ from dataclasses import asdict, dataclass, replace
 from itertools import zip_longest
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING
+from typing import cast
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
+from aseme_dsl.compiler.phases import inspect_files, scenarios_of  # noqa: E402
+from aseme_dsl.compiler.read.memory import Memory  # noqa: E402
+from aseme_dsl.diagnostics import has_errors  # noqa: E402
+from aseme_dsl.play.run import NotPlayable, Played, play  # noqa: E402
+from aseme_dsl.play.scenario import Scenario, Script  # noqa: E402
+from aseme_dsl.project.building.build import activities_folder, choose  # noqa: E402
+from aseme_dsl.project.building.project import configuration_for, options_of  # noqa: E402
+from aseme_dsl.project.playing.operate import generate_version, loaded_for  # noqa: E402
+from aseme_dsl.project.playing.play import PlayError, Request, made_world  # noqa: E402
+from aseme_dsl.project.playing.play import play as play_example  # noqa: E402
+from aseme_dsl.project.settings.configuration import OUTPUT, Configuration  # noqa: E402
+from aseme_dsl.project.testing.cases import cases_of  # noqa: E402
+from aseme_dsl.project.testing.playing import world_of  # noqa: E402
+from aseme_dsl.project.testing.verdicts import NotRun, verdict_of  # noqa: E402
+from aseme_dsl.runtime.trace.records import Record, agents_of  # noqa: E402
+from aseme_dsl.runtime.version.loading import activities_in, forgetting, importing  # noqa: E402
 from tests.support.model_mutants import KINDS, ModelMutant, model_mutants  # noqa: E402
 
-if TYPE_CHECKING:
-    from aseme_dsl.project.building.project import Compiled
-    from aseme_dsl.runtime.trace.records import Record
-    from aseme_dsl.runtime.version.loading import Loaded
-
 KEPT = ROOT / ".mutants"
-PAGE = ROOT / "docs/project/mutants.md"
+BEGIN, END = "<!-- figures -->", "<!-- end of figures -->"
 SEEDS = 20
 LONGEST = 300
 """So many seconds of CPU time one mutant may take; who takes longer has an endless loop, which is noticed."""
@@ -69,6 +81,10 @@ class Model:
         files = sorted({*self.files, self.root, *folder.glob("*.py"), *folder.glob("activities/*.py")})
         texts = [path.read_text("utf-8") for path in files]
         return _digest(*(text if part == SCENARIOS else text.partition("\nscenario ")[0] for text in texts))
+
+
+def _place(file: Path) -> str:
+    return str(file.relative_to(ROOT)) if file.is_relative_to(ROOT) else str(file)
 
 
 def _digest(*texts: str) -> str:
@@ -99,7 +115,7 @@ class Candidate:
 
     def key(self) -> str:
         """Names the mutant and all texts that its result depends on."""
-        return _digest(self.model.key(), self.mutant.text, str(self.file.relative_to(ROOT)))
+        return _digest(self.model.key(), self.mutant.text, _place(self.file))
 
 
 def candidates(chosen: Sequence[Model], seed: int) -> Iterator[Candidate]:
@@ -153,7 +169,7 @@ def judge(candidate: Candidate) -> Judged:
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
     mutant = candidate.mutant
-    file = str(candidate.file.relative_to(ROOT))
+    file = _place(candidate.file)
     return Judged(
         candidate.model.name, file, mutant.line, mutant.kind, mutant.before, mutant.after, result, by
     )
@@ -209,54 +225,48 @@ def _original(model: Model, kept: Path, part: str) -> Mapping[int, Mapping[str, 
 
 @dataclass(frozen=True)
 class Made:
-    """A system that can be played."""
+    """A system that can be played, and its scenarios, those with few runs first."""
 
     model: Model
-    compiled: Compiled
-    sources: Mapping[str, str]
+    configuration: Configuration
+    scenarios: tuple[Scenario, ...]
     package: Path
 
     @classmethod
     def of(cls, model: Model, changed: Mapping[str, str], folder: Path) -> Made | None:
         """Compile it, with changed texts; none if it has errors."""
-        from aseme_dsl.diagnostics import has_errors
-        from aseme_dsl.project.building.build import choose
-        from aseme_dsl.project.building.project import compile_root
-        from aseme_dsl.project.playing.operate import generate_version
-
-        compiled = compile_root(model.root, sources=changed)
-        if compiled.system is None or has_errors(compiled.diagnostics):
+        configuration, _ = configuration_for(model.root)
+        memory = _MEMORIES.setdefault(model.root, Memory())
+        inspection = inspect_files(model.root, changed, options_of(configuration), memory)
+        system = inspection.analysis.system
+        if system is None or has_errors(inspection.analysis.diagnostics):
             return None
-        package, _ = generate_version(compiled.system, folder, choose(compiled.configuration))
-        return cls(model, compiled, changed, package)
+        package, _ = generate_version(system, folder, choose(configuration))
+        found = scenarios_of(inspection, {})
+        return cls(model, configuration, tuple(sorted(found, key=_length)), package)
 
     def verdicts(self) -> Iterator[tuple[str, str]]:
         """The scenarios by name, and the verdict on each, with the seed of the project."""
-        from aseme_dsl.project.testing.cases import cases_of
-        from aseme_dsl.project.testing.verdicts import NotRun, verdict_of
-
-        for scenario in self._scenarios():
-            cases = cases_of(scenario, (self.compiled.configuration.seed,))
-            runs = []
-            if scenario.refused is None:
-                for case in cases:
-                    runs.append(self._run(scenario.scripts[case.script], case.seed, case.inputs))
-                    if isinstance(runs[-1], NotRun) or runs[-1].broken is not None:
-                        break
+        for scenario in self.scenarios:
+            cases = cases_of(scenario, (self.configuration.seed,))
+            runs: list[Played | NotRun] = []
+            for case in cases if scenario.refused is None else ():
+                run = self._run(scenario.scripts[case.script], case.seed, case.inputs)
+                runs.append(run)
+                if isinstance(run, NotRun) or run.broken is not None:
+                    break
             yield scenario.name, verdict_of(scenario, cases[: len(runs)] or cases, runs).verdict
 
     def is_run(self) -> bool:
         """Whether the project says how it is run."""
-        return self.compiled.configuration.run is not None
+        return self.configuration.run is not None
 
     def behaviours(self, seed: int, part: str) -> Iterator[tuple[str, str]]:
         """Digests of what people see, by scenario, or of the run of the example."""
-        from aseme_dsl.project.testing.cases import cases_of
-
         if part == RUNS:
             yield "the run", self._example(seed)
             return
-        for scenario in self._scenarios():
+        for scenario in self.scenarios:
             if scenario.refused is None:
                 digest = Digest()
                 for case in cases_of(scenario, (seed,)):
@@ -264,79 +274,53 @@ class Made:
                         self._run(scenario.scripts[case.script], seed, case.inputs, digest)
                 yield f"scenario {scenario.name!r}", digest.text()
 
-    def _scenarios(self) -> Iterable[object]:
-        from aseme_dsl.compiler.phases import inspect_files, scenarios_of
-        from aseme_dsl.project.building.project import options_of
-
-        options = options_of(self.compiled.configuration)
-        return scenarios_of(inspect_files(self.model.root, self.sources, options), {})
-
     @property
     def _activities(self) -> Path:
-        from aseme_dsl.project.building.build import activities_folder, choose
-        from aseme_dsl.project.settings.configuration import OUTPUT
-
-        configuration = self.compiled.configuration
-        return activities_folder(configuration.output or Path(OUTPUT), choose(configuration))
+        return activities_folder(self.configuration.output or Path(OUTPUT), choose(self.configuration))
 
     @property
     def _project(self) -> Path:
-        return self.compiled.configuration.folder.resolve()
+        return self.configuration.folder.resolve()
 
-    def _loaded(self) -> Loaded:
-        from aseme_dsl.project.playing.operate import loaded_for
-
-        return loaded_for(self.package, self._project)
-
-    def _run(self, script, seed, inputs, listener=None):
-        from aseme_dsl.play.run import NotPlayable, play
-        from aseme_dsl.project.playing.play import PlayError, made_world
-        from aseme_dsl.project.testing.playing import world_of
-        from aseme_dsl.project.testing.verdicts import NotRun
-        from aseme_dsl.runtime.version.loading import activities_in, forgetting, importing
-
-        configuration = self.compiled.configuration
-        until = max(script.until, configuration.length) if script.is_open else script.until
-        world = world_of(script, configuration)
-        loaded = self._loaded()
+    def _run(
+        self, script: Script, seed: int, inputs: Mapping[str, object], listener: Digest | None = None
+    ) -> Played | NotRun:
+        until = max(script.until, self.configuration.length) if script.is_open else script.until
+        world = world_of(script, self.configuration)
+        loaded = loaded_for(self.package, self._project)
         with forgetting(self._project), importing([self._project, *loaded.path]):
             try:
-                return play(
-                    loaded,
-                    script,
-                    seed,
-                    inputs,
-                    activities_in(self._activities),
-                    until,
-                    None if world is None else made_world(world, seed),
-                    () if listener is None else (listener,),
-                )
+                real = activities_in(self._activities)
+                made = None if world is None else made_world(world, seed)
+                listeners = () if listener is None else (listener,)
+                return play(loaded, script, seed, inputs, real, until, made, listeners)
             except PlayError as problem:
                 return NotRun(problem.problem.message)
             except NotPlayable as problem:
                 return NotRun(str(problem), problem.span)
 
     def _example(self, seed: int) -> str:
-        from aseme_dsl.project.playing.play import PlayError, Request, play
-        from aseme_dsl.runtime.version.loading import forgetting
-
-        configuration = self.compiled.configuration
-        assert configuration.run is not None
-        quiet = replace(configuration, run=replace(configuration.run, trace=None, progress=None))
+        assert self.configuration.run is not None
+        quiet = replace(self.configuration, run=replace(self.configuration.run, trace=None, progress=None))
+        loaded = loaded_for(self.package, self._project)
+        request = Request(seed=seed, duration=LENGTHS.get(self.model.name))
         digest = Digest()
         with forgetting(self._project):
             try:
-                play(
-                    self._loaded(),
-                    self._activities,
-                    quiet,
-                    Request(seed=seed, duration=LENGTHS.get(self.model.name)),
-                    tell=lambda line: None,
-                    listeners=(digest,),
+                play_example(
+                    loaded, self._activities, quiet, request, tell=lambda line: None, listeners=(digest,)
                 )
             except PlayError as problem:
                 return problem.problem.message
         return digest.text()
+
+
+_MEMORIES: dict[Path, Memory] = {}
+"""What the compiler need not find out again of a model, in this process."""
+
+
+def _length(scenario: Scenario) -> int:
+    return sum((100 if script.inputs else 1) * script.until for script in scenario.scripts)
 
 
 SEEN = {
@@ -363,16 +347,28 @@ class Digest:
         return kind in SEEN or kind == "finish"
 
     def __call__(self, record: Record) -> None:
-        kind = record["kind"]
+        kind, as_data = record["kind"], cast(Mapping[str, object], record)
         if kind == "finish":
-            ends = [(a["name"], a.get("finished"), a.get("failure")) for a in record["agents"]]
+            ends = [(a["name"], a.get("finished"), a.get("failure")) for a in agents_of(record)]
             self._hash.update(repr((record["time"], record["reason"], ends)).encode())
         elif kind in SEEN and record.get("what") != "late":
-            seen = [record.get(name) for name in SEEN[kind]]
+            seen = [as_data.get(name) for name in SEEN[kind]]
             self._hash.update(repr((record["time"], record.get("agent"), seen)).encode())
 
     def text(self) -> str:
         return self._hash.hexdigest()[:20]
+
+
+def _end_with_parent() -> None:
+    """A worker ends when the process that wants its results has ended."""
+    parent = os.getppid()
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(1)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
 
 
 class Kept:
@@ -406,7 +402,7 @@ def judged(
 ) -> tuple[list[Judged], bool]:
     """The first mutants that compile, and those before them that do not; and whether all is known of them."""
     context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(jobs, context, max_tasks_per_child=25) as pool:
+    with ProcessPoolExecutor(jobs, context, _end_with_parent, max_tasks_per_child=25) as pool:
         first: list[tuple[Candidate, Judged]] = []
         waiting: deque[tuple[Candidate, Judged | Future[Judged]]] = deque()
         compiled = 0
@@ -466,6 +462,32 @@ def table(results: Sequence[Judged], column: str, names: Iterable[str]) -> Itera
             yield f"| {name} | {count['all']} | {count[SAME]} | {count[CAUGHT]} | {count[OTHERWISE]} |"
 
 
+def not_caught(results: Sequence[Judged]) -> Iterator[str]:
+    """The mutants that behave otherwise and are not caught: what was changed, and where it shows first."""
+    for item in results:
+        if item.result == OTHERWISE:
+            yield f"{item.file}:{item.line}, {item.kind}; it shows in {item.by}"
+            yield f"- {item.before}"
+            yield f"+ {item.after}"
+
+
+def write_page(page: Path, results: Sequence[Judged], names: Sequence[str], seed: int) -> None:
+    """Put the figures into a page, between its two marks."""
+    left = list(not_caught(results))
+    lines = [
+        f"Seed {seed}: {share(results):.1f} % of the mutants that behave otherwise are caught.",
+        "",
+        *table(results, "kind", KINDS),
+        "",
+        *table(results, "model", names),
+        *(["", "Not caught:", "", "```diff", *left, "```"] if left else []),
+    ]
+    before, mark, rest = page.read_text("utf-8").partition(BEGIN)
+    _, end, after = rest.partition(END)
+    assert mark and end, f"{page} has no {BEGIN} and {END}"
+    page.write_text("\n\n".join([before + mark, "\n".join(lines), end + after]), "utf-8")
+
+
 def share(results: Sequence[Judged]) -> float:
     """Percent of the mutants that behave otherwise which are caught."""
     count = Counter(item.result for item in results)
@@ -473,7 +495,7 @@ def share(results: Sequence[Judged]) -> float:
 
 
 def main() -> int:
-    """Print the tables and those that were not caught; 1 if fewer than `--least` percent are caught."""
+    """Print the tables and what was not caught; 1 if that is too much, or not all is known yet."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("number", nargs="?", type=int, default=200, help="mutants that compile")
     parser.add_argument("seed", nargs="?", type=int, default=1)
@@ -483,7 +505,7 @@ def main() -> int:
     parser.add_argument("--kept", type=Path, default=KEPT, help="the folder of what is known")
     parser.add_argument("--least", type=float, default=95, help="percent that have to be caught")
     parser.add_argument("--show", action="store_true", help="show all mutants, not only those not caught")
-    parser.add_argument("--report", type=Path, help=f"write the tables into a page, such as {PAGE.name}")
+    parser.add_argument("--report", type=Path, help="write the tables into docs/project/mutants.md")
     options = parser.parse_args()
     chosen = [item for item in models() if options.only is None or options.only in item.name]
     results, is_complete = judged(
@@ -495,14 +517,18 @@ def main() -> int:
     )
     for column, names in (("kind", KINDS), ("model", [item.name for item in chosen])):
         print("\n".join(table(results, column, names)), end="\n\n")
-    for item in results:
-        if item.result == OTHERWISE or (options.show and item.result != NOT_COMPILED):
+    print("\n".join(not_caught(results)))
+    if options.show:
+        for item in results:
             print(f"{item.file}:{item.line}: {item.kind}: {item.result} {item.by}")
             print(f"    - {item.before}\n    + {item.after}")
     not_compiled = sum(item.result == NOT_COMPILED for item in results)
     print(f"caught: {share(results):.1f} % of those that behave otherwise; {not_compiled} did not compile")
     if not is_complete:
         print(f"stopped after {options.minutes:g} minutes: call it again to go on")
+        return 1
+    if options.report is not None:
+        write_page(options.report, results, [item.name for item in chosen], options.seed)
     return int(share(results) < options.least)
 
 

@@ -213,24 +213,23 @@ def _of_way(way: object, text: str, ways: Sequence[object]) -> Iterator[tuple[st
     start, end = _whole(way, text)
     slash = _outside(tokens, "/")
     head, tail = tokens[:slash], tokens[slash + 1 :]
-    yield "line dropped", [(start, end, "")]
+    trigger = head[: _outside(head, "[")]
+    yield "timer dropped" if trigger[:1] == ["after"] else "line dropped", [(start, end, "")]
     if way.verb == "resume":  # type: ignore[attr-defined]
         verb: Token = way.verb  # type: ignore[attr-defined]
         yield "resume forgotten", [_instead(verb, "enter")]
-    opening = _outside(head, "[")
-    trigger = head[:opening]
+    opening = len(trigger)
     if opening < len(head):
         guard = head[opening + 1 : -1]
         yield "condition negated", [(head[opening].end, head[-1].start, f"!({_text(guard, text)})")]
         begin = trigger[-1].start if trigger and trigger[-1] == "when" else head[opening].start
         yield "condition dropped", [(begin, head[-1].end, "")]
-        signs = sum(token in _TURNED for token in guard)
+        signs = [token for token in guard if token in _TURNED]
+        is_negated = len(signs) == 1 and signs[0] not in ("&&", "||")  # by turning it
         for kind, edits in _of_condition(guard):
-            if kind != "comparison turned" or signs > 1:  # else it says the same as the negated condition
+            if kind != "comparison turned" or not is_negated:
                 yield kind, edits
     yield from _longer(trigger)
-    if trigger and trigger[0] == "after":
-        yield "timer dropped", [(start, end, "")]
     if len(trigger) >= 2 and "from" in trigger:
         for other in ways:
             theirs = other.tokens  # type: ignore[attr-defined]
@@ -283,11 +282,10 @@ def _of_actions(
 
 
 def _of_receiver(action: Sequence[Token]) -> Iterator[tuple[str, list[_Edit]]]:
-    place = action.index("to") if "to" in action else len(action)
-    receiver = action[place + 1 :]
-    if "except" in receiver:
-        start = receiver[list(receiver).index("except")].start
-        yield "another receiver", [(start, receiver[-1].end, "")]
+    receiver = action[_outside(action, "to") + 1 :]
+    place = _outside(receiver, "except")
+    if place < len(receiver):
+        yield "another receiver", [(receiver[place - 1].end, receiver[-1].end, "")]
     elif receiver and receiver[0] == "one":
         yield "another receiver", [(receiver[0].start, receiver[1].start, "")]
     elif len(receiver) == 1:
