@@ -216,6 +216,49 @@ def test_goals_have_what_serves_them(lift: Here) -> None:
     assert "  reached once, in 1 of 2 runs\n" in lift("goals", "lift.aseme", "out", "some.json").out
 
 
+def test_the_list_is_short_and_begins_with_the_own_files(here: Here, folder: Path) -> None:
+    states = " | ".join(f"S{n}" for n in range(40))
+    lines = "\n".join(f"    enter S{n} : [panel.state.Call.floor == {n}]" for n in range(39))
+    (folder / "many.aseme").write_text(f"""\
+system Many
+import protocols
+message Call {{ int floor }}
+topic panel {{ state Call }}
+srm clerk {{
+  plays request.responder
+  liveness {{
+    clerk = (responder~)[3] || choice~
+    choice = {states}
+  }}
+  control choice {{
+{lines}
+    enter S39 : else
+  }}
+}}
+scenario "one" {{ one : clerk  at 1s one receives panel.state.Call {{ floor = 3 }}  by 2s one in S3 }}
+""")
+    done = here("test", "many.aseme", "--coverage")
+    missing = done.out.partition("not covered\n")[2].partition("\n\n")[0].splitlines()
+    assert len(missing) == 21, done.out
+    assert "S0" in missing[0] and "many.aseme:9" in missing[0], done.out
+    assert re.fullmatch(r"  \.\.\. and \d+ states, .*\(all: --json\)", missing[-1]), done.out
+    assert sum("<stdlib>" in line for line in missing) == 0, done.out
+    found = here("test", "many.aseme", "--coverage", "--json").json["coverage"]["items"]
+    assert sum(item["status"] == "missed" for item in found) > 60
+
+
+def test_what_reads_alike_is_one_line(here: Here, folder: Path) -> None:
+    (folder / "desk.aseme").write_text("""\
+system Desks
+srm clerk { liveness { clerk = (desk~)[3]  desk = Wait . [Serve] }
+  control desk { enter Serve : [count(Wait) > 99]  skip Serve : else }
+}
+scenario "one" { one : clerk  by 2s one in Wait }
+""")
+    done = here("test", "desk.aseme", "--coverage")
+    assert "  state      clerk: Serve, with 1 transition inside, in 3 instances  desk.aseme:2:" in done.out
+
+
 def test_people_read_what_is_missing_with_its_place(lift: Here) -> None:
     done = lift("test", "lift.aseme", "--coverage", "-k", "low")
     assert done.out.endswith("""\

@@ -21,7 +21,7 @@ EACH = {
     EXAMPLES / "hospital": 14,
     EXAMPLES / "meetings": 18,
     EXAMPLES / "patrol": 20,
-    EXAMPLES / "robocup": 30,
+    EXAMPLES / "robocup": 31,
     EXAMPLES / "warehouse": 11,
     ACCEPTANCE / "contract_net.aseme": 11,
     ACCEPTANCE / "kouretes.aseme": 18,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import islice
 
 from aseme_dsl.play.coverage.measure import Coverage, Item, Kind, Share, Status
 
@@ -60,7 +61,11 @@ def _beside(share: Share) -> str:
 
 
 def _listed(items: Sequence[Item], status: Status) -> Iterator[str]:
-    """The items with their places. What is inside a state that was missed is only counted."""
+    """The first items with their places: those of the project, then those of libraries. The rest is counted.
+
+    What is inside a state that was missed is only counted with it, and so are items that read alike: those of
+    the instances of a formula.
+    """
     missed = {(item.of, item.label) for item in items if item.kind is Kind.STATES}
     inside: Counter[tuple[str, str, Kind]] = Counter()
     alike: Counter[tuple[Kind, str]] = Counter()
@@ -72,7 +77,8 @@ def _listed(items: Sequence[Item], status: Status) -> Iterator[str]:
             inside[item.of, top, item.kind] += 1
         else:
             shown.append(item)
-    for item in shown:
+    lines: Counter[tuple[Kind, str, str]] = Counter()
+    for item in sorted(shown, key=_is_of_a_library):
         of = f"{item.of}: " if item.of else ""
         reason = f": {item.reason}" if item.reason else ""
         hidden = [
@@ -82,9 +88,26 @@ def _listed(items: Sequence[Item], status: Status) -> Iterator[str]:
         ]
         behind = f", with {', '.join(hidden)} inside" if hidden else ""
         place = "" if item.span is None else f"  {item.span}"
-        yield f"  {_SINGULAR[item.kind]:10} {of}{_cut(item.name)}{reason}{behind}{place}"
+        text = f"  {_SINGULAR[item.kind]:10} {of}{_cut(item.name)}{reason}{behind}"
+        lines[item.kind, text, place] += 1
+    most = _MOST[status]
+    for (_, text, place), count in islice(lines.items(), most):
+        yield f"{text}{f', in {count} instances' if count > 1 else ''}{place}"
+    left: Counter[Kind] = Counter()
+    for (kind, _, _), count in islice(lines.items(), most, None):
+        left[kind] += count
+    if left:
+        yield f"  ... and {', '.join(counted(left[kind], kind) for kind in Kind if left[kind])} (all: --json)"
     for (kind, reason), count in alike.items():
         yield f"  {counted(count, kind)}: {reason}"
+
+
+_MOST = {Status.MISSED: 20, Status.NEVER: 10, Status.UNMEASURED: 10}
+"""So many lines of each list are shown."""
+
+
+def _is_of_a_library(item: Item) -> bool:
+    return item.span is not None and item.span.source.path.startswith("<")
 
 
 def _missed_around(item: Item, missed: Collection[tuple[str, str]]) -> str | None:
