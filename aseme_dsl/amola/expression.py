@@ -60,11 +60,15 @@ class VariableValue:
 
 @dataclass(frozen=True, slots=True)
 class ParameterValue:
-    """A parameter of the formula whose control it stands in; no chart has any: see `substituted`."""
+    """A parameter of the formula, or an input of the participant, whose control it stands in.
+
+    No chart has any: see `substituted`. With a `path` it is a member of the message that an input is.
+    """
 
     name: str
     type: Type
     span: Span
+    path: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -953,8 +957,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = f"{kind.name}.{constant}"
             case VariableValue(name=name, path=path):
                 text = ".".join((name.split("@")[0], *path))
-            case ParameterValue(name=name):
-                text = name
+            case ParameterValue(name=name, path=path):
+                text = ".".join((name, *path))
             case Member(host=host, channel=channel, path=path):
                 text = ".".join(([host] if host else []) + [str(channel), *path])
             case Bound(name=name, path=path):

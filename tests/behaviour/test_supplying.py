@@ -120,3 +120,48 @@ def test_an_input_wakes_the_participant(play: Play, value: str) -> None:
     assert run.active == ["A"]
     run.step(run.heard("t.state.M", on=True))
     assert run.active == ["B"]
+
+
+MESSAGES = """
+message Inner { int y }
+message Order { int id  Inner inner }
+aip p {
+  participant a {
+    given order : Order
+    var kept : Order
+    let far = order.inner.y > 5
+    process = A . [B(order.id)] . C
+  }
+  control a {
+    enter B : [far && order.id == 3]
+    skip  B : else
+    enter C : [order.id == 4] / kept = order
+  }
+}
+srm R {
+  plays p.a with order = GIVEN
+  var now : Order
+  var q : list of Order
+  activities { B(n : int) takes 1s }
+  liveness { R = Wait . (a || Change) }
+  control R { enter (a || Change) : / now = Order { id = 3, inner = Inner { y = 7 } }; append(q, now) }
+}
+"""
+
+
+@pytest.mark.parametrize("given", ["now", "q[0]", "size(q) > 0 ? now : q[0]"])
+def test_an_input_is_a_message(play: Play, given: str) -> None:
+    run = play(MESSAGES.replace("GIVEN", given)).step()
+    run.step(run.done("Wait"))
+    run.step(run.done("A"))
+    assert "B" in run.active
+    run.step(run.done("B"))
+    assert "C" not in run.active
+
+
+def test_an_input_without_a_message_is_absent(play: Play) -> None:
+    """The role has not set the variable: conditions over its members do not hold."""
+    run = play(MESSAGES.replace("GIVEN", "other").replace("var now", "var other : Order  var now")).step()
+    run.step(run.done("Wait"))
+    run.step(run.done("A"))
+    assert "B" not in run.active

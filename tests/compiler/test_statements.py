@@ -242,3 +242,19 @@ def test_a_title_stands_for_one_scenario() -> None:
 
 def test_a_word_of_a_rule_before_a_rule_is_a_condition_that_is_not_there() -> None:
     assert problems("robot1 : player  never in order Walk, Run  for 2s") == [("E229", "in")]
+
+
+def test_an_input_is_not_a_time() -> None:
+    text = f'{MODEL}scenario "s" {{ given t in 1s..5s  at t robot1 raises Whistle }}\n'
+    [found] = [item for item in analyse(Source("pitch.aseme", text)).diagnostics if item.code == "E117"]
+    assert found.span is not None and found.span.text == "t"
+    assert found.hint is not None and found.hint.startswith("write the time itself")
+
+
+def test_a_variable_of_a_participant_that_is_played_once() -> None:
+    part = "participant center     { var best : int = 2  process = Walk . PassBall }"
+    text = MODEL.replace("participant center     { process = Walk . PassBall }", part)
+    text += 'scenario "s" { by 2s robot1 has [best == 2]  by 3s robot1 has [bets == 2] }\n'
+    found = analyse(Source("pitch.aseme", text)).diagnostics
+    wrong = [(item.code, item.span.text) for item in found if item.code[0] == "E" and item.span is not None]
+    assert wrong == [("E200", "bets")]

@@ -362,6 +362,7 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     | E302: an unused formula, misspelt where it is used | W200: that name; E302 then names it |
     | E303: a loop that may be empty | W403: a cycle without a wait; E405: an option without a condition |
     | E403: a misspelt name after `control`; E408: control of a protocol in a role | N704: no control |
+    | an error in an event of a line | W402: without the event, the line waits for what never completes |
     | E523: arguments that an activity does not have | W200: the activity that may be meant |
     | N437: all branches read variables that are never set | W411: a gap between the branches |
     | W200: a misspelt activity | N702: the participant that is meant is unused |
@@ -381,6 +382,7 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     loops = [item.span for item in _of(found, LoopMayBeEmpty) if item.span is not None]
     misspelt = {place.span for item in _of(found, AlmostNamedLike) for place in item.related}
     unread = [item.span for item in found if item.code in ("E101", "E102") and item.span is not None]
+    wrong = [item.span for item in found if item.severity is Severity.ERROR and item.span is not None]
     numbers = [item.span for item in found if item.code == "E108" and item.span is not None]
     unset = [place for item in _of(found, VariablesNeverSet) for place in _places(item)]
     never_set = {place.text for place in unset}
@@ -396,7 +398,9 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
         if isinstance(problem, ControlMissing):
             return problem.formula in controls
         if isinstance(problem, NeverCompletes):
-            return any(place.source is span.source and _WAY.match(_line_of(place)) for place in unread)
+            return any(_is_in(place, span) for place in wrong) or any(
+                place.source is span.source and _WAY.match(_line_of(place)) for place in unread
+            )
         if isinstance(problem, AlmostNamedLike):
             return any(span.start == place.start and span.source is place.source for place in given) or (
                 bool(item.related) and item.related[0].span in unused

@@ -243,10 +243,13 @@ def check_choice(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
         return
     undecided = [item for item in alternatives if not item.is_decided]
     has_else = any(line.written.otherwise for item in alternatives for line in item.lines)
+    waits = any(
+        line.written.events or line.written.when for other in decided for line in other.lines
+    )  # an `else` beside them is taken at once
     for item in undecided:
-        may_be_else = item is undecided[-1] and not has_else
+        may_be_else = item is undecided[-1] and not has_else and not waits
         yield Diagnostic(
-            BranchUndecided(item.name, decided[0].name, may_be_else),
+            BranchUndecided(item.name, decided[0].name, may_be_else, waits),
             next((line.span for line in item.lines if _unconditional(line.written)), item.span),
             (Related(decided[0].place, f"`{decided[0].name}`"),),
         )

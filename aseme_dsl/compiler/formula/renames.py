@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola import expression
 from aseme_dsl.amola.expression import TransitionExpression
+from aseme_dsl.amola.messages import Type
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,13 +42,29 @@ def _renamed(value: expression.Value, names: Renames) -> expression.Value:
     match value:
         case expression.VariableValue(name=name) if name in names.variables:
             return replace(value, name=names.variables[name])
-        case expression.ParameterValue(name=name, span=span) if name in names.inputs:
-            return replace(names.inputs[name], span=span)
+        case expression.ParameterValue(name=name, span=span, path=path, type=kind) if name in names.inputs:
+            found = replace(names.inputs[name], span=span)
+            return _member(found, path, kind) if path else found
         case expression.Outcome(activity=activity) if activity in names.activities:
             return replace(value, activity=names.activities[activity])
         case expression.StateValue(state=state) if state in names.activities:
             return replace(value, state=names.activities[state])
     return value
+
+
+def _member(message: expression.Value, path: tuple[str, ...], kind: Type) -> expression.Value:
+    """A member of a message that an input stands for; only these are supplied (E592)."""
+    match message:
+        case expression.Named(expression=inner):
+            return _member(replace(inner, span=message.span), path, kind)
+        case expression.Conditional(yes=yes, no=no):
+            return replace(message, yes=_member(yes, path, kind), no=_member(no, path, kind), type=kind)
+        case expression.VariableValue(message=of, type=whole):
+            whole_path = (*message.path, *path)
+            return replace(message, path=whole_path, type=kind, message=of or whole.name)
+        case expression.Member() | expression.Element() | expression.ParameterValue():
+            return replace(message, path=(*message.path, *path), type=kind)
+    raise AssertionError(f"{expression.value_text(message)} has no members here")
 
 
 __all__ = ["SAME", "Renames", "rename", "rename_value"]

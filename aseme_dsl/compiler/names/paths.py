@@ -81,6 +81,9 @@ def _parameter(checker: Checker, path: tree.Path) -> Value | None:
         return None
     if len(path.segments) == 1:
         return ParameterValue(name, kind, path.span)
+    if name in checker.scope.inputs and kind.kind is Kind.MESSAGE:
+        found = member_path(checker, kind, (), path.segments[1:])
+        return None if found is None else ParameterValue(name, found[1], path.span, found[0])
     checker.report(problems.WholeParameter(name), path.segments[1].span)
     return None
 

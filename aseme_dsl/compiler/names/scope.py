@@ -77,3 +77,5 @@ class Scope:
 
     None: the type is not known, which has been said.
     """
+    inputs: frozenset[str] = frozenset()
+    """Those of the parameters that are inputs of the participant."""

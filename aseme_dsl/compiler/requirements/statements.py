@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from typing import assert_never
@@ -52,6 +53,8 @@ class Known:
     outcomes: tuple[str, ...]
     variables: Mapping[str, Mapping[str, Type]]
     """Those of each role, and of the participants that it plays."""
+    of_parts: Mapping[str, Mapping[str, tuple[str, Type]]]
+    """The keys and types of the variables of participants of which a role has one of that name."""
     aliases: frozenset[str]
     """Those of all files."""
 
@@ -92,12 +95,22 @@ def known_by(
         activities,
         tuple(item.text for aip in aips for item in aip.outcomes),
         {role: _variables(chart) for role, chart in iacs.items() if chart is not None},
+        {role: _of_parts(chart) for role, chart in iacs.items() if chart is not None},
         aliases,
     )
 
 
 def _variables(chart: Statechart) -> dict[str, Type]:
     return {item.name.partition("@")[0]: item.type for item in chart.variables}
+
+
+def _of_parts(chart: Statechart) -> dict[str, tuple[str, Type]]:
+    names = Counter(item.name.partition("@")[0] for item in chart.variables)
+    return {
+        name: (item.name, item.type)
+        for item in chart.variables
+        if "@" in item.name and names[name := item.name.partition("@")[0]] == 1
+    }
 
 
 def _states(chart: Statechart, aliases: Iterable[str]) -> frozenset[str]:
@@ -730,7 +743,8 @@ class Check:
     def scope(self, role: str | None) -> Scope:
         typed = self.known.scopes.get(role or "")
         scope = self.known.top if typed is None else typed.scope
-        return replace(scope, parameters={**scope.parameters, **self.parameters})
+        variables = {**self.known.of_parts.get(role or "", {}), **scope.variables}
+        return replace(scope, variables=variables, parameters={**scope.parameters, **self.parameters})
 
     def _own(self, written: tree.Expression) -> tree.Expression:
         """An expression whose paths mean what they mean here (see `_meant`)."""

@@ -34,7 +34,12 @@ def received(checker: Checker, written: tree.Received) -> amola.Received | None:
         senders = _senders(checker, written)
         if len(senders) != 1:
             said = f"{written.performative} {written.message}"
-            problem = problems.SenderNotKnown(written.participant.text, said, senders)
+            lists = any(
+                party.lists
+                for name, party in checker.scope.parties.items()
+                if name != checker.scope.participant
+            )
+            problem = problems.SenderNotKnown(written.participant.text, said, senders, lists)
             checker.report(problem, written.participant.span)
             return None
         written = replace(written, participant=tree.Name(senders[0], written.participant.span))

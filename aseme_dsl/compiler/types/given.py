@@ -6,9 +6,19 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola.aip import DeclaredVariable
-from aseme_dsl.amola.expression import Member, Random, Value, walk
+from aseme_dsl.amola.expression import (
+    Conditional,
+    Element,
+    Member,
+    Named,
+    ParameterValue,
+    Random,
+    Value,
+    VariableValue,
+    walk,
+)
 from aseme_dsl.amola.liveness import Formula, names
-from aseme_dsl.amola.messages import DOUBLE, INT, ChannelKind, Parameter, Type
+from aseme_dsl.amola.messages import DOUBLE, INT, ChannelKind, Kind, Parameter, Type
 from aseme_dsl.amola.statechart import Argument
 from aseme_dsl.compiler.formula.formulas import Formulas, cut
 from aseme_dsl.compiler.names.scope import Scope
@@ -57,7 +67,7 @@ def inside_formula(scope: Scope, formulas: Formulas, name: str) -> Scope:
         return scope
     known = {item.name: item.type for item in formulas.parameters.get(name, ())}
     own = {item.name.text: known.get(item.name.text) for item in written}
-    return replace(scope, parameters={**scope.parameters, **own})
+    return replace(scope, parameters={**scope.parameters, **own}, inputs=scope.inputs - own.keys())
 
 
 @dataclass(slots=True)
@@ -315,6 +325,9 @@ def supply(
 
 def _unsuitable(name: str, value: Value) -> Iterable[Diagnostic]:
     """E592 for a signal, which the first look consumes; E526 for random values, which differ at each look."""
+    if value.type.kind is Kind.MESSAGE and not _is_kept(value):
+        yield Diagnostic(of_names.InputMadeAnew(name), value.span)
+        return
     for part in walk(value):
         if isinstance(part, Member) and part.channel.comm is ChannelKind.SIGNAL:
             yield Diagnostic(of_names.InputFromSignal(name, str(part.channel)), part.span)
@@ -322,6 +335,16 @@ def _unsuitable(name: str, value: Value) -> Iterable[Diagnostic]:
         if isinstance(part, Random):
             yield Diagnostic(RandomInCondition(), part.span)
             return
+
+
+def _is_kept(message: Value) -> bool:
+    """Whether a message is one that is kept somewhere, so that its members can be read there."""
+    match message:
+        case Named(expression=inner):
+            return _is_kept(inner)
+        case Conditional(yes=yes, no=no):
+            return _is_kept(yes) and _is_kept(no)
+    return isinstance(message, Member | VariableValue | Element | ParameterValue)
 
 
 def _path(value: object) -> str | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import AgentMessage, DeclaredVariable
@@ -23,7 +23,6 @@ from aseme_dsl.diagnostics.problems.expressions.values import NoTypeOfVariable
 from aseme_dsl.diagnostics.problems.names import ReservedName
 from aseme_dsl.diagnostics.problems.talk import InitialAgent
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.source import Span
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +90,7 @@ def protocol_scopes(
         # An input is typed as a variable, so that both cannot have one name.
         given = [tree.Var(one.name, one.type, None, one.span) for one in item.inputs]
         names = {one.name.span for one in item.inputs}
-        declared, wrong_variables = type_variables((*_variables_of(item), *given), scope, names)
+        declared, wrong_variables = type_variables((*_variables_of(item), *given), scope)
         own_variables = tuple(one for one in declared if one.span not in names)
         inputs = tuple(one for one in declared if one.span in names)
         own = replace(
@@ -100,6 +99,7 @@ def protocol_scopes(
             variables=_keys(own_variables),
             bounds=_bounds_of(own_variables),
             parameters={one.name.text: None for one in item.inputs} | {one.name: one.type for one in inputs},
+            inputs=frozenset(one.name for one in inputs),
         )
         own, wrong_lets = with_lets(own, item.lets)
         diagnostics += (*wrong_variables, *wrong_lets)
@@ -127,12 +127,11 @@ def _bounds_of(variables: Iterable[DeclaredVariable]) -> dict[str, Bounds]:
 
 
 def type_variables(
-    variables: Sequence[tree.Var], scope: Scope, inputs: Collection[Span] = ()
+    variables: Sequence[tree.Var], scope: Scope
 ) -> tuple[tuple[DeclaredVariable, ...], tuple[Diagnostic, ...]]:
     """Variables with their types and initial values; by default 0, false, "", the first constant or nothing.
 
-    One whose type is wrong is missing; one whose initial value is wrong has the default. `inputs` are the
-    places of those that a role supplies: no message.
+    One whose type is wrong is missing; one whose initial value is wrong has the default.
     """
     found: dict[str, DeclaredVariable] = {}
     diagnostics: list[Diagnostic] = []
@@ -149,7 +148,7 @@ def type_variables(
         if name.text in found:
             diagnostics.append(declared_twice("variable", name, found[name.text].span))
             continue
-        kind, wrong = _variable_type(item.type, scope, is_input=name.span in inputs)
+        kind, wrong = _variable_type(item.type, scope)
         diagnostics += wrong
         if kind is None:
             if item.initial is not None:
@@ -186,9 +185,7 @@ def _kind_of(item: tree.Var, scope: Scope) -> Type | None:
     return list_of(kind) if item.is_list and kind is not None else kind
 
 
-def _variable_type(
-    name: tree.Name, scope: Scope, *, is_input: bool
-) -> tuple[Type | None, tuple[Diagnostic, ...]]:
+def _variable_type(name: tree.Name, scope: Scope) -> tuple[Type | None, tuple[Diagnostic, ...]]:
     kind = _kind_named(name.text, scope)
     usable = [*scope.symbols.type_names, str(AGENT)]
     if kind is None:
@@ -198,8 +195,8 @@ def _variable_type(
         if other:
             return None, (Diagnostic(NoType(name.text, None, (), spelling=other), name.span, fix=other),)
         return None, (unknown(NoType, name, set(usable) - {"bytes"}),)
-    if kind == BYTES or (is_input and kind.kind is Kind.MESSAGE):
-        return None, (Diagnostic(NoTypeOfVariable(is_input), name.span),)
+    if kind == BYTES:
+        return None, (Diagnostic(NoTypeOfVariable(), name.span),)
     return kind, ()
 
 

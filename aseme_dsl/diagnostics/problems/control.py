@@ -113,12 +113,16 @@ class NoLeaveButNext(NoWay):
 
 
 class BranchUndecided(Problem):
-    """`decided` is a branch with a condition; `may_be_else` where this one may be the `else`."""
+    """`decided` is a branch with a condition; `may_be_else` where this one may be the `else`.
+
+    `waits`: another one is taken for an event, for which an `else` does not wait.
+    """
 
     code = "E404"
     branch: str
     decided: str
     may_be_else: bool
+    waits: bool = False
 
     @property
     def message(self) -> str:
@@ -126,6 +130,10 @@ class BranchUndecided(Problem):
 
     @property
     def hint(self) -> str:
+        if self.waits:
+            return (
+                f"write `{self.branch} : [ … ]` or an event; an `else` waits for none of the events beside it"
+            )
         return f"write `{self.branch} : {'else' if self.may_be_else else '[ … ]'}`"
 
 
@@ -435,7 +443,10 @@ class ElseBesideTime(Problem):
             why = "the timer beside it is not waited for"
         return f"`else` is taken as soon as nothing else is enabled: {why}"
 
-    hint = "write the opposite condition instead of `else`"
+    @property
+    def hint(self) -> str:
+        at_once = "leave the limit out" if self.time == "limit" else "write `[!expired(…)]` instead"
+        return f"write the opposite condition instead of `else`; if nothing is to wait here, {at_once}"
 
 
 class NeverCompletes(Problem):

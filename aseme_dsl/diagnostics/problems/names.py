@@ -338,6 +338,17 @@ class InputFromSignal(Problem):
     hint = "store what the signal says in a variable, and give that"
 
 
+class InputMadeAnew(Problem):
+    code = "E592"
+    name: str
+
+    @property
+    def message(self) -> str:
+        return f"the input `{self.name}` is a message, which would be made anew at each look"
+
+    hint = "keep it in a variable, and give that"
+
+
 class OutcomeOfFormula(Problem):
     """The formula `own` shall stand for an activity of a protocol, of whose outcome the protocol asks."""
 

@@ -425,6 +425,8 @@ class SenderNotKnown(Problem):
     agent: str
     agent_message: str
     senders: tuple[str, ...]
+    lists: bool
+    """Whether a participant has a list of what it sends; else its lines say it."""
 
     @property
     def message(self) -> str:
@@ -434,8 +436,10 @@ class SenderNotKnown(Problem):
 
     @property
     def hint(self) -> str:
-        if not self.senders:
+        if not self.senders and self.lists:
             return "add the message to the `sends` list of the participant that the agent plays"
+        if not self.senders:
+            return f"write the line that sends it: `/ send {self.agent_message} {{ .. }} to …`"
         return f"write `{self.agent_message} m from {self.senders[0]} [sender(m) == {self.agent}]`"
 
 

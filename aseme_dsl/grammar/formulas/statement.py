@@ -6,6 +6,7 @@ at the next line that begins with a word: one mistake gives one message.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TypeVar
@@ -163,6 +164,10 @@ def _duration(reader: Reader) -> tree.Duration:
         if isinstance(found, tree.Number) and found.value == 0:
             return tree.Duration(0, found.span)
     reader.index = at
+    if is_word(reader.next) and re.search(rf"\bgiven\s+{re.escape(reader.next)}\b", reader.source.text):
+        before = reader.tokens[at - 1] if at else None
+        word = reader.tokens[at]
+        raise reader.error(problems.InputAsTime((Wanted.DURATION,), before, word), word)
     raise _wrong(reader, Wanted.DURATION)
 
 

@@ -160,6 +160,15 @@ def test_several_lines_of_one_way_are_parallel_transitions_tried_in_order() -> N
     assert [item.source for item in chart.transitions] == ["0.1", "0.2", "0.2", "0.2", "0.3"]
 
 
+def test_a_branch_beside_an_event_is_not_advised_to_be_the_else() -> None:
+    """An `else` would be taken at once, before the event can come."""
+    for line, advice in (("pressed", "`else` waits for none"), ("[in(A)]", "write `enter C : else`")):
+        control = f"control R {{ enter B : {line} enter C : }}"
+        text = f"system T srm R {{ liveness {{ R = A . (B | C) }} {control} }}"
+        [found] = [item for item in analysis(text).diagnostics if item.code == "E404"]
+        assert found.hint is not None and advice in found.hint
+
+
 def test_priority_is_the_order_of_the_lines_then_the_templates() -> None:
     control = "control R { enter C : [true]  enter A : [false] }"
     text = f"system T srm R {{ liveness {{ R = A | B | C }} {control} }}"

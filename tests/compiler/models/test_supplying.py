@@ -77,7 +77,7 @@ def test_what_is_wrong_with_what_is_supplied(said: str, code: str) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "code"),
     [
-        ("given low : bool", "given low : Job", "E500"),
+        ("given low : bool", "given low : bytes", "E500"),
         ("given load : double", "given ending : double", "E201"),
         ("/ ending = Ending.DONE", "/ low = true", "E5"),
         ("given low : bool", "given true : bool", "E106"),
@@ -98,7 +98,7 @@ srm r { plays p.a  liveness { r = a } }
 
 
 def test_one_wrong_input_is_said_once() -> None:
-    text = DELIVERY.replace("WITH", SOUND).replace("given low : bool", "given low : Job")
+    text = DELIVERY.replace("WITH", SOUND).replace("given low : bool", "given low : bytes")
     assert [code for code in codes(text) if code.startswith("E")] == ["E500"]
 
 
@@ -158,3 +158,35 @@ def test_a_formula_may_be_called_like_the_activity_that_it_refines() -> None:
         LOOPS.replace("B~", "Carry~").replace("B = work", "Carry = carry").replace("work = WORK", "carry = X")
     )
     assert codes(text) == []
+
+
+MESSAGE = """system House
+message Job { int id }
+message Other { int id }
+topic t { state Job }
+aip delivery {
+  participant courier { given job : Job  process = Carry . [Rest] }
+  control courier { enter Rest : [job.MEMBER > 1]  skip Rest : else }
+}
+srm robot {
+  var now : Job
+  plays delivery.courier with job = GIVEN
+  liveness { robot = courier }
+  control robot { enter courier : / now = t.state.Job }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "member", "expected"),
+    [
+        ("now", "id", []),
+        ("t.state.Job", "id", []),
+        ("now", "ids", ["E501"]),
+        ("now.id > 1 ? now : t.state.Job", "id", []),
+        ("3", "id", ["E500"]),
+    ],
+)
+def test_an_input_that_is_a_message(given: str, member: str, expected: list[str]) -> None:
+    text = MESSAGE.replace("GIVEN", given).replace("MEMBER", member)
+    assert [code for code in codes(text) if code[0] == "E"] == expected

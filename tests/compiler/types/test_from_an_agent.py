@@ -56,3 +56,28 @@ def test_the_age_of_what_is_taken() -> None:
     assert messages("inform Task from best", "lost worker w [age(w) > 1s]") == [
         ("E504", "`age` wants a message, not an agent")
     ]
+
+
+def test_what_is_missing_where_the_lines_say_what_is_sent() -> None:
+    """Without `sends`, no list can be completed; and the line is no other mistake."""
+    text = """system S
+message Job { int id }
+aip deal {
+  participant boss { var best : agent  process = Ask . Wait }
+  participant worker { process = Work . Rest }
+  control boss {
+    enter Ask  : / send cfp Job { id = 1 } to worker
+    enter Wait : propose Job b from worker / best = sender(b)
+    leave Wait : inform Job from best
+  }
+  control worker {
+    enter Work : cfp Job from boss / send propose Job { id = 2 } to boss
+  }
+}
+srm b { plays deal.boss as x  liveness { b = x }  activities { Ask takes 1s  Wait waits } }
+srm w { plays deal.worker as x  liveness { w = x }  activities { Work takes 1s  Rest takes 1s } }
+"""
+    found = analyse(Source("/nowhere/team.aseme", text)).diagnostics
+    said = [item for item in found if item.code in ("E567", "W402")]
+    assert [item.code for item in said] == ["E567"]
+    assert said[0].hint == "write the line that sends it: `/ send inform Job { .. } to …`"

@@ -36,20 +36,9 @@ class OtherTypeWanted(Problem):
 
 
 class NoTypeOfVariable(Problem):
-    """`is_input`: it stands behind `given`, and may be a message."""
-
     code = "E500"
-    is_input: bool
-
-    @property
-    def message(self) -> str:
-        return "an input cannot hold messages or bytes" if self.is_input else "a variable cannot hold bytes"
-
-    @property
-    def hint(self) -> str:
-        if self.is_input:
-            return "an input is a bool, int, double, string, duration, agent or an enum"
-        return "a variable is a bool, int, double, string, duration, agent, an enum, a message or a list"
+    message = "a variable or an input cannot hold bytes"
+    hint = "it holds a bool, int, double, string, duration, agent, a constant of an enum, a message or a list"
 
 
 class DifferentBranches(Problem):

@@ -22,6 +22,12 @@ class UnexpectedInStatement(Unexpected):
         return did_you_mean(self.close) if self.close is not None else None
 
 
+class InputAsTime(UnexpectedInStatement):
+    """`at t`, where `given t in 1s..5s` is an input."""
+
+    hint = "write the time itself, as 2s: an input stands in `[ … ]` and `{ … }` only"
+
+
 class NoStatement(Problem):
     code = "E117"
     word: str
