@@ -170,6 +170,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W439": ("warning", "loop without a pause"),
     "W440": ("warning", "list that two parallel parts change"),
     "W441": ("warning", "event without effect beside `when`"),
+    "N442": ("note", "same `on` line for all activities"),
     # Types (E5xx)
     "E500": ("error", "type mismatch"),
     "E501": ("error", "unknown field"),

@@ -12,6 +12,7 @@ from aseme_dsl.compiler.checks.leftovers import LeftOut, check_leftovers
 from aseme_dsl.compiler.checks.message_life import check_life
 from aseme_dsl.compiler.checks.message_use import message_use
 from aseme_dsl.compiler.checks.presence import check_presence
+from aseme_dsl.compiler.checks.repeated_lines import check_repeated_lines
 from aseme_dsl.compiler.checks.signal_readers import check_signals, check_stale
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.memory import Memory
@@ -61,6 +62,7 @@ def _in_chart(
         *check_presence(chart, activities, symbols),
         *check_leftovers(chart, activities, left_out),
         *check_completion(chart),
+        *check_repeated_lines(chart),
     )
 
 

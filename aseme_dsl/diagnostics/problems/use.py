@@ -77,6 +77,26 @@ class VariablesNeverSet(Problem):
         )
 
 
+class SameLineForAll(Problem):
+    """All activities inside `around`, or (None) of the role, have one line; `count` is how many there are."""
+
+    code = "N442"
+    count: int
+    role: str
+    around: str | None
+
+    @property
+    def message(self) -> str:
+        where = f"`{self.role}`" if self.around is None else f"`{self.around}`"
+        return f"all {self.count} activities of {where} have this line"
+
+    @property
+    def hint(self) -> str:
+        if self.around is None:
+            return f"write it once, with the whole formula of `{self.role}`: `on ( … ) : …`"
+        return f"write it once: `on {self.around} : …`"
+
+
 class TimerNotStarted(Problem):
     """`elsewhere`: another region of the role starts it; otherwise `close` is a timer that is spelt alike."""
 
