@@ -12,8 +12,8 @@ from aseme_dsl.compiler.checks.leftovers import LeftOut, check_leftovers
 from aseme_dsl.compiler.checks.message_life import check_life
 from aseme_dsl.compiler.checks.message_use import message_use
 from aseme_dsl.compiler.checks.presence import check_presence
-from aseme_dsl.compiler.checks.repeated_lines import check_repeated_lines
 from aseme_dsl.compiler.checks.signal_readers import check_signals, check_stale
+from aseme_dsl.compiler.control.repeated_lines import check_repeated_lines
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
