@@ -56,10 +56,9 @@ def problems(body: str, block: str = "scenario") -> list[tuple[str, str]]:
 WHOLE = """
   robot1, robot2 : player
   network delay 0..300ms loss 20% reorder
-  activity See real
-  activity Search ends lost, lost, found
-  activity Search takes 1s..3s sets tries = n + 1
+  activity Search ends lost, lost, found takes 1s..3s sets tries = n + 1
   activity Walk takes normal(2s, 300ms)
+  activity Look real
   activity Kick fails at 4s
   activity See writes vision.state.Ball { visible = true } every 33ms..50ms
   given ball.distance in 0..300
@@ -258,3 +257,36 @@ def test_a_variable_of_a_participant_that_is_played_once() -> None:
     found = analyse(Source("pitch.aseme", text)).diagnostics
     wrong = [(item.code, item.span.text) for item in found if item.code[0] == "E" and item.span is not None]
     assert wrong == [("E200", "bets")]
+
+
+@pytest.mark.parametrize(
+    ("body", "found"),
+    [
+        ("robot1, robot1 : player by 1s robot1 in See", [("E230", "robot1")]),
+        ("robot1 : player  post : keeper  robot1 : player by 1s post in Guard", [("E230", "robot1")]),
+        ("for 3s by 1s post in Guard for 4s", [("E230", "for 4s")]),
+        ("network loss 1% by 1s post in Guard network delay 3s", [("E230", "network delay 3s")]),
+        ("world by 1s post in Guard world a:b", [("E230", "world a:b")]),
+        ("activity See real by 1s post in Guard activity See takes 1s", [("E230", "activity See takes 1s")]),
+        ("activity See real takes 1s by 1s post in Guard", [("E230", "activity See real takes 1s")]),
+        ("table (a) { (1) } table (b) { (1) } by 1s post in Guard", [("E230", "table (b) { (1) }")]),
+        ("table (a) { } by 1s post in Guard", [("E230", "table (a) { }")]),
+        ("restart robot1 at 3s", [("E230", "restart robot1 at 3s")]),
+        ("restart robot1 at 3s crash robot1 at 4s", [("E230", "restart robot1 at 3s")]),
+        ("crash robot1 at 3s restart robot1 at 3s", []),
+        ("crash robot1 at 3s crash robot1 at 4s", [("E230", "crash robot1 at 4s")]),
+        ("crash robot1 at 3s restart robot1 at 4s crash robot1 at 5s", []),
+        ("", [("E230", '"s"')]),
+        ("for 3s by 4s post in Guard", [("E230", "4s")]),
+        ("for 3s no sent Pass before 4s", [("E230", "4s")]),
+        ("for 3s robot1 fails by 5s", [("E230", "5s")]),
+        ("for 3s from 1s to 4s post loses radio by 3s post in Guard", []),
+        ("from 1s to 2s partition { robot1 } | { robot2 }", [("E230", "partition { robot1 } | { robot2 }")]),
+        ("from 1s to 2s partition { robot1, post } | { robot2 }", []),
+        ("at 1s robot1 receives Pass { to = 1 }", [("E230", "Pass")]),
+        ("always vision.state.Ball.visible", [("E230", "vision.state.Ball.visible")]),
+        ("robot1 : player always vision.state.Ball.visible", []),
+    ],
+)
+def test_what_does_not_go_together(body: str, found: list[tuple[str, str]]) -> None:
+    assert problems(body) == found

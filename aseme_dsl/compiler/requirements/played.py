@@ -103,11 +103,6 @@ def _scenario(
     points = sum(given) if given else None
     try:
         tables = [statement for statement in statements if isinstance(statement, nodes.Table)]
-        for table in tables[1:]:
-            _refuse(table, "a scenario is played with one table")
-        for table in tables:
-            if not table.rows:
-                _refuse(table, "the table has no row")
         rows: list[tuple[tuple[tree.Expression, ...], Span | None]] = [
             row for table in tables for row in table.rows
         ] or [((), None)]
@@ -171,7 +166,7 @@ class _Lowering:
             and item.word == "at"
             and isinstance(item.event, nodes.Receives | nodes.Raises)
         ]
-        self.network = networks[-1] if networks else None
+        self.network = networks[0] if networks else None
         for item in sorted(statements, key=_comes_last):
             self._statement(item, given)
         for name, item in always:
@@ -290,11 +285,6 @@ class _Lowering:
 
     def _simulated(self, item: nodes.Simulated) -> None:
         name = item.activity.text
-        if name in self.activities:
-            _refuse(item, f"{name} has a line already")
-        does_more = item.takes or item.ends or item.fails or item.writes or item.sends or item.sets
-        if item.is_real and does_more:
-            _refuse(item, "an activity that is `real` does what its code says, and nothing else")
         activity = self.check.known.activities.get(name)
         usual = activity.ends[:1] if activity is not None else ()
         self.activities[name] = play.Acting(
@@ -413,7 +403,7 @@ class _Lowering:
     def _cut(self, hit: nodes.Hit, first: int, last: int) -> None:
         groups = hit.groups or (hit.agents,)
         named = [self._agent(agent) for agent in hit.agents]
-        if hit.groups and sorted(named) != sorted(self.team):
+        if hit.groups and sorted(named) != sorted(self.team):  # a role that `--role` has bound
             _refuse(hit, "each agent that takes part stands in one of the groups")
         for group in groups[: max(1, len(groups) - 1)]:
             self.cuts.append(play.Cut(frozenset(map(self._agent, group)), first, last))
@@ -621,7 +611,6 @@ def _end(statements: Sequence[nodes.Statement]) -> tuple[int, bool]:
     """The end of the run: what the scenario says, or its last moment; whether some statement has none."""
     for item in statements:
         if isinstance(item, nodes.Setup) and item.duration is not None:
-            _check_moments(statements, item.duration)
             return item.duration.nanoseconds, False
     is_open = False
     moments: list[int] = []
@@ -643,15 +632,6 @@ def _end(statements: Sequence[nodes.Statement]) -> tuple[int, bool]:
             case _:
                 pass
     return (max(moments) + max(delays), is_open) if moments else (0, True)
-
-
-def _check_moments(statements: Iterable[nodes.Statement], duration: tree.Duration) -> None:
-    """What is to be later than the end of the run does not come."""
-    for item in statements:
-        if not isinstance(item, nodes.Timed) or item.word in ("after", "within"):
-            continue
-        if item.times[0].nanoseconds > duration.nanoseconds:
-            _refuse(item, f"the run ends before it, `for {duration.span.text}`")
 
 
 __all__ = ["played", "watched"]

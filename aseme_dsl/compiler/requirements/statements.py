@@ -22,6 +22,7 @@ from aseme_dsl.compiler.read.constants import NotConstant, fold
 from aseme_dsl.compiler.read.damage import Damaged
 from aseme_dsl.compiler.read.names import declared_twice, unknown, unknown_performative
 from aseme_dsl.compiler.requirements.places import called
+from aseme_dsl.compiler.requirements.together import check_together
 from aseme_dsl.compiler.types.content import fill
 from aseme_dsl.compiler.types.scopes import TypedRole
 from aseme_dsl.compiler.types.typecheck import type_value
@@ -169,11 +170,15 @@ def check_statements(
     for (statements, wrong, is_property), (item, _) in zip(read, blocks, strict=True):
         own = introduced if is_property else _introduced(statements)
         agents = {**known.agents, **own} if is_property or not own else own
-        check = Check(known, agents, bool(own) and not is_property, is_damaged(item.span), is_read)
+        check = Check(
+            known, agents, bool(own) and not is_property, is_damaged(item.span), is_read, not is_property
+        )
         check.introduce(statements)
         for statement in statements:
             check.statement(statement)
         found += _each_cause(check.found, wrong)
+        if not is_property and not wrong and not check.is_broken:
+            found += check_together(item.title, statements, agents)
     for file in files:
         found += _titled_twice(file)
     return tuple(dict.fromkeys(found))
@@ -351,6 +356,7 @@ class Check:
     is_listed: bool
     is_broken: bool
     is_read: bool
+    is_scenario: bool = False
     found: list[Diagnostic] = field(default_factory=list)
     parameters: dict[str, Type | None] = field(default_factory=dict)
     chosen: set[str] = field(default_factory=set)
@@ -576,7 +582,9 @@ class Check:
                         for place in item.places:
                             self._place(place, self.role_of(item.agent))
                 case nodes.Holds():
-                    if item.agent is None or self._agent(item.agent):
+                    if item.agent is None:
+                        self._bare_truth(item, item.expression, role)
+                    elif self._agent(item.agent):
                         self._truth(item.expression, self.role_of(item.agent) or role)
                 case nodes.Heard():
                     self._heard(item, role)
@@ -595,13 +603,22 @@ class Check:
         for place in item.places:
             name = place.name
             if self.is_value(place, role):
-                self._truth(tree.Path((name,), name.span), role)
+                self._bare_truth(item, tree.Path((name,), name.span), role)
             elif place.at is None and name.text in self.known.processes:
                 pass  # a participant, as in a clause
             elif place.at is None and name.text in self.agents and not self._is_state(name.text):
                 self._report(problems.AgentAlone(name.text), name)
             else:
                 self._place(place, None)
+
+    def _bare_truth(
+        self, item: nodes.Holds | nodes.InState, written: tree.Expression, role: str | None
+    ) -> None:
+        """In a scenario, a bare condition is about the agent that its sentence names, or the only one."""
+        before = len(self.found)
+        self._truth(written, role)
+        if role is None and self.is_scenario and len(self.agents) > 1 and len(self.found) == before:
+            self._report(problems.WhichAgent(tuple(self.agents), written.span.text), item)
 
     def is_value(self, place: tree.Place, role: str | None) -> bool:
         """Whether a name alone is a condition."""
@@ -712,6 +729,8 @@ class Check:
         kind = self.carried(item.what)
         if kind is None:
             return []
+        if item.performative is None and len(item.what.segments) == 1:
+            self._report(problems.NeitherMessage(kind), item.what)
         checker = Checker(self.scope(None))
         fills = tuple(replace(one, value=self._own(one.value)) for one in item.fills)
         found = fill(checker, kind, fills, _typed)

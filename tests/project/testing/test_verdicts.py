@@ -155,11 +155,6 @@ ALONE = [
     # Crashes.
     ("passed", "crash a at 500ms  at 1500ms not a in (Wait or Walk)"),
     ("failed", "crash a at 500ms  by 3s a in Walk"),
-    # What comes after the end of the run would not come.
-    ("error", "for 2s  at 3s a in Walk"),
-    ("error", "for 2s  crash a at 3s"),
-    ("error", "for 2s  at 3s a raises Whistle"),
-    ("error", "table (n) { }  at 1s a in Walk"),
     # Until then all is as before, although nothing else happens just then.
     ("passed", "crash a at 500ms  at 499ms a in Wait"),
     ("failed", "crash a at 500ms  by 499ms not a in Wait"),
@@ -193,7 +188,6 @@ ALONE = [
     ("error", "world nowhere:world  at 1s a in Walk"),
     ("passed", "world walks:world  at 1s a in Walk"),
     # What is not played says so.
-    ("error", "at 1s a receives Stop { number = 1 }  at 1s a in Walk"),
     ("error", "at 1s a receives inform Stop { number = 1 }  at 1s a in Walk"),
     ("error", "at 1s a has [same(BALL)]"),
 ]  # fmt: skip
@@ -231,7 +225,6 @@ TOGETHER = [
     ("failed", "at 0ms a sees { }  at 1s every walker has [has(BALL)]"),
     ("passed", "at 0ms a sees { }  at 1s some walker has [has(BALL)]"),
     ("passed", "DONE  eventually sent Done by some walker within 2s"),
-    ("error", "always BALL.visible"),
 ]  # fmt: skip
 """Of scenarios of the whole team."""
 

@@ -283,3 +283,126 @@ class FaultNotNever(Problem):
     code = "E230"
     message = "a fault cannot be expected"
     hint = "write `never fault`"
+
+
+class StatedTwice(Problem):
+    """`what`: `for`, `network`, or an activity with a line already."""
+
+    code = "E230"
+    what: str
+    hint = "keep one of the two"
+
+    @property
+    def message(self) -> str:
+        return f"a second `{self.what}` in one scenario"
+
+
+class TakesPartTwice(Problem):
+    code = "E230"
+    agent: str
+    hint = "name each agent once"
+
+    @property
+    def message(self) -> str:
+        return f"`{self.agent}` takes part twice"
+
+
+class RestartWithoutCrash(Problem):
+    code = "E230"
+    agent: str
+    moment: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.agent}` has not crashed before {self.moment}"
+
+    @property
+    def hint(self) -> str:
+        return f"write `crash {self.agent} at` an earlier time"
+
+
+class CrashOfCrashed(Problem):
+    code = "E230"
+    agent: str
+    hint = "restart it before, or remove the line"
+
+    @property
+    def message(self) -> str:
+        return f"`{self.agent}` has crashed already"
+
+
+class EmptyScenario(Problem):
+    code = "E230"
+    message = "the scenario says nothing"
+    hint = "write what is expected, as `by 3s robot1 in Walk`, or `for 60s`"
+
+
+class EmptyTable(Problem):
+    code = "E230"
+    message = "the table has no row"
+    hint = "write a row, as `(1, Walk)`"
+
+
+class RealAndSimulated(Problem):
+    code = "E230"
+    activity: str
+    hint = "remove `real`, or the rest"
+
+    @property
+    def message(self) -> str:
+        return f"`{self.activity}` is `real`: it does what its code says, and nothing else"
+
+
+class OutsideGroups(Problem):
+    code = "E230"
+    agents: tuple[str, ...]
+    hint = "name each agent that takes part in one group"
+
+    @property
+    def message(self) -> str:
+        return f"in no group, or in two: {listed(self.agents)}"
+
+
+class BehindTheEnd(Problem):
+    code = "E230"
+    end: str
+    hint = "let the run last longer"
+
+    @property
+    def message(self) -> str:
+        return f"the run ends before it, with `for {self.end}`"
+
+
+class HitWithoutMoment(Problem):
+    code = "E230"
+    message = "it needs a moment"
+    hint = "write `at 2s` or `from 2s to 5s` before it"
+
+
+class NeitherMessage(Problem):
+    """A message that is on no channel and has no performative."""
+
+    code = "E230"
+    kind: str
+
+    @property
+    def message(self) -> str:
+        return f"nothing says how `{self.kind}` comes"
+
+    @property
+    def hint(self) -> str:
+        kind = self.kind
+        return f"write `topic.state.{kind} {{ … }}` for a channel, or `inform {kind} {{ … }}` between agents"
+
+
+class WhichAgent(Problem):
+    """A condition that no agent is named for, where several take part."""
+
+    code = "E230"
+    agents: tuple[str, ...]
+    condition: str
+    message = "nothing says which agent this is about"
+
+    @property
+    def hint(self) -> str:
+        return f"write `{self.agents[0]} has [{self.condition}]`"
