@@ -32,7 +32,7 @@ def test_a_file_that_is_named_is_collected(project: pytest.Pytester) -> None:
             "failed, seed 1",
             "*good.aseme:17:36: has not come by 3 s",
             "*by 3s one in Walk*",
-            "*one  3 s  enters Stand*",
+            "*3 s  one  Stand -> Stand*",
             "FAILED good.aseme::it walks*",
         ]
     )

@@ -20,6 +20,7 @@ from aseme_dsl.cli.shared import (
     cluster_option,
     colour_option,
     crew_of,
+    folder_option,
     one_system,
     plural,
     print_diagnostics,
@@ -81,6 +82,7 @@ if TYPE_CHECKING:
     metavar="FILE",
     help="Append the smallest case of each failure to FILE, as a scenario.",
 )
+@folder_option("--stories", text="Directory for a sequence diagram (SVG) of each failure.")
 @click.option(
     "--format",
     "form",
@@ -102,6 +104,7 @@ def command(
     html: Path | None,
     wanted: Wanted,
     saved: Path | None,
+    stories: Path | None,
     form: str | None,
     as_json: bool,
     colour: str,
@@ -149,11 +152,15 @@ def command(
         raise click.ClickException(f"{problem}.") from problem
     finally:
         progress.end()
+    code = int(any(item.verdict != "passed" for item in tested))
+    if stories is not None:
+        code = max(code, _draw(tested, stories, colour))
     if saved is not None and (cases := "\n".join(item.shrunk for item in tested if item.shrunk)):
         before = outside.read_bytes(saved) + b"\n" if saved.exists() else b""
-        print_diagnostics(write_file(saved, before + cases.encode("utf-8")).diagnostics, colour)
+        found = write_file(saved, before + cases.encode("utf-8")).diagnostics
+        print_diagnostics(found, colour)
+        code = max(code, int(has_errors(found)))
     coverage = None
-    code = int(any(item.verdict != "passed" for item in tested))
     if seen is not None:
         model = model_of(compiled.system, choice)
         coverage = measured(model.system, seen)
@@ -165,6 +172,20 @@ def command(
     file = str(compiled.root if isinstance(compiled.root, Path) else target)
     _print(tested, form, file, colour, coverage if measures else None)
     return code if coverage is None else max(code, too_little(coverage, wanted))
+
+
+def _draw(tested: Sequence[ScenarioResult], folder: Path, colour: str) -> int:
+    """Write the sequence diagram of each failure; 1 if one cannot be written."""
+    from aseme_dsl.project.files.write import write_file
+    from aseme_dsl.project.testing.story_pictures import pictures
+
+    code = 0
+    for name, text in pictures(tested):
+        check_outputs([(folder / name, "talk")])
+        found = write_file(folder / name, text.encode("utf-8")).diagnostics
+        print_diagnostics(found, colour)
+        code = max(code, int(has_errors(found)))
+    return code
 
 
 def _bound(bindings: Sequence[str], roles: Collection[str]) -> dict[str, str]:

@@ -76,17 +76,22 @@ def _about(conditions: Sequence[Condition], number: int) -> frozenset[str] | Non
         case Faulty():
             return None
         case AllOf(parts=parts) | AnyOf(parts=parts):
-            found = [_about(conditions, part) for part in parts]
-            return None if None in found else frozenset().union(*(item for item in found if item is not None))
+            return agents_about(conditions, parts)
         case NotSo(part=part):
             return _about(conditions, part)
         case _:
             assert_never(condition)
 
 
-def _are_own(conditions: Sequence[Condition], numbers: Iterable[int], agent: str) -> bool:
+def agents_about(conditions: Sequence[Condition], numbers: Iterable[int]) -> frozenset[str] | None:
+    """The agents that some conditions are about; None: any agent."""
     found = [_about(conditions, number) for number in numbers]
-    return all(item is not None and item <= {agent} for item in found)
+    return None if None in found else frozenset().union(*(item for item in found if item is not None))
+
+
+def _are_own(conditions: Sequence[Condition], numbers: Iterable[int], agent: str) -> bool:
+    about = agents_about(conditions, numbers)
+    return about is not None and about <= {agent}
 
 
 def _share(item: Expectation, conditions: list[Condition], agent: str) -> Expectation | None:
@@ -202,4 +207,4 @@ def _with_parts(condition: Condition, new: Callable[[int], int]) -> Condition:
             return condition
 
 
-__all__ = ["Decided", "decided_by"]
+__all__ = ["Decided", "agents_about", "decided_by"]

@@ -16,6 +16,8 @@ class Followed:
 
     active: frozenset[str] = frozenset()
     """The labels of the active states, with those around them."""
+    leaves: tuple[str, ...] = ()
+    """The labels of the innermost active states."""
     newest: dict[tuple[str, str | None], tuple[Told, int]] = field(default_factory=dict)
     measured: dict[tuple[str, str | None], list[tuple[Told, int]]] = field(default_factory=dict)
     """What has come on the channels whose history a condition asks for, by time of measurement."""
@@ -26,6 +28,7 @@ class Followed:
     def forget(self) -> None:
         """It has crashed: it is in no state, and knows nothing."""
         self.active = frozenset()
+        self.leaves = ()
         self.newest.clear()
         self.measured.clear()
         self.entries.clear()

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+import itertools
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import assert_never, cast
 
 from aseme_dsl.amola.expression import At, Mean
 from aseme_dsl.play.assumptions import Assumptions
 from aseme_dsl.play.conversations import Clauses
+from aseme_dsl.play.deciding import agents_about
 from aseme_dsl.play.evaluate import Known, Told, ages, asked, counted, timers, value_of
 from aseme_dsl.play.followed import Followed, answer, around, entered_by
 from aseme_dsl.play.insight import Surroundings
@@ -24,13 +27,20 @@ from aseme_dsl.play.scenario import (
     Says,
     Script,
 )
+from aseme_dsl.play.story import Happened, content_of
+from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.chart.plan import Plan
-from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
+from aseme_dsl.runtime.monitor.rules import State, Verdict, View, conditions_of, ended, seen
 from aseme_dsl.runtime.time.clock import shown
-from aseme_dsl.runtime.trace.records import Record
+from aseme_dsl.runtime.trace.records import Record, Taken
 
-LAST = 6
-"""A failure shows so many of the last things that happened to an agent."""
+LAST, FEWEST = 8, 3
+"""A failure shows so many of the last things that happened to an agent; fewer of each of many."""
+_MOST_UNREAD = 1000
+"""Of so many messages it is known who has not received them."""
+
+_LONG = 100
+"""Longer conditions and actions of a step are cut off (characters)."""
 
 KINDS = frozenset(
     (
@@ -44,6 +54,11 @@ KINDS = frozenset(
         "error",
         "activity",
         "conversation",
+        "lost",
+        "unexpected",
+        "unsent",
+        "refused",
+        "expired",
     )
 )
 
@@ -94,8 +109,11 @@ class Observer:
         self._clauses = Clauses(script.expectations, script.conditions)
         self._inputs = inputs
         self._agents = {name: Followed() for name, _ in script.team}
-        self._last: dict[str, dict[str, tuple[int, str]]] = {name: {} for name, _ in script.team}
-        """When what has happened to an agent happened last; the newest comes last."""
+        self._last: dict[str, dict[str, tuple[int, Happened]]] = {name: {} for name, _ in script.team}
+        """What has happened to an agent, each as it happened last, with its number; the newest comes last."""
+        self._happened = itertools.count()
+        self._unread: dict[tuple[str, int], set[str]] = {}
+        """Who has not received yet what was sent lately."""
         self._said: dict[tuple[str, int], Said] = {}
         self._arrived: dict[tuple[str, str, int], int] = {}
         self._held: frozenset[int] = frozenset()
@@ -145,7 +163,12 @@ class Observer:
                 self._clauses.conversation(record, branches[record["branch"]], self._now)
                 self._take_clauses()
             case "activity" if record["what"] in ("end", "crash"):
-                self._note(record["agent"], ending(record))
+                self._note(record["agent"], ending(record), is_step=True)
+            case "lost" | "unexpected" | "unsent" | "refused" | "expired":
+                if record["kind"] == "unexpected":  # it has arrived
+                    sender, number = record["input"]
+                    self._unread.get((str(sender), int(number)), set()).discard(record["agent"])
+                self._note(record["agent"], went_wrong(record))
 
     # ---- time --------------------------------------------------------------------------------
 
@@ -227,6 +250,9 @@ class Observer:
             followed.active = frozenset(label for leaf in leaves for label in around(leaf))
         followed.has_begun = True
         entered = set(followed.active - before)
+        inside = followed.leaves
+        if "configuration" in record:
+            followed.leaves = tuple(record["configuration"])
         received = []
         for identity in record["inputs"]:
             said = self._said.get((str(identity[0]), int(identity[1])))
@@ -239,8 +265,8 @@ class Observer:
                 followed.count(plan, self._counted, new)
             if plan.name == self._roles[agent]:
                 entered |= new
-            at = plan.transitions[taken["transitions"][-1]].at
-            self._note(agent, way(plan, taken["source"], taken["target"]), at)
+        if record["taken"]:
+            self._add(*stepping(self._now, agent, plan, inside, followed.leaves, record["taken"]))
         if self._timers:
             self._wake_for_timers(agent)
         self._look(_Happening({agent: frozenset(entered)}, received=tuple(received)))
@@ -262,7 +288,18 @@ class Observer:
                 self._around.at(moment, self.look)
 
     def _receive(self, agent: str, said: Said, identity: tuple[str, int]) -> None:
-        self._note(agent, f"receives {said.what} from {said.sender}")
+        self._unread.get(identity, set()).discard(agent)
+        if said.sender == agent:
+            self._has_received(agent, said, identity)
+            return
+        text = f"receives {said.what}{content_of(said.content)} from {said.sender}"
+        item = Happened(self._now, agent, text, peer=said.sender)
+        # What a scenario gives is different each time.
+        key = f"receives {said.what} {said.sender}" if said.sender in self._agents else text
+        self._add(key, item)
+        self._has_received(agent, said, identity)
+
+    def _has_received(self, agent: str, said: Said, identity: tuple[str, int]) -> None:
         if said.performative is not None:
             return
         followed = self._agents[agent]
@@ -291,7 +328,11 @@ class Observer:
             return
         self._said[agent, record["sequence"]] = said
         if record["kind"] != "radio_received" and sender in self._agents:
-            self._note(sender, f"sends {what}")
+            number = int(record["sequence"])
+            self._add(f"sends {what}", replace(sending(said, record.get("to", [])), number=number))
+            self._unread[agent, number] = self._agents.keys() & set(record.get("to", ()))
+            if len(self._unread) > _MOST_UNREAD:
+                del self._unread[next(iter(self._unread))]
             self._look(_Happening(sent=said))
 
     def _plan(self, agent: str) -> Plan:
@@ -302,20 +343,68 @@ class Observer:
         assert self._surroundings is not None
         return self._surroundings
 
-    def _note(self, agent: str, text: str, at: str = "") -> None:
-        """Something has happened to an agent; `at` is the place of the line in the source."""
-        last = self._last.get(agent)
-        if last is not None:
-            last.pop(text, None)
-            last[text] = self._now, at
+    def _note(self, agent: str, text: str, *, is_step: bool = False) -> None:
+        """Something has happened to an agent."""
+        self._add(text, Happened(self._now, agent, text, is_step=is_step))
 
-    def story(self) -> tuple[str, ...]:
-        """The last things that happened, agent by agent."""
-        return tuple(
-            f"{name}  {shown(moment)}  {text}{f'  ({at})' if at else ''}"
-            for name, last in self._last.items()
-            for text, (moment, at) in list(last.items())[-LAST:]
-        )
+    def _add(self, key: str, item: Happened) -> None:
+        """Something has happened to an agent; what has the same `key` is the same once more."""
+        last = self._last.get(item.agent)
+        if last is not None:
+            before = last.pop(key, None)
+            times = 1 if before is None else before[1].times + 1
+            last[key] = next(self._happened), replace(item, times=times)
+
+    def story(self) -> tuple[Happened, ...]:
+        """The last things that happened to the agents that the broken expectation is about, in their order.
+
+        Of others there is what they have exchanged with those, and how they have crashed or failed. At the
+        end stands where each agent is.
+        """
+        about: frozenset[str] | None = None
+        if self.broken is not None:
+            rule = self.script.expectations[self.broken].rule
+            about = agents_about(self.script.conditions, conditions_of(rule))
+        chosen = frozenset(self._last) if about is None else about
+        most = max(FEWEST, LAST // max(1, len(chosen) // 2))
+        found = []
+        for name, last in self._last.items():
+            items = list(last.values())
+            if name not in chosen:
+                items = [item for item in items if _concerns(item[1], chosen)]
+            found += items[-most if name in chosen else -FEWEST :]
+        ordered = [self._with_missing(item) for _, item in sorted(found, key=lambda numbered: numbered[0])]
+        sent = {(item.moment, item.agent, name) for item in ordered for name in item.to}
+        story = [item for item in ordered if (item.moment, item.peer, item.agent) not in sent]
+        end = self._now if self.broken is None else self.states[self.broken].at
+        story += [item for item in self._cuts(end) if item.agent in chosen]
+        story.sort(key=lambda item: item.moment)
+        return (*story, *(self._standing(name, end) for name in self._agents if name in chosen))
+
+    def _cuts(self, end: int) -> Iterator[Happened]:
+        """How agents were cut off until the end."""
+        for cut in self.script.cuts:
+            others = [name for name in self._agents if name not in cut.agents]
+            if cut.first <= end and others:
+                until = "" if cut.last == NEVER else f" until {shown(cut.last)}"
+                for agent in self._agents:
+                    away = others if agent in cut.agents else sorted(cut.agents)
+                    yield Happened(cut.first, agent, f"is cut off from {', '.join(away)}{until}")
+
+    def _with_missing(self, item: Happened) -> Happened:
+        """A message that was sent, with those who have not received it."""
+        missing = [name for name in item.to if name in self._unread.get((item.agent, item.number), ())]
+        if not missing:
+            return item
+        but = f"; not received by {', '.join(missing)}"
+        return replace(item, text=item.text + but, sent=item.sent + but)
+
+    def _standing(self, agent: str, moment: int) -> Happened:
+        """Where an agent is now."""
+        followed = self._agents[agent]
+        inside = leaf_names(self._plan(agent), followed.leaves) if followed.leaves else []
+        text = f"is in {' and '.join(inside)}" if inside else "is in no state"
+        return Happened(moment, agent, text, stands=True)
 
     # ---- what is seen ------------------------------------------------------------------------
 
@@ -438,6 +527,50 @@ def _aged(conditions: Iterable[Condition]) -> Mapping[str, frozenset[int]]:
     return {channel: frozenset(items) for channel, items in found.items()}
 
 
+def _concerns(item: Happened, agents: frozenset[str]) -> bool:
+    """Whether others see what has happened to an agent: these agents, or all."""
+    if item.to or item.peer:
+        return item.peer in agents or not agents.isdisjoint(item.to)
+    return not item.is_step
+
+
+def leaf_names(plan: Plan, labels: Iterable[str]) -> list[str]:
+    """What people call the innermost active states; where the first inside one is awaited, `before` that."""
+    states = (plan.by_label[label] for label in labels if label in plan.by_label)
+    names = (plan.called(state) for state in states if state.type != "AND")
+    found = list(dict.fromkeys(re.sub("^start of ", "before ", name) for name in names))
+    busy = [name for name in found if not name.startswith("before ")]
+    return busy or found
+
+
+def stepping(
+    moment: int, agent: str, plan: Plan, before: Sequence[str], after: Sequence[str], taken: Sequence[Taken]
+) -> tuple[str, Happened]:
+    """What people call a step: which innermost states it left and entered, why, and where that stands.
+
+    The first is the same for all steps that take the same transitions.
+    """
+    entered = {label for way in taken for label in entered_by(plan, way["transitions"])}
+    left = leaf_names(plan, (label for label in before if label not in after or label in entered))
+    new = leaf_names(plan, (label for label in after if label not in before or label in entered))
+    terms = (plan.by_label[label] for label in sorted(entered) if label not in after)
+    around = next((state.name for state in terms if state.name.isidentifier()), None)
+    where = f" in {around}" if around is not None and len(new) == 1 and new != [around] else ""
+    if not new:
+        text = f"takes a transition in {' and '.join(leaf_names(plan, after)) or plan.name}"
+    elif left:
+        text = f"{' and '.join(left)} -> {' and '.join(new)}{where}"
+    else:
+        text = f"enters {' and '.join(new)}{where}"
+    said = [way for way in taken if way["text"]]
+    why = "; ".join(" ".join(way["text"].split()) for way in said)
+    if why:
+        text += f" : {why if len(why) <= _LONG else f'{why[: _LONG - 1]}…'}"
+    places = [plan.transitions[way["transitions"][-1]].at for way in said or taken[-1:]]
+    key = " ".join(str(number) for way in taken for number in way["transitions"])
+    return key, Happened(moment, agent, text, ", ".join(dict.fromkeys(places[:2])), is_step=True)
+
+
 def way(plan: Plan, source: str, target: str) -> str:
     """What people call a transition that is taken."""
     left, entered = plan.by_label[source], plan.by_label[target]
@@ -446,10 +579,37 @@ def way(plan: Plan, source: str, target: str) -> str:
     return f"{plan.called(left)} -> {plan.called(entered)}"
 
 
+def sending(said: Said, receivers: Iterable[str]) -> Happened:
+    """What people call the sending of a message."""
+    to = tuple(name for name in receivers if name != said.sender)
+    sent = f"{said.what}{content_of(said.content)}"
+    text = f"sends {sent} to {', '.join(to)}" if to else f"sends {sent}, which no other agent reads"
+    return Happened(said.moment, said.sender, text, sent=sent, to=to)
+
+
+def went_wrong(record: Record) -> str:
+    """What people call a message that did not arrive, or that its receiver cannot take."""
+    what = f"{record.get('performative', '')} {record.get('message', '')}".strip()
+    match record["kind"]:
+        case "lost":
+            what = str(record.get("channel") or "an agent message")
+            return f"{what} to {record['peer']} is lost: {record['reason']}"
+        case "unexpected":
+            return f"does not expect {what} from {record['sender']}: {record['reason']}"
+        case "unsent":
+            return f"{what} is not sent: {record['reason']}"
+        case "expired":
+            return f"{record['channel']} has expired: nothing has taken it"
+        case _:
+            return f"{record['channel']} is not published: {record['reason']}"
+
+
 def ending(record: Record) -> str:
     """What people call the end of an activity."""
     how = record.get("outcome") or record.get("reason")
-    return f"{record['activity']} {'ends' if record['what'] == 'end' else 'fails'}{f': {how}' if how else ''}"
+    return (
+        f"{record['activity']} {'returns' if record['what'] == 'end' else 'fails'}{f': {how}' if how else ''}"
+    )
 
 
 __all__ = ["KINDS", "Observer", "Said", "ending", "way"]

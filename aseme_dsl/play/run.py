@@ -23,9 +23,11 @@ from aseme_dsl.play.scenario import (
     Stimulus,
 )
 from aseme_dsl.play.stand_ins import NotComputed, finder, given_message, staged
+from aseme_dsl.play.story import Happened
 from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.monitor.rules import State
+from aseme_dsl.runtime.team.ending import Waiting
 from aseme_dsl.runtime.team.faults import Faults, Partition
 from aseme_dsl.runtime.team.team import Team, TeamError, make_team
 from aseme_dsl.runtime.trace.records import Record
@@ -55,7 +57,9 @@ class Played:
     """The first expectation that was broken, of those that every run has to meet."""
     failures: Mapping[str, str]
     faults: tuple[str, ...]
-    story: tuple[str, ...]
+    story: tuple[Happened, ...]
+    waits: Mapping[str, tuple[Waiting, ...]]
+    """What each agent waits for at the end."""
     ends: Mapping[str, frozenset[str]]
     """The labels of the states that each agent is in at the end."""
     assumption: tuple[Assumption, int] | None = None
@@ -138,6 +142,7 @@ def play(
         observer.failures,
         tuple(observer.faults),
         observer.story(),
+        {agent.name: agent.waits for agent in result.agents},
         observer.places(),
         observer.assumed.broken,
     )

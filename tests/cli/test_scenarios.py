@@ -47,14 +47,21 @@ failed   it walks  seed 1  3 s
   good.aseme:22:3: has not come by 3 s
    22 |   by 3s one in Walk
       |   ^^^^^^^^^^^^^^^^^
-    one  0 s  enters (Walk | Stand)  (good.aseme:5:22)
-    one  3 s  Stand ends
-    one  3 s  Stand -> end of (Walk | Stand)  (good.aseme:5:30)
-    one  3 s  (Walk | Stand) -> (Walk | Stand)  (good.aseme:11:5)
-    one  3 s  enters Stand  (good.aseme:9:5)
+    0 s  one  enters Stand : else  (good.aseme:9:5)
+    3 s  one  Stand returns, 3 times by now
+    3 s  one  Stand -> Stand : else; else, 3 times by now  (good.aseme:11:5, good.aseme:9:5)
+    3 s  one  waits for its activity Stand (good.aseme:5) to end
 1 scenario: 1 failed
 """
     )
+
+
+def test_a_failure_is_drawn_and_what_cannot_be_written_is_a_failure(tested: Here, folder: Path) -> None:
+    assert tested("test", "good.aseme", "-k", "walks", "--stories", "drawn").code == 1
+    assert [path.name for path in (folder / "drawn").iterdir()] == ["it-walks.svg"]
+    assert "aseme-talk" in (folder / "drawn" / "it-walks.svg").read_text()
+    share = tested("test", "good.aseme", "-k", "stands", "--stories", "drawn")
+    assert (share.code, len(list((folder / "drawn").iterdir()))) == (0, 1)
 
 
 def test_programs_read_json(tested: Here) -> None:
@@ -184,7 +191,7 @@ def test_a_failure_is_shrunk_and_saved_as_a_scenario(here: Here, folder: Path) -
     done = here("test", "good.aseme", "--save", "found.aseme")
     assert done.code == 1
     assert "  with home = 0, far = 18" in done.out.splitlines(), done.out
-    assert "  also without the inputs of line 19, 20, 22" in done.out.splitlines(), done.out
+    assert "  it fails without the inputs of line 19, 20, 22, too" in done.out.splitlines(), done.out
     saved = (folder / "found.aseme").read_text()
     assert (
         saved

@@ -178,7 +178,7 @@ def check_statements(
             check.statement(statement)
         found += _each_cause(check.found, wrong)
         if not is_property and not wrong and not check.is_broken:
-            found += check_together(item.title, statements, agents)
+            found += check_together(statements, agents)
     for file in files:
         found += _titled_twice(file)
     return tuple(dict.fromkeys(found))

@@ -14,12 +14,8 @@ from aseme_dsl.source import Span
 _ONCE = ("for", "network", "world")
 
 
-def check_together(
-    title: tree.Text, statements: Sequence[nodes.Statement], agents: Mapping[str, str]
-) -> Iterator[Diagnostic]:
+def check_together(statements: Sequence[nodes.Statement], agents: Mapping[str, str]) -> Iterator[Diagnostic]:
     """What does not go together in a scenario in which these agents take part."""
-    if not statements:
-        yield Diagnostic(problems.EmptyScenario(), title.span)
     yield from _twice(statements)
     yield from _taking_part(statements)
     yield from _crashes(statements)

@@ -48,7 +48,7 @@ def _waiting_lines(agents: Iterable[AgentResult]) -> list[str]:
         # Beside an activity that runs, a region that rests for a time is nothing to look at.
         is_active = not agent.stuck and any(map(_runs, agent.waits))
         lines += [
-            f"{agent.name} ({agent.role}) waits {_waits(item)}"
+            f"{agent.name} ({agent.role}) waits {waits_text(item)}"
             for item in agent.waits
             if item.conversation is None and not item.free
             if not is_active or (not _runs(item) and item.awaits and not item.timed)
@@ -77,10 +77,10 @@ def _member_lines(member: Member) -> list[str]:
         return [f"{who} is suspended"]
     if not member.waits:
         return [f"{who} has not joined"]
-    return [f"{who} waits {_waits(item)}" for item in member.waits]
+    return [f"{who} waits {waits_text(item)}" for item in member.waits]
 
 
-def _waits(item: Waiting) -> str:
+def waits_text(item: Waiting) -> str:
     """Where an agent waits and for what: `after Ask (a.aseme:4) for agree Offer from seller (a.aseme:9)`."""
     if _runs(item):
         # What may interrupt it, too, is in --json.

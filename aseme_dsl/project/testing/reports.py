@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from aseme_dsl.diagnostics.github import command
 from aseme_dsl.diagnostics.junit import printable
 from aseme_dsl.diagnostics.render import excerpt
+from aseme_dsl.play.story import told
 from aseme_dsl.project.testing.verdicts import ScenarioResult, Verdict
 
 COLOURS = {"passed": "32", "failed": "31", "error": "31", "vacuous": "33"}
@@ -24,8 +25,8 @@ def explained(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:
         yield "  with " + ", ".join(f"{name} = {value}" for name, value in item.given.items())
     if item.dropped:
         lines = ", ".join(str(span.line) for span in item.dropped)
-        yield f"  also without the {'inputs' if len(item.dropped) > 1 else 'input'} of line {lines}"
-    for line in item.story:
+        yield f"  it fails without the {'inputs' if len(item.dropped) > 1 else 'input'} of line {lines}, too"
+    for line in told(item.story):
         yield f"    {line}"
 
 
@@ -53,7 +54,7 @@ def junit(results: Sequence[ScenarioResult], file: str) -> str:
         if item.verdict is not Verdict.PASSED:
             word = "error" if item.verdict is Verdict.ERROR else "failure"
             attributes = {"type": str(item.verdict), "message": printable(item.reason)}
-            text = "\n".join((f"{item.span}: {item.reason}, seed {item.seed}", *item.story))
+            text = "\n".join((f"{item.span}: {item.reason}, seed {item.seed}", *told(item.story)))
             SubElement(case, word, attributes).text = printable(text)
     indent(root)
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{tostring(root, encoding="unicode")}\n'

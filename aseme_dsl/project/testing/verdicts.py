@@ -8,7 +8,9 @@ from enum import StrEnum
 from typing import assert_never
 
 from aseme_dsl.play.run import Played
-from aseme_dsl.play.scenario import Expectation, Failed, Faulty, Scenario, Script
+from aseme_dsl.play.scenario import Condition, Expectation, Failed, Faulty, InPlaces, Scenario, Script
+from aseme_dsl.play.story import Happened
+from aseme_dsl.project.playing.run_end import waits_text
 from aseme_dsl.project.testing.cases import Case
 from aseme_dsl.runtime.monitor.rules import (
     AfterFirst,
@@ -50,7 +52,9 @@ class ScenarioResult:
     reason: str = ""
     span: Span | None = None
     given: Mapping[str, object] | None = None
-    story: tuple[str, ...] = ()
+    story: tuple[Happened, ...] = ()
+    team: tuple[tuple[str, str], ...] = ()
+    """The agents with their roles."""
     runs: int = 0
     points: int | None = None
     """What a teacher gives for it if it passes."""
@@ -88,7 +92,7 @@ def verdict_of(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played 
             if item.of:
                 reason = f"{item.of}: {reason}"
             return _result(
-                scenario, Verdict.FAILED, cases, place, run.end, reason, item.span, run.inputs, run.story
+                scenario, Verdict.FAILED, cases, place, run.end, reason, item.span, run.inputs, _story(run)
             )
     found = _missed_share(scenario, cases, played) or _vacuous(scenario, cases, played)
     if found is None:
@@ -121,11 +125,12 @@ def _result(
     reason: str = "",
     span: Span | None = None,
     given: Mapping[str, object] | None = None,
-    story: tuple[str, ...] = (),
+    story: tuple[Happened, ...] = (),
 ) -> ScenarioResult:
     seed = cases[place].seed if cases else 0
+    team = scenario.scripts[0].team if scenario.scripts else ()
     return ScenarioResult(
-        scenario.name, verdict, seed, time, reason, span, given, story, len(cases), scenario.points
+        scenario.name, verdict, seed, time, reason, span, given, story, team, len(cases), scenario.points
     )
 
 
@@ -136,6 +141,8 @@ def _broken(item: Expectation, script: Script, run: Played) -> str:
             return f"{name} has failed at {shown(run.end)}: {why}"
         case Never(condition=condition) if isinstance(script.conditions[condition], Faulty):
             return f"a fault at {shown(run.end)}: {run.faults[-1]}"
+        case Never(condition=condition) if _is_count(script.conditions[condition]):
+            return f"more at once at {shown(run.end)}"
         case Sometime() | InOrder() | LeadsTo():
             return f"has not come by {shown(run.end)}"
         case Never() | Before() | NotWithin():
@@ -144,6 +151,24 @@ def _broken(item: Expectation, script: Script, run: Played) -> str:
             return f"not so at {shown(run.end)}"
         case _:
             assert_never(item.rule)
+
+
+def _is_count(condition: Condition) -> bool:
+    return isinstance(condition, InPlaces) and condition.least > 1
+
+
+def _story(run: Played) -> tuple[Happened, ...]:
+    """What happened; of where an agent stands at the end, what it waits for there."""
+    return tuple(
+        said
+        for item in run.story
+        for said in (
+            [replace(item, text=f"waits {waits_text(one)}") for one in run.waits.get(item.agent, ())]
+            if item.stands
+            else ()
+        )
+        or [item]
+    )
 
 
 def _missed_share(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played]) -> ScenarioResult | None:
@@ -168,7 +193,7 @@ def _missed_share(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Play
                     reason,
                     item.span,
                     run.inputs,
-                    run.story,
+                    _story(run),
                 )
     return None
 

@@ -7,9 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from aseme_dsl.play.story import told
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import compile_root
 from aseme_dsl.project.testing.playing import play_scenarios, scenarios_in
+from aseme_dsl.project.testing.story_pictures import pictures
 from aseme_dsl.project.testing.verdicts import ScenarioResult, never_met
 
 SYSTEM = """system Walk
@@ -422,8 +424,24 @@ def test_a_story_says_when_an_agent_starts_again(tmp_path: Path) -> None:
     body = "a : walker  crash a at 500ms  restart a at 2s  at 2500ms not a in Wait"
     path.write_text(f'{SYSTEM}scenario "s" {{ {body} }}\n')
     (found,) = play(path)
-    told = [line.split("  ") for line in map(str, found.story) if "crashes" in line or "again" in line]
-    assert told == [["a", "0.5 s", "crashes"], ["a", "2 s", "starts again"]], found.story
+    lines = [(item.agent, item.moment, item.text) for item in found.story]
+    assert [line for line in lines if "crashes" in line[2] or "again" in line[2]] == [
+        ("a", 500_000_000, "crashes"),
+        ("a", 2_000_000_000, "starts again"),
+    ]
+
+
+def test_a_story_says_what_did_not_arrive_and_what_is_awaited(tmp_path: Path) -> None:
+    path = tmp_path / "talk.aseme"
+    body = "from 0s to 9s bob loses radio  by 2s bob in Hear  for 3s"
+    path.write_text(f'{TALK}scenario "s" {{ {body} }}\n')
+    (found,) = play(path)
+    lines = list(told(found.story))
+    assert any("not received by bob" in line for line in lines), lines
+    assert any("bob" in line and "is cut off from" in line for line in lines), lines
+    assert any("bob" in line and "for request Job from boss" in line for line in lines), lines
+    ((name, picture),) = pictures([found])
+    assert name == "s.svg" and "not received by bob" in picture and "bob" in picture
 
 
 def test_a_name_does_not_mean_a_state_whose_name_ends_with_it(tmp_path: Path) -> None:
@@ -481,5 +499,5 @@ scenario "together" { a, b : driver  for 3s }
     assert found == [
         ("alone", "passed", ""),
         ("one after the other", "passed", ""),
-        ("together", "failed", "clause of cross: came at 1 s"),
+        ("together", "failed", "clause of cross: more at once at 1 s"),
     ]

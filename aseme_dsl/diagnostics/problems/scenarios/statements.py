@@ -331,12 +331,6 @@ class CrashOfCrashed(Problem):
         return f"`{self.agent}` has crashed already"
 
 
-class EmptyScenario(Problem):
-    code = "E230"
-    message = "the scenario says nothing"
-    hint = "write what is expected, as `by 3s robot1 in Walk`, or `for 60s`"
-
-
 class EmptyTable(Problem):
     code = "E230"
     message = "the table has no row"
