@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from aseme_dsl.play.evaluate import Told
-from aseme_dsl.play.insight import Insight
+from aseme_dsl.play.sight.insight import Insight
 from aseme_dsl.runtime.chart.plan import Plan, State, is_in
 
 

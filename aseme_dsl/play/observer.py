@@ -11,10 +11,8 @@ from typing import assert_never, cast
 from aseme_dsl.amola.expression import At, Mean
 from aseme_dsl.play.assumptions import Assumptions
 from aseme_dsl.play.conversations import Clauses
-from aseme_dsl.play.deciding import agents_about
 from aseme_dsl.play.evaluate import Known, Told, ages, asked, counted, timers, value_of
 from aseme_dsl.play.followed import Followed, answer, around, entered_by
-from aseme_dsl.play.insight import Surroundings
 from aseme_dsl.play.scenario import (
     AllOf,
     AnyOf,
@@ -27,7 +25,9 @@ from aseme_dsl.play.scenario import (
     Says,
     Script,
 )
-from aseme_dsl.play.story import Happened, content_of
+from aseme_dsl.play.sight.deciding import agents_about
+from aseme_dsl.play.sight.insight import Surroundings
+from aseme_dsl.play.sight.story import Happened, content_of
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, conditions_of, ended, seen

@@ -9,7 +9,6 @@ from typing import Protocol, assert_never
 
 from aseme_dsl.play.coverage.probes import Recorder
 from aseme_dsl.play.evaluate import NotEvaluated
-from aseme_dsl.play.insight import Present
 from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import (
     Act,
@@ -22,8 +21,9 @@ from aseme_dsl.play.scenario import (
     Script,
     Stimulus,
 )
+from aseme_dsl.play.sight.insight import Present
+from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.play.stand_ins import NotComputed, finder, given_message, staged
-from aseme_dsl.play.story import Happened
 from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.monitor.rules import State

@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from aseme_dsl.play.sightings import Reporter, asked_of, told
+from aseme_dsl.play.sight.sightings import Reporter, asked_of, told
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.team.team import Team

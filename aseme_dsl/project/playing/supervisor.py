@@ -27,8 +27,8 @@ from typing import IO, TYPE_CHECKING, Protocol
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics.problems import running as problems
-from aseme_dsl.play.insight import Asked
-from aseme_dsl.play.sightings import asked_text
+from aseme_dsl.play.sight.insight import Asked
+from aseme_dsl.play.sight.sightings import asked_text
 from aseme_dsl.project.playing.play import PlayError
 from aseme_dsl.project.settings.platforms import given_environment
 from aseme_dsl.runtime.trace.trace_files import USUAL, name_for

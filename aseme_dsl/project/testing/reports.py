@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from aseme_dsl.diagnostics.github import command
 from aseme_dsl.diagnostics.junit import printable
 from aseme_dsl.diagnostics.render import excerpt
-from aseme_dsl.play.story import told
+from aseme_dsl.play.sight.story import told
 from aseme_dsl.project.testing.verdicts import ScenarioResult, Verdict
 
 COLOURS = {"passed": "32", "failed": "31", "error": "31", "vacuous": "33"}

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from aseme_dsl.diagrams.sequence.sequence import Arrow, Lifeline, Mark, Row, SequenceDiagram
 from aseme_dsl.diagrams.sequence.sequence_svg import drawn
-from aseme_dsl.play.story import Happened
+from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.project.testing.verdicts import ScenarioResult
 
 

@@ -9,7 +9,7 @@ from typing import assert_never
 
 from aseme_dsl.play.run import Played
 from aseme_dsl.play.scenario import Condition, Expectation, Failed, Faulty, InPlaces, Scenario, Script
-from aseme_dsl.play.story import Happened
+from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.project.playing.run_end import waits_text
 from aseme_dsl.project.testing.cases import Case
 from aseme_dsl.runtime.monitor.rules import (

@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from aseme_dsl.play.deciding import decided_by
-from aseme_dsl.play.insight import Asked, Present, asked_by
 from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import Expectation, Refused, Script
-from aseme_dsl.play.sightings import LAG, Later, Reporter
+from aseme_dsl.play.sight.deciding import decided_by
+from aseme_dsl.play.sight.insight import Asked, Present, asked_by
+from aseme_dsl.play.sight.sightings import LAG, Later, Reporter
 from aseme_dsl.runtime.monitor.rules import Verdict
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.source import Source, Span

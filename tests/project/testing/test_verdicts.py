@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.play.story import told
+from aseme_dsl.play.sight.story import told
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import compile_root
 from aseme_dsl.project.testing.playing import play_scenarios, scenarios_in

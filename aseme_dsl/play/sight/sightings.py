@@ -15,8 +15,8 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from typing import cast
 
-from aseme_dsl.play.insight import Asked, Insight, Kept, kept
 from aseme_dsl.play.observer import KINDS, Observer
+from aseme_dsl.play.sight.insight import Asked, Insight, Kept, kept
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.team.team import Team
 from aseme_dsl.runtime.trace.records import Record, as_record
