@@ -229,7 +229,7 @@ def test_what_has_not_come_is_not_made_smaller_by_leaving_out_what_leads_to_it(
     done = here("test", "good.aseme")
     lines = done.out.splitlines()
     assert done.code == 1
-    assert "  also without the input of line 18" in lines, done.out
+    assert "  it fails without the input of line 18, too" in lines, done.out
     assert "    one  2.5 s  receives eyes.state.Seen from input" in lines, done.out
 
 
