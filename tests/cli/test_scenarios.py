@@ -230,7 +230,9 @@ def test_what_has_not_come_is_not_made_smaller_by_leaving_out_what_leads_to_it(
     lines = done.out.splitlines()
     assert done.code == 1
     assert "  it fails without the input of line 18, too" in lines, done.out
-    assert "    one  2.5 s  receives eyes.state.Seen from input" in lines, done.out
+    assert "    2.5 s  one  receives eyes.state.Seen { ball = false, home = true } from input" in lines, (
+        done.out
+    )
 
 
 LATE = """
@@ -246,5 +248,5 @@ def test_a_story_ends_where_the_expectation_is_broken(here: Here, folder: Path) 
     (folder / "good.aseme").write_text(GOOD + LATE)
     done = here("test", "good.aseme")
     assert "good.aseme:18:3: not so at 1.5 s" in done.out
-    assert "    one  1 s  Stand ends" in done.out.splitlines(), done.out
+    assert "      1 s  one  Stand returns" in done.out.splitlines(), done.out
     assert "2 s" not in done.out

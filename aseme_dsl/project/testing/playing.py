@@ -19,7 +19,6 @@ from aseme_dsl.project.spreading.spread import spread
 from aseme_dsl.project.testing.cases import Case, cases_of
 from aseme_dsl.project.testing.shrinking import shrunk, text_of
 from aseme_dsl.project.testing.verdicts import NotRun, ScenarioResult, Verdict, verdict_of
-from aseme_dsl.runtime.monitor.rules import AfterFirst, At, InOrder, LeadsTo, Sometime
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
@@ -27,8 +26,6 @@ if TYPE_CHECKING:
     from aseme_dsl.project.building.project import Compiled
     from aseme_dsl.project.settings.configuration import Configuration
 
-AWAITING = Sometime | At | AfterFirst | InOrder | LeadsTo
-"""The rules that are broken because something is not so, or has not come."""
 MANY = 20
 """So many runs one process makes before another one is of use."""
 
@@ -155,12 +152,7 @@ def _smaller(
         return run if isinstance(run, Played) else None
 
     best = shrunk(script, case.inputs, found, play_again)
-    told = best.run
-    rule = script.expectations[found.broken or 0].rule
-    if best.dropped and isinstance(rule, AWAITING):  # what was dropped may say why it has not come
-        whole = play_again(script, best.inputs)
-        told = whole if whole is not None and whole.broken == found.broken else told
-    again = verdict_of(scenario, (replace(case, inputs=best.inputs),), (told,))
+    again = verdict_of(scenario, (replace(case, inputs=best.inputs),), (best.run,))
     return replace(
         again, runs=result.runs, dropped=best.dropped, shrunk=text_of(scenario, script, best, case.seed)
     )
