@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from tests.cli.support import GOOD, Here, asemec
 from tests.runtime.playing import check_line
 from tests.support.network import own_name
@@ -37,9 +37,9 @@ property "both play" { always bob in listener  never fault }
 """One counts and publishes for ever; the other hears it."""
 
 
-def breaches(path: Path) -> list[dict[str, Any]]:
+def breaches(path: Path) -> list[Any]:
     """What the trace says is broken."""
-    records = [json.loads(line) for line in path.read_text().splitlines()]
+    records = [line.record for line in TraceReader(path)]
     for record in records:
         check_line(record)
     return [record for record in records if record["kind"] == "breach"]
@@ -68,7 +68,7 @@ def test_a_breach_ends_a_strict_run_in_real_time(band: Path) -> None:
     done = asemec("run", "band.aseme", "-o", "out", "--real", "--strict", "--json", "-q", cwd=band.parent)
     assert (done.code, done.json["result"]["reason"]) == (1, "a property or clause is broken"), done.out
     assert [item for item in verdicts(done) if item[0] != ALL[1][0]] == [ALL[0], *ALL[2:]]
-    (found,) = breaches(band.parent / "out" / "trace.jsonl")
+    (found,) = breaches(band.parent / "out" / "trace.jsonl.gz")
     assert (found["of"], found["at"]) == ('property "it ends"', "band.aseme:18:22")
     assert found["broken"] <= found["time"]
 
@@ -79,7 +79,7 @@ def test_the_line_is_the_same_in_virtual_time(
     monkeypatch.chdir(band.parent)
     done = here("run", "band.aseme", "-o", "out", "--strict", "--json", "-q")
     assert (done.code, done.json["result"]["reason"]) == (1, "a property or clause is broken")
-    (found,) = breaches(band.parent / "out" / "trace.jsonl")
+    (found,) = breaches(band.parent / "out" / "trace.jsonl.gz")
     assert (found["of"], found["at"], found["broken"]) == (
         'property "it ends"',
         "band.aseme:18:22",
@@ -103,7 +103,7 @@ def test_the_process_of_one_agent_watches_what_that_decides(band: Path) -> None:
         "other agents decide it: `asemec run --process-per-agent` watches the whole team",
     ]
     assert len(broken) == 2 and all('property "it ends" (band.aseme:18:22)' in line for line in broken)
-    (found,) = breaches(band.parent / "out" / "trace.ann.jsonl")
+    (found,) = breaches(band.parent / "out" / "trace.ann.jsonl.gz")
     assert found["of"] == 'property "it ends"'
     other = asemec("node", "bob", "--from", "out", "--for", "200ms", "--strict", cwd=band.parent)
     assert (other.code, 'not decided here: property "it ends"' in other.out) == (0, True), other.out
@@ -116,7 +116,7 @@ def test_the_supervisor_watches_what_all_processes_do(band: Path) -> None:
     assert (done.code, done.json["result"]["reason"]) == (1, "a property or clause is broken"), done.err
     assert [item for item in verdicts(done) if item[0] != ALL[1][0]] == [ALL[0], *ALL[2:]]
     assert dict(verdicts(done))[ALL[1][0]] in ("kept", "open")
-    (found,) = breaches(band.parent / "out" / "trace.ann.jsonl")
+    (found,) = breaches(band.parent / "out" / "trace.ann.jsonl.gz")
     assert (found["of"], found["at"]) == ('property "it ends"', "band.aseme:18:22")
 
 
