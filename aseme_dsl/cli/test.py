@@ -34,6 +34,7 @@ from aseme_dsl.diagnostics import Severity, closest, has_errors
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterator, Sequence
 
+    from aseme_dsl.amola.system import System
     from aseme_dsl.play.coverage.measure import Coverage
     from aseme_dsl.play.scenario import Scenario
     from aseme_dsl.project.testing.verdicts import ScenarioResult
@@ -171,6 +172,8 @@ def command(
         code = max(code, write_page(html, model.system, coverage, colour))
     file = str(compiled.root if isinstance(compiled.root, Path) else target)
     _print(tested, form, file, colour, coverage if measures else None)
+    if not tested and form == "text":
+        click.echo("\n".join(_first(compiled.system)))
     return code if coverage is None else max(code, too_little(coverage, wanted))
 
 
@@ -233,6 +236,24 @@ def _print(
                 click.echo(line)
             if coverage is not None:
                 click.echo("\n".join(("", *lines(coverage))))
+
+
+def _first(system: System) -> Iterator[str]:
+    """A first scenario that the system could have."""
+    from aseme_dsl.amola.statechart import StateType
+
+    agents = [(agent.name, agent.role) for team in system.teams for agent in team.agents]
+    charts = {chart.name: chart for chart in system.iacs}
+    name, role = next(iter(agents or ((name, name) for name in charts)), ("", ""))
+    states = charts[role].states if role in charts else ()
+    state = next((item.activity for item in states if item.type is StateType.BASIC and item.activity), None)
+    if state is None:
+        return
+    yield "write one in the file, for example:"
+    yield f'  scenario "{name} begins" {{'
+    yield f"    {name} : {role}"
+    yield f"    by 3s {name} in {state}"
+    yield "  }"
 
 
 def _data(item: ScenarioResult) -> dict[str, object]:

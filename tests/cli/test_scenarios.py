@@ -116,7 +116,10 @@ def test_the_exit_code_says_whether_all_have_passed(tested: Here, folder: Path) 
     assert tested("test", "bad.aseme").code == 1
     (folder / "good.aseme").write_text(GOOD)
     none = tested("test", "good.aseme")
-    assert (none.code, none.out) == (0, "0 scenarios\n")
+    said, _, example = none.out.partition("\nwrite one in the file, for example:\n")
+    assert (none.code, said) == (0, "0 scenarios")
+    (folder / "good.aseme").write_text(GOOD + example.replace("3s", "9s"))
+    assert "1 scenario: 1 " in tested("test", "good.aseme").out
 
 
 def test_the_same_seeds_give_the_same_in_several_processes(tested: Here) -> None:

@@ -86,7 +86,7 @@ USES = {
     "diagram": Use(after=("--format", "dot", "-o", "drawn"), says="files: "),
     "view": Use(says="src/walker.aseme: http://"),
     "run": Use(after=("--for", "2s", "--allow", "waiting"), says="  trace: made/trace.jsonl.gz\n"),
-    "test": Use(says="0 scenarios\n"),
+    "test": Use(says="    by 3s one in Walk\n  }\n"),
     "sim": Use(after=("--plain",), says="0 s\n"),
     "node": Use(("one",), ("--for", "1ms", "--trace", "one.jsonl"), says="  trace: one.jsonl\n"),
     "swap": Use(code=1, says="error[E034]: nothing has changed:\nnothing runs from made: "),

@@ -231,7 +231,14 @@ def _conditions(chart: Statechart, seen: Seen, reach: Reach) -> Iterator[Item]:
             elif number not in reach.transitions:
                 status, reason = Status.NEVER, "its transition is never taken"
             elif not seen.evaluated:
-                status, reason = Status.UNMEASURED, "the traces cannot be replayed"
+                status, reason = (
+                    Status.UNMEASURED,
+                    (
+                        "the traces cannot be replayed"
+                        if seen.traces or seen.scenarios
+                        else "nothing was played"
+                    ),
+                )
             else:
                 status, reason = Status.MISSED, _lacks(evaluations, place)
             yield Item(
