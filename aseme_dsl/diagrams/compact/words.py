@@ -51,12 +51,14 @@ Row = tuple[str, Look]
 Rows = tuple[tuple[Row, ...], tuple[Row, ...]]
 
 
+BOLD = (Look.NAME, Look.TITLE, Look.FIELD)
+
+
 def width(text: str, look: Look) -> float:
     """How wide a text is, with a little room for other fonts."""
-    bold = look in (Look.NAME, Look.TITLE, Look.FIELD)
     sign = text[:1] in ICONS and text != ""
     plain = text[1:].lstrip() if sign else text
-    return room_for(plain, SIZES[look], bold=bold) + (ICON if sign else 0)
+    return room_for(plain, SIZES[look], bold=look in BOLD) + (ICON if sign else 0)
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import re
 import unicodedata
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from aseme_dsl.diagrams.look import style
 
@@ -23,10 +24,18 @@ _ADVANCES = (
     *(333, 556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556),
     *(556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584),
 )
+_BOLD_ADVANCES = (
+    *(278, 333, 474, 556, 556, 889, 722, 238, 333, 333, 389, 584, 278, 333, 278, 278),
+    *(556, 556, 556, 556, 556, 556, 556, 556, 556, 556, 333, 333, 584, 584, 584, 611),
+    *(975, 722, 722, 722, 722, 667, 611, 778, 722, 278, 556, 722, 611, 833, 722, 778),
+    *(667, 778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 333, 278, 333, 584, 556),
+    *(333, 556, 611, 556, 611, 556, 333, 611, 611, 278, 278, 556, 278, 889, 611, 611),
+    *(611, 611, 389, 556, 333, 611, 556, 778, 556, 556, 500, 389, 280, 389, 584),
+)
+_SIGNS = {"←": 1000, "→": 1000, "…": 1000, "·": 333, "≤": 549, "×": 584}
 
-
-_PLAIN, _BOLD = 1.03, 1.09
-"""How much wider text is at the most in another font, and if it is bold."""
+_SLACK = 1.03
+"""How much wider text may be in another font."""
 
 
 class Html(str):
@@ -87,29 +96,30 @@ def fitted(text: str, room: float, size: float, *, bold: bool = False, most: int
 
     A single character stays, however little room there is.
     """
-    room /= _BOLD if bold else _PLAIN
+    room /= _SLACK
+    measured = partial(text_width, size=size, bold=bold)
     lines: list[str] = []
     line = ""
     for piece in _PIECES.findall(printable(text).strip()):
-        for part in [piece] if text_width(piece.rstrip(), size) <= room else _cut(piece, room, size):
-            if line and text_width((line + part).rstrip(), size) > room:
+        for part in [piece] if measured(piece.rstrip()) <= room else _cut(piece, room, measured):
+            if line and measured((line + part).rstrip()) > room:
                 lines.append(line.rstrip())
                 line = ""
             line += part
     lines.append(line.rstrip())
     if most and len(lines) > most:
         last = lines[most - 1]
-        while last and text_width(f"{last} …", size) > room:
+        while last and measured(f"{last} …") > room:
             last = last[:-1].rstrip()
         lines = [*lines[: most - 1], f"{last} …"]
     return tuple(lines)
 
 
-def _cut(piece: str, room: float, size: float) -> Iterable[str]:
+def _cut(piece: str, room: float, measured: Callable[[str], float]) -> Iterable[str]:
     """A word that is too wide for a line, cut where its words join, else anywhere."""
     for hump in _HUMPS.split(piece):
-        while text_width(hump.rstrip(), size) > room and len(hump) > 1:
-            end = next((at for at in range(2, len(hump)) if text_width(hump[:at], size) > room), 2) - 1
+        while measured(hump.rstrip()) > room and len(hump) > 1:
+            end = next((at for at in range(2, len(hump)) if measured(hump[:at]) > room), 2) - 1
             yield hump[:end]
             hump = hump[end:]
         yield hump
@@ -122,17 +132,20 @@ def short(text: str, most: int) -> str:
 
 def room_for(text: str, size: float, *, bold: bool = False) -> float:
     """How much room a line of text takes, with a little more for other fonts."""
-    return text_width(text, size) * (_BOLD if bold else _PLAIN)
+    return text_width(text, size, bold=bold) * _SLACK
 
 
-def text_width(text: str, size: float) -> float:
+def text_width(text: str, size: float, *, bold: bool = False) -> float:
     """How wide a line of text is, in points: for ASCII as in Arial and Helvetica, else about."""
-    return sum(_advance(char) for char in text) * size / 1000
+    advances = _BOLD_ADVANCES if bold else _ADVANCES
+    return sum(_advance(char, advances) for char in text) * size / 1000
 
 
-def _advance(char: str) -> int:
+def _advance(char: str, advances: Sequence[int]) -> int:
     if " " <= char <= "~":
-        return _ADVANCES[ord(char) - ord(" ")]
+        return advances[ord(char) - ord(" ")]
+    if char in _SIGNS:
+        return _SIGNS[char]
     return 1000 if unicodedata.east_asian_width(char) in "WF" else 640
 
 

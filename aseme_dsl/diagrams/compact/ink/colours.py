@@ -6,9 +6,10 @@ import re
 
 from aseme_dsl.amola.statechart import OriginKind, Statechart
 from aseme_dsl.diagrams.look.colours import DARK, LIGHT
+from aseme_dsl.diagrams.look.style import FONTS
 
 _RULES = """\
-text{font-family:Arial,"Liberation Sans",Helvetica,sans-serif;font-size:12px;fill:{ink}}
+text{font-family:{fonts};font-size:12px;fill:{ink}}
 .name{font-size:13px;font-weight:bold}.title{font-size:16px;font-weight:bold}.small{font-size:11px;fill:{soft}}
 .field{font-weight:bold}
 .action{font-style:italic;fill:{soft}}text.cut{fill:{cut}}text.error{fill:{error}}
@@ -32,7 +33,7 @@ path.p2{stroke:{p2};stroke-width:4}path.p3{stroke:{p3};stroke-width:4}
 
 
 def _rules(colours: dict[str, str]) -> str:
-    text = _RULES
+    text = _RULES.replace("{fonts}", FONTS)
     for name, colour in colours.items():
         text = text.replace(f"{{{name}}}", colour)
     # Part of a page, the rules must not reach what is around.

@@ -8,11 +8,11 @@ from typing import assert_never
 from xml.sax.saxutils import escape
 
 from aseme_dsl.amola.statechart import Statechart, StateType, transition_text
-from aseme_dsl.diagrams.compact.elements import Element, Form, Line, Picture, Point, Shape, Text
+from aseme_dsl.diagrams.compact.elements import SIZES, Element, Form, Line, Picture, Point, Shape, Text
 from aseme_dsl.diagrams.compact.ink.colours import branch_colour, style
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS, Sign
-from aseme_dsl.diagrams.compact.words import ICON
-from aseme_dsl.diagrams.look.labels import printable
+from aseme_dsl.diagrams.compact.words import BOLD, ICON
+from aseme_dsl.diagrams.look.labels import printable, text_width
 
 _RADIUS = 6.0
 _HEAD = 7.0
@@ -76,7 +76,9 @@ def _element(chart: Statechart, item: Line | Shape | Text, known: Counter[str]) 
             if text[:1] in SIGNS:
                 yield from _sign(SIGNS[text[0]], x, item.y)
                 text, x = text[1:].lstrip(), x + ICON
-            yield f'<text class="{item.look}" x="{x:.1f}" y="{item.y:.1f}"{of}>{_text(text)}</text>'
+            long = text_width(text, SIZES[item.look], bold=item.look in BOLD)  # whatever the font
+            fixed = f' textLength="{long:.1f}" lengthAdjust="spacingAndGlyphs"' if long else ""
+            yield f'<text class="{item.look}" x="{x:.1f}" y="{item.y:.1f}"{fixed}{of}>{_text(text)}</text>'
         case Line():
             yield from _line(chart, item)
         case Shape():

@@ -11,13 +11,13 @@ from aseme_dsl.diagrams.compact.elements import SIZES, Form, Line, Look, Picture
 from aseme_dsl.diagrams.compact.ink.colours import branch_colour
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS
 from aseme_dsl.diagrams.compact.ink.svg import head, in_order
-from aseme_dsl.diagrams.compact.words import ICON
+from aseme_dsl.diagrams.compact.words import BOLD, ICON
 from aseme_dsl.diagrams.look.colours import LIGHT
 from aseme_dsl.diagrams.look.labels import printable
+from aseme_dsl.diagrams.look.style import FONTS
 
 _STROKES = {Stroke.PLAIN: "line", Stroke.CUT: "cut", Stroke.ERROR: "error", Stroke.NEVER: "soft"}
 _INKS = {Look.ACTION: "soft", Look.SMALL: "soft", Look.CUT: "cut", Look.ERROR: "error"}
-_BOLD = (Look.NAME, Look.TITLE, Look.FIELD)
 _CORNER = 8.0
 
 _BREAK = "\\\n"
@@ -119,11 +119,11 @@ class _Pen:
                 self._colour("paper")
                 self._line([(x + a, item.y + b) for a, b in sign.flap])
             said, x = said[1:].lstrip(), x + ICON
-        flags = (1 if item.look in _BOLD else 0) + (2 if item.look is Look.ACTION else 0)
+        flags = (1 if item.look in BOLD else 0) + (2 if item.look is Look.ACTION else 0)
         self._colour(_INKS.get(item.look, "ink"))
         said = printable(said).replace("\\", "∖").replace('"', '\\"')
         length = len(said.replace('\\"', '"').encode())
-        self.said.append(f"F {SIZES[item.look]} 5 -Arial t {flags} ")
+        self.said.append(f"F {SIZES[item.look]} {len(FONTS)} -{FONTS} t {flags} ")
         self.said.append(f"T {self._place(x, item.y)} -1 {item.width:.0f} {length} -{said} ")
 
     def _place(self, x: float, y: float) -> str:
