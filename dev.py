@@ -107,7 +107,7 @@ LONG = [
     (
         "compact drawings of random charts",
         ["-m", "pytest", "-n", "auto", "tests/diagrams/test_compact.py"],
-        {"COMPACT_CHARTS": "2000"},
+        {"COMPACT_CHARTS": "2000", "COMPACT_EDITS": "1"},
     ),
     (
         "drawings of random models and talks",

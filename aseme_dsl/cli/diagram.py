@@ -95,7 +95,13 @@ def command(
     """Draw and write; 1 if the file has errors or a drawing cannot be made or written."""
     from aseme_dsl.diagrams import FORMATS, DrawingFailed, Expressions, Layout, NoSuchState, Options, PageSize
     from aseme_dsl.project.building.build import with_labels
-    from aseme_dsl.project.building.draw import NoSuchDrawing, choose, draw_all, into_folder
+    from aseme_dsl.project.building.draw import (
+        NoSuchDrawing,
+        choose,
+        draw_all,
+        into_folder,
+        larger_than_a_screen,
+    )
     from aseme_dsl.project.files.outputs import marked
     from aseme_dsl.project.files.write import write_file
 
@@ -156,4 +162,5 @@ def command(
         written = write_file(Path(output), marked(drawn.files[0][1], f".{format_}", "diagram"))
     else:
         written = into_folder(compiled.system, Path(output), drawn, force=force)
-    return print_written(written, drawn.notes, as_json, colour)
+    notes = (*drawn.notes, *(larger_than_a_screen(chosen) if page is None else ()))
+    return print_written(written, notes, as_json, colour)

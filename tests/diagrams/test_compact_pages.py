@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -20,10 +21,12 @@ from aseme_dsl.diagrams import (
     writes_pdf,
 )
 from aseme_dsl.diagrams.compact.check import faults
-from aseme_dsl.diagrams.compact.elements import Text
-from aseme_dsl.diagrams.compact.pages import whole
+from aseme_dsl.diagrams.compact.elements import SIZES, Text
+from aseme_dsl.diagrams.compact.pages import divided, whole
 from tests.diagrams.pictures import SVG, text_of
 from tests.diagrams.texts import compiled
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 PARTS = """\
 system S
@@ -79,18 +82,54 @@ def test_a_part_is_drawn_alone() -> None:
 
 @pytest.mark.parametrize(("file", "name"), [("robocup/kouretes", "player"), ("hospital/hospital", "robot")])
 def test_a_large_chart_is_divided_into_pages_that_lead_to_each_other(file: str, name: str) -> None:
-    system = aseme_dsl.compile(Path(__file__).parents[2] / "examples" / f"{file}.aseme")
+    system = aseme_dsl.compile(EXAMPLES / f"{file}.aseme")
     chart = next(item for item in system.iacs if item.name == name)
-    first, *others = draw_statechart(
-        chart, Options(layout=Layout.COMPACT, page=PageSize.A4), system.activities
-    )
-    assert first.name == f"iac.{name}" and others
-    assert not any(item.note for item in (first, *others))
-    names = {f"{item.name}.svg" for item in others}
-    roots = [ElementTree.fromstring(render(item, "svg")) for item in (first, *others)]
-    assert {link.get("href") for root in roots for link in root.iter(f"{SVG}a")} == names
-    for root in roots:
-        assert float(root.get("width", "")) <= 1320 and float(root.get("height", "")) <= 905
+    pages = draw_statechart(chart, Options(layout=Layout.COMPACT, page=PageSize.A4), system.activities)
+    assert pages[0].name == f"iac.{name}" and len(pages) > 1
+    leads = {}
+    for page in pages:
+        root = ElementTree.fromstring(render(page, "svg"))
+        leads[f"{page.name}.svg"] = {link.get("href") for link in root.iter(f"{SVG}a")}
+    first, *others = leads
+    assert set().union(*leads.values()) == set(leads)
+    assert all(first in leads[other] for other in others), "each page leads back to the first"
+    assert not any(page in found for page, found in leads.items())
+
+
+@pytest.mark.parametrize("size", list(PageSize))
+@pytest.mark.parametrize("file", sorted(EXAMPLES.rglob("*.aseme")), ids=lambda file: file.stem)
+def test_every_chart_of_the_examples_fits_on_pages(file: Path, size: PageSize) -> None:
+    if file.stem == "relief":
+        pytest.skip("it is a part of another file")
+    system = aseme_dsl.compile(file)
+    for chart in system.statecharts:
+        for page in divided(chart, system.activities, chart.root.label, size.room):
+            for picture in (page.picture, *page.picture.texts):
+                assert picture.width <= size.room[0] and picture.height <= size.room[1], chart.name
+                assert faults(chart, picture, system.activities) == []
+
+
+def test_the_smallest_text_has_11_px_on_screen_and_8_points_on_paper() -> None:
+    assert min(SIZES.values()) == 11
+    (drawing,) = drawn(page=PageSize.A4)
+    sizes = [int(size) for size in re.findall(r"font-size:(\d+)px", render(drawing, "svg").decode())]
+    assert sizes and min(sizes) == 11
+    inch, paper = 72.0, PageSize.A4.paper
+    assert paper is not None
+    found = re.search(r'size="([\d.]+),([\d.]+)"', drawing.dot)
+    assert found is not None
+    assert 11 * float(found[1]) * inch / paper[0] == pytest.approx(8, abs=0.01)
+    assert float(found[1]) * 25.4 == pytest.approx(297, abs=0.2)
+    assert float(found[2]) * 25.4 == pytest.approx(210, abs=0.2)
+
+
+def test_a_sign_without_a_text_leaves_the_other_texts_on_paper() -> None:
+    file = EXAMPLES / "hospital" / "hospital.aseme"
+    system = aseme_dsl.compile(file)
+    chart = next(item for item in system.iacs if item.name == "robot")
+    (drawing,) = draw_statechart(chart, Options(layout=Layout.COMPACT))
+    lengths = [int(length) for length in re.findall(r"T \S+ \S+ -1 \d+ (\d+) -", drawing.dot)]
+    assert len(lengths) > 3 and min(lengths) > 0, "Graphviz reads nothing behind an empty text"
 
 
 def test_pages_have_what_the_whole_has() -> None:

@@ -93,7 +93,7 @@ def test_a_page_that_is_too_narrow_says_so() -> None:
         "Wide", tuple(Lifeline(f"agent{n}", f"role{n}") for n in range(30)), KITCHEN.rows[:0]
     )
     (svg,) = pictures(wide, PageSize.A4)
-    assert texts(svg)[-1] == "this page fits at 57%"
+    assert texts(svg)[-1] == "this page fits at 47%"
     assert overlaps(svg) == []
 
 

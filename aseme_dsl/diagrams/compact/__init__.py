@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import islice
 from typing import assert_never
@@ -15,10 +15,10 @@ from aseme_dsl.diagrams.compact.check import faults
 from aseme_dsl.diagrams.compact.elements import Form, Line, Picture, Shape, Text
 from aseme_dsl.diagrams.compact.ink.svg import svg, text_id
 from aseme_dsl.diagrams.compact.ink.xdot import dot
-from aseme_dsl.diagrams.compact.layout import scale
+from aseme_dsl.diagrams.compact.layout import scale, texts_of
 from aseme_dsl.diagrams.compact.pages import Page, divided, whole
 from aseme_dsl.diagrams.look.dot import Kind, Shown
-from aseme_dsl.diagrams.look.drawing import Drawing, NoSuchState, Options, piece_name
+from aseme_dsl.diagrams.look.drawing import Drawing, NoSuchState, Options, PageSize, piece_name
 
 __all__ = ["drawings"]
 
@@ -46,11 +46,14 @@ def drawings(
     except NotCompact as reason:
         return str(reason)
     for page in pages:
-        if found := faults(chart, page.picture, known):
+        found = [
+            fault for part in (page.picture, *page.picture.texts) for fault in faults(chart, part, known)
+        ]
+        if found:
             return f"the compact drawing is not right: {found[0]}"
-    size = options.page.room if options.page is not None else None
     files = {page.top: f"{_name(chart, page.top)}.svg" for page in pages}
-    return [_drawing(chart, page, files, size) for page in pages]
+    files |= {texts_of(page.top): f"{_name(chart, page.top)}.texts.svg" for page in pages}
+    return [drawing for page in pages for drawing in _drawings(chart, page, files, options.page)]
 
 
 def _name(chart: Statechart, top: str) -> str:
@@ -58,18 +61,27 @@ def _name(chart: Statechart, top: str) -> str:
     return name if top == chart.root.label else piece_name(name, top)
 
 
-def _drawing(
-    chart: Statechart, page: Page, files: dict[str, str], size: tuple[float, float] | None
-) -> Drawing:
+def _drawings(
+    chart: Statechart, page: Page, files: dict[str, str], size: PageSize | None
+) -> Iterator[Drawing]:
+    """The drawing of a page, and those of its texts."""
     picture, name = page.picture, _name(chart, page.top)
-    drawn = svg(chart, picture, files={top: name for top, name in files.items() if top != page.top})
+    paper = size.paper if size is not None else None
+    drawn = svg(chart, picture, files={top: file for top, file in files.items() if top != page.top})
     shapes = (item for item in picture.elements if isinstance(item, Shape))
     closed = tuple(item.state for item in shapes if item.form is Form.CLOSED)
-    made = Drawing(name, dot(chart, picture), _shown(picture), picture=drawn, closed=closed)
-    if size is None or scale(picture, size) >= 1:
-        return made
-    percent = f"{scale(picture, size):.0%}"
-    return replace(made, note=f"{name} has no smaller formula to close: it fits on the page at {percent}")
+    measures = picture.width, picture.height
+    made = Drawing(
+        name, dot(chart, picture, paper), _shown(picture), picture=drawn, closed=closed, size=measures
+    )
+    if size is not None and scale(picture, size.room) < 1:
+        percent = f"{scale(picture, size.room):.0%}"
+        note = f"{name} has no smaller formula to close: it fits on the page at {percent}"
+        made = replace(made, note=note)
+    yield made
+    for number, texts in enumerate(picture.texts, 1):
+        called = f"{name}.texts{number if number > 1 else ''}"
+        yield Drawing(called, dot(chart, texts, paper), picture=svg(chart, texts, files=files))
 
 
 def _shown(picture: Picture) -> tuple[Shown, ...]:

@@ -19,6 +19,8 @@ from aseme_dsl.diagrams.compact.words import Words
 _NEAR = 3.0
 """Two points that are so near are one on paper, in px."""
 
+_AGAIN = "↻"
+
 _PITCH = 14.5
 """From one line of text to the next, in px."""
 
@@ -27,11 +29,16 @@ _SOLID = (Form.ACTIVITY, Form.PARALLEL, Form.CLOSED)
 _FULL = (Form.ACTIVITY, Form.CLOSED, Form.PILL, Form.INITIAL, Form.FINAL, Form.ENDLESS)
 """What no line may cross, and no text that is not its own."""
 
+_SIGNS = (Form.FIELD, Form.ENDLESS, Form.STACK)
+"""What is drawn of a state that has a shape besides, or none."""
+
 Box = tuple[float, float, float, float]
 
 
 def faults(chart: Statechart, picture: Picture, activities: Iterable[Activity] = ()) -> list[str]:
-    """What a compact drawing shows wrongly; empty if it is right."""
+    """What a compact drawing shows wrongly; empty if it is right. A page of texts shows no state."""
+    if all(isinstance(item, Text) for item in picture.elements):
+        return list(_overlaps(picture, (), (), [item for item in picture.elements if isinstance(item, Text)]))
     lines = [item for item in picture.elements if isinstance(item, Line)]
     shapes = [item for item in picture.elements if isinstance(item, Shape)]
     written = [item for item in picture.elements if isinstance(item, Text)]
@@ -44,6 +51,8 @@ def faults(chart: Statechart, picture: Picture, activities: Iterable[Activity] =
         *_chains(follows, lines),
         *_ends(chart, follows, lines, shapes),
         *_joints(follows, lines, shapes, chart, hidden),
+        *_heads(lines, shapes),
+        *_again(shapes, written),
         *_labels(chart, words, lines, shapes, written),
         *_names(chart, words, shapes, written),
         *_overlaps(picture, lines, shapes, written),
@@ -57,7 +66,7 @@ def _counted(
     """Each transition has one home, and each state that has a shape has one."""
     seen = Counter(place for line in lines for link in line.chain for place in link)
     seen.update(place for shape in shapes for place in shape.marks)
-    drawn = Counter(shape.state for shape in shapes if shape.form not in (Form.FIELD, Form.ENDLESS))
+    drawn = Counter(shape.state for shape in shapes if shape.form not in _SIGNS)
     for shape in shapes:
         if shape.form is Form.CLOSED:
             drawn.update(inside(chart, shape.state)[1:])
@@ -131,8 +140,7 @@ def _ends(
     chart: Statechart, follows: Follows, lines: Sequence[Line], shapes: Sequence[Shape]
 ) -> Iterator[str]:
     """A line from or to a state with a shape begins or ends at its border."""
-    unlike = (Form.FIELD, Form.ENDLESS, Form.PILL)
-    bordered = [shape for shape in shapes if shape.form not in unlike]
+    bordered = [shape for shape in shapes if shape.form not in (*_SIGNS, Form.PILL)]
     boxes = {label: _box(shape) for shape in bordered for label in (shape.state, *shape.also)}
     closed = {shape.state for shape in shapes if shape.form is Form.CLOSED}
     going_on = {_rounded(line.points[0]): line.points[-1] for line in lines if not line.chain}
@@ -193,9 +201,7 @@ def _joints(
         target = chart.transitions[line.chain[-1][0]].target
         reached: set[int] = set()
         if target in by_box:
-            found = [
-                item for item in at_choice.get(target, ()) if _on(lines[item].points[0], by_box[target], 14)
-            ]
+            found = [item for item in at_choice.get(target, ()) if _on(lines[item].points[0], by_box[target])]
         elif number in solid_ends:
             found = []
         else:
@@ -211,6 +217,37 @@ def _joints(
             yield f"transition {line.chain[-1]} does not lead to {sorted(lost)}"
         if extra := reached - wanted:
             yield f"transition {line.chain[-1]} leads to {sorted(extra)}, which do not follow"
+
+
+def _heads(lines: Sequence[Line], shapes: Sequence[Shape]) -> Iterator[str]:
+    """A line that only leads on begins where another ends, and alone; one to a state has a head."""
+    into = [_box(shape) for shape in shapes if shape.form in (*_SOLID, Form.CHOICE, Form.FINAL)]
+    entered = _touching([line.points[-1] for line in lines], into)
+    ended = {_rounded(line.points[-1]) for line in lines}
+    begun = Counter(_rounded(line.points[0]) for line in lines if not line.chain)
+    for number, line in enumerate(lines):
+        if number in entered and not line.arrow:
+            yield f"a line ends at {_rounded(line.points[-1])} without a head"
+        if line.chain:
+            continue
+        x, y = _rounded(line.points[0])
+        if begun[x, y] > 1:
+            yield f"{begun[x, y]} lines lead on from {(x, y)}"
+        if not any((x + dx, y + dy) in ended for dx in range(-3, 4) for dy in range(-3, 4)):
+            yield f"a line begins at {(x, y)}, where none ends"
+
+
+def _again(shapes: Sequence[Shape], written: Sequence[Text]) -> Iterator[str]:
+    """A choice that is tried again has the sign of that in it, and only such a one."""
+    signs = [item for item in written if item.text == _AGAIN]
+    for shape in shapes:
+        if shape.form is not Form.CHOICE:
+            continue
+        inside = [item for item in signs if _within(item, _box(shape))]
+        if len(inside) != bool(shape.marks):
+            yield f"the choice {shape.state} has {len(inside)} signs that it is tried again"
+        signs = [item for item in signs if item not in inside]
+    yield from (f"the sign {item.text} is in no choice" for item in signs)
 
 
 def _rounded(point: Point) -> tuple[int, int]:
@@ -255,7 +292,7 @@ def _labels(
     boxes: dict[str, list[Box]] = {}
     for shape in shapes:
         for label in (shape.state, *shape.also):
-            boxes.setdefault(label, []).append(_room(shape))
+            boxes.setdefault(label, []).append(_room(shape, shapes))
     for line in lines:
         cut = line.stroke in (Stroke.CUT, Stroke.ERROR)
         for number, link in enumerate(line.chain):
@@ -294,7 +331,7 @@ def _labels(
             expected = [text for text, _ in words.inside(place, _ENDLESS)] if staying else []
             if _plain(item.text for item in here) != _plain(expected):
                 yield f"transition {place} has not its own text"
-            box = _room(shape)
+            box = _room(shape, shapes)
             yield from (
                 f"the text {item.text!r} is not in its state" for item in here if not _within(item, box)
             )
@@ -310,10 +347,18 @@ def _plain(rows: Iterable[str]) -> str:
     return "".join("".join(rows).split())
 
 
-def _room(shape: Shape) -> Box:
-    """Where the texts of a shape may stand; a field has only its upper border."""
+def _room(shape: Shape, shapes: Sequence[Shape]) -> Box:
+    """Where the texts of a shape may stand.
+
+    A field has only its upper border: it reaches to the next one, or to the end of the frame.
+    """
     a, b, c, d = _box(shape)
-    return (a, b, c, d + 4000) if shape.form is Form.FIELD else (a, b, c, d)
+    if shape.form is not Form.FIELD:
+        return a, b, c, d
+    below = [item.y for item in shapes if item.form is Form.FIELD and item.x == shape.x and item.y > b]
+    frames = (_box(item) for item in shapes if item.form is Form.PARALLEL)
+    around = [low for left, top, right, low in frames if left <= a and c <= right and top <= b < low]
+    return a, b, c, min((*below, *around), default=_ENDLESS)
 
 
 def _within(item: Text, box: Box) -> bool:
@@ -376,8 +421,8 @@ def _overlaps(
             yield f"the text {item.text!r} is outside"
         own = (repr(item.text), box)
         met = {thing for cell in _cells(box) for thing in cells.get(cell, ()) if thing != own}
-        if item.text == "↻":
-            continue
+        if item.text == _AGAIN:
+            met = {thing for thing in met if thing[0] != "a choice"}  # it stands in one
         yield from (
             f"the text {item.text!r} is on {name}" for name, other in sorted(met) if _meet(box, other)
         )
@@ -424,6 +469,8 @@ def _meet(one: Box, other: Box) -> bool:
 
 def _text_box(item: Text) -> Box:
     size = SIZES[item.look]
+    if item.text == _AGAIN:
+        return (item.x, item.y - 10, item.x + 10, item.y)
     return (item.x + 1, item.y - size * 0.72, item.x + item.width - 1, item.y + size * 0.1)
 
 

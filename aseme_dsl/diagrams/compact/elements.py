@@ -37,6 +37,10 @@ SIZES = {
 }
 
 
+STACKED = 4.0
+"""How far the sheet behind a stack is seen, in px."""
+
+
 class Stroke(StrEnum):
     """How a line is drawn: an ordinary one, an interrupt, one of errors, one never taken."""
 
@@ -60,6 +64,7 @@ class Form(StrEnum):
     INITIAL = "initial"
     FINAL = "final"
     FIELD = "field"
+    STACK = "stack"
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +84,8 @@ class Line:
 class Shape:
     """A state, or the border of a field (a dashed line above a region).
 
-    A PILL is a region that repeats one activity, ENDLESS a state that is never complete, CLOSED a state that
-    is drawn without what is inside.
+    A PILL is a region that repeats one activity, ENDLESS a state that is never complete. CLOSED is a state
+    that is drawn without what is inside, STACK the border of a region that is drawn once for several.
     """
 
     form: Form
@@ -102,7 +107,8 @@ class Shape:
 class Text:
     """One line of text, with its left end; `of` is the transition that it belongs to, if to one.
 
-    A text with a `state` is the name of a formula that has no border.
+    A text with a `state` is the name of a formula that has no border. One that `leads` to a state is the name
+    of the page that shows it.
     """
 
     x: float
@@ -112,6 +118,7 @@ class Text:
     width: float
     of: int | None = None
     state: str = ""
+    leads: str = ""
 
 
 Element = Line | Shape | Text
@@ -123,6 +130,7 @@ class Picture:
 
     It shows the state `top`. `copies` are regions that are drawn once: the drawn one, and the others that
     equal it. `notes` are the transitions whose text stands in full below, in the order of their numbers.
+    `texts` are pages of what stands below if it has no room there.
     """
 
     width: float
@@ -131,6 +139,7 @@ class Picture:
     top: str = ""
     copies: tuple[tuple[str, ...], ...] = ()
     notes: Link = ()
+    texts: tuple[Picture, ...] = ()
 
 
 def moved(element: Element, dx: float, dy: float) -> Element:
@@ -140,4 +149,17 @@ def moved(element: Element, dx: float, dy: float) -> Element:
     return replace(element, x=element.x + dx, y=element.y + dy)
 
 
-__all__ = ["SIZES", "Element", "Form", "Line", "Look", "Picture", "Point", "Shape", "Stroke", "Text", "moved"]
+__all__ = [
+    "SIZES",
+    "STACKED",
+    "Element",
+    "Form",
+    "Line",
+    "Look",
+    "Picture",
+    "Point",
+    "Shape",
+    "Stroke",
+    "Text",
+    "moved",
+]

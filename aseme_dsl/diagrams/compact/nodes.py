@@ -10,7 +10,7 @@ from aseme_dsl.diagrams.compact.blocks import Activity, Closed, Group, inside
 from aseme_dsl.diagrams.compact.elements import Form, Line, Link, Look, Point, Shape, Text
 from aseme_dsl.diagrams.compact.pen import GAP, PITCH, Pen, Placed, Room, line_to, pen, text
 from aseme_dsl.diagrams.compact.plan import Plan, transitions_in
-from aseme_dsl.diagrams.compact.words import Row, Words, width
+from aseme_dsl.diagrams.compact.words import Row, Words, indented, width
 
 PAD = 10
 """Between a border and what is inside."""
@@ -19,20 +19,20 @@ _HALF = 14
 """Half the height of a node that has nothing but its name."""
 
 _IN_NODE = 260
-"""How wide the rows in a node may be; where there are many, half as wide again."""
-
-_MANY = 6
+"""How wide the rows in a node may be, in px."""
 
 _ROW_OF_PILLS = 1100
+"""How wide a row of pills may be, in px."""
 
 
 class Nodes:
-    """Draws the states of one chart that have nothing inside."""
+    """Draws the states of one chart that have nothing inside, where a line has so much `room`."""
 
-    def __init__(self, chart: Statechart, words: Words, plan: Plan) -> None:
+    def __init__(self, chart: Statechart, words: Words, plan: Plan, room: float) -> None:
         self._chart = chart
         self._words = words
         self._plan = plan
+        self._room = min(room, _ROW_OF_PILLS)
 
     def rows(self, label: str) -> list[tuple[Row, int]]:
         """What stays in a state, and what is done when it is left."""
@@ -55,7 +55,10 @@ class Nodes:
         centred = [*head, (name, Look.NAME), *([(about, Look.SMALL)] if about else [])]
         rows = [*self.rows(block.label), *self.table(exits, False)]
         x = line.at + GAP
-        wide = max((width(*row) for row in [*centred, *(row for row, _ in rows)]), default=0)
+        wide = max(
+            max((width(*row) for row in centred), default=0),
+            max((dx + width(*row) for row, _, dx in indented(rows)), default=0),
+        )
         wide = max(wide + 2 * PAD, least, 44)
         top = -_HALF - len(head) * (PITCH - 2)
         below = len(about[:1]) * 12 + len(rows) * PITCH + (8 if rows else 0)
@@ -82,9 +85,9 @@ class Nodes:
         """A composite without what is inside: how much that is, and why it is closed if it must be."""
         chart = self._chart
         states = inside(chart, block.label)
-        name, more = self._plan.heading(block.label)
+        name, more = self._plan.called(block.label), self._plan.heading(block.label)[1]
         count = sum(chart.node(item).activity is not None for item in states)
-        rows: list[Row] = [(name or "a part", Look.NAME)]
+        rows: list[Row] = [(name, Look.NAME)]
         rows += [(more, Look.SMALL)] if more else []
         rows.append(
             (f"{count} {'activity' if count == 1 else 'activities'}, {len(states)} states", Look.SMALL)
@@ -112,7 +115,7 @@ class Nodes:
             name = self._chart.node(label).name
             about = self._words.about(label).removeprefix("every ")
             wide = width(name, Look.FIELD) + 20 + (width(about, Look.SMALL) + 6 if about else 0)
-            if at + wide > _ROW_OF_PILLS and at > left:
+            if at + wide > self._room and at > left:
                 at, y = left, y + 26
             room.add(Shape(Form.PILL, at, y - 10, wide, 20, label, transitions_in(self._chart, region.label)))
             room.add(text(at + 10, y + 4, name, Look.FIELD))
@@ -124,14 +127,20 @@ class Nodes:
     def border(
         self, form: Form, labels: tuple[str, ...], room: Room, left: float, exits: Link, least: float
     ) -> tuple[Shape, list[Text]]:
-        """The border around what is in a room, with its title, what stays in it, and its exits."""
+        """The border around what is in a room, with its title, what stays in it, and its exits.
+
+        They stand where less is in the room, above the axis or below, so that it becomes less high.
+        """
         titles = [self._plan.heading(label) for label in labels]
         name = next((name for name, _ in titles if name), "")
         more = next((more for _, more in titles if more), "")
-        rows = [row for label in labels for row in self.rows(label)] + self.table(exits, True)
+        rows = [row for label in labels for row in self.rows(label)]
+        foot = self.table(exits, True)
+        if room.down > room.up + 2 * PAD:
+            rows, foot = rows + foot, []
         head = PITCH if name or more else 0.0
         top = -room.up - PAD - head - len(rows) * PITCH - (2 if head or rows else 0)
-        wide = max((width(*row) for row, _ in rows), default=0)
+        wide = max((dx + width(*row) for row, _, dx in indented([*rows, *foot])), default=0)
         wide = max(wide, width(name, Look.NAME) + 8 + width(more, Look.SMALL))
         right = max(room.right + PAD, left + wide + 2 * PAD, left + least)
         written = [text(left + PAD, top + 14, name, Look.NAME)] if name else []
@@ -140,8 +149,9 @@ class Nodes:
                 text(left + PAD + width(name, Look.NAME) + 8 * bool(name), top + 14, more, Look.SMALL)
             )
         written += _written(rows, left + PAD, top + 14 + head)
+        written += _written(foot, left + PAD, room.down + PAD + 12)
         marks = tuple(place for label in labels for place in self._plan.staying(label))
-        height = room.down + PAD - top
+        height = room.down + PAD - top + len(foot) * PITCH + (6 if foot else 0)
         shape = Shape(form, left, top, right - left, height, labels[-1], marks, labels[:-1])
         return shape, written
 
@@ -167,4 +177,4 @@ def ended(placed: Placed, label: str) -> Placed:
 
 
 def _written(rows: Sequence[tuple[Row, int]], x: float, y: float) -> list[Text]:
-    return [text(x, y + number * PITCH, *row, of) for number, (row, of) in enumerate(rows)]
+    return [text(x + dx, y + number * PITCH, *row, of) for number, (row, of, dx) in enumerate(indented(rows))]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, StateType
@@ -37,33 +37,39 @@ def divided(
 ) -> Iterator[Page]:
     """Pages of at most a size as far as formulas can be closed: each closed one has a page of its own."""
     known = tuple(activities)
-    waiting = [top]
+    waiting: list[tuple[str, ...]] = [(top,)]
     while waiting:
-        label = waiting.pop(0)
-        picture = _fitting(chart, known, label, size)
+        *path, label = waiting.pop(0)
+        picture, closed = _fitting(chart, known, Wanted(label, size=size, page=True, path=tuple(path)))
         yield Page(label, picture)
-        waiting += (
-            item.state
-            for item in picture.elements
-            if isinstance(item, Shape) and item.form is Form.CLOSED and _can_be_top(chart, item.state, label)
-        )
+        shapes = (item for item in picture.elements if isinstance(item, Shape) and item.form is Form.CLOSED)
+        waiting += ((*path, label, item.state) for item in shapes if item.state in closed)
 
 
-def _can_be_top(chart: Statechart, label: str, around: str) -> bool:
-    """Whether a closed state was closed for want of room."""
-    return any(label == other for other, _ in _formulas(chart, around))
+def _fitting(chart: Statechart, activities: tuple[Activity, ...], wanted: Wanted) -> tuple[Picture, set[str]]:
+    """The picture of a page, and what has been closed for want of room.
 
-
-def _fitting(
-    chart: Statechart, activities: tuple[Activity, ...], top: str, size: tuple[float, float]
-) -> Picture:
+    Formulas are closed first. If that is not enough, the texts below get pages of their own. At last, parts
+    without a name are closed.
+    """
     closed: set[str] = set()
+    top = wanted.top
     names = [label for label, _ in _formulas(chart, top)]
+    parts = list(_parts(chart, top))
     while True:
-        picture = layout(chart, activities, Wanted(top, frozenset(closed), size, page=True))
-        label = _next(chart, top, names, closed) if scale(picture, size) < 1 else None
+        now = replace(wanted, closed=frozenset(closed))
+        picture = layout(chart, activities, now)
+        if scale(picture, wanted.size) >= 1:
+            return picture, closed
+        label = _next(chart, top, names, closed)
         if label is None:
-            return picture
+            apart = layout(chart, activities, replace(now, apart=True))
+            if scale(apart, wanted.size) >= 1:
+                return apart, closed
+            label = _next(chart, top, parts, closed)
+            picture = max(picture, apart, key=lambda item: scale(item, wanted.size))
+        if label is None:
+            return picture, closed
         closed.add(label)
 
 
@@ -93,6 +99,13 @@ def _formulas(chart: Statechart, top: str) -> Iterator[tuple[str, int]]:
         level[label] = level[state.parent] + (named and not again)
         if named and not again and not chart.is_region(label):
             yield label, level[label]
+
+
+def _parts(chart: Statechart, top: str) -> Iterator[str]:
+    """All ORs inside a state that a page may show."""
+    for label in inside(chart, top)[1:]:
+        if chart.node(label).type is StateType.OR and not chart.is_region(label):
+            yield label
 
 
 __all__ = ["Page", "divided", "whole"]

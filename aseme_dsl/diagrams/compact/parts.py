@@ -14,7 +14,16 @@ from typing import assert_never
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.diagrams.compact.blocks import Activity, Block, Branch, Closed, Cut, Group, Parallel, Part
-from aseme_dsl.diagrams.compact.elements import Element, Form, Line, Link, Look, Point, Shape, Stroke, Text
+from aseme_dsl.diagrams.compact.elements import (
+    STACKED,
+    Form,
+    Link,
+    Look,
+    Point,
+    Shape,
+    Stroke,
+    Text,
+)
 from aseme_dsl.diagrams.compact.nodes import PAD, Nodes, ended, endless
 from aseme_dsl.diagrams.compact.pen import (
     GAP,
@@ -22,6 +31,7 @@ from aseme_dsl.diagrams.compact.pen import (
     Pen,
     Placed,
     Room,
+    back_width,
     down,
     line_to,
     over,
@@ -31,10 +41,19 @@ from aseme_dsl.diagrams.compact.pen import (
     text,
 )
 from aseme_dsl.diagrams.compact.plan import Links, Plan
-from aseme_dsl.diagrams.compact.words import Words, link_rows, width
-
-_ROW = 9
-"""Between two rows."""
+from aseme_dsl.diagrams.compact.turns import (
+    ROW,
+    back,
+    beside,
+    border_of,
+    from_below,
+    loop,
+    pen_from_below,
+    put_row,
+    rows_of,
+    taller,
+)
+from aseme_dsl.diagrams.compact.words import Words
 
 _CHOICE = 10
 """Half a diamond."""
@@ -76,8 +95,9 @@ class Rim:
 class Placer:
     """Places the blocks of one chart; labels are about `wide` px wide, in some regions as `chosen`.
 
-    In the outermost regions that have `limits`, a line that comes to the limit continues in a row below.
-    `copies` collects the regions that are drawn once for several, `widths` how wide the outermost ones are.
+    A row of pills comes to `room`. In the outermost regions that have `limits`, a line that comes to the
+    limit continues in a row below. `copies` collects the regions that are drawn once for several, `widths`
+    how wide the outermost ones are.
     """
 
     def __init__(
@@ -86,6 +106,7 @@ class Placer:
         words: Words,
         plan: Plan,
         wide: float,
+        room: float,
         chosen: Mapping[str, float],
         limits: Mapping[str, float],
     ) -> None:
@@ -96,7 +117,7 @@ class Placer:
         self._words = words
         self._wide = self._usual = wide
         self._chosen = chosen
-        self._nodes = Nodes(chart, words, plan)
+        self._nodes = Nodes(chart, words, plan, room)
         self._limits = limits
         self._limit: float | None = None
         self._bare: set[str] = set()
@@ -108,7 +129,7 @@ class Placer:
         """A region: its initial dot, what is inside, and the ring if it ends."""
         if isinstance(region, Closed):
             return self._nodes.closed(region, None, x)
-        if self._is_inside:
+        if self._is_inside or self.plan.is_around_regions(region):
             return self._field(region, x)
         self._is_inside, self._wide = True, self._chosen.get(region.label, self._usual)
         self._limit = self._limits.get(region.label)
@@ -157,7 +178,9 @@ class Placer:
                 self.copies.append(tuple(item.label for item in run))
             if all(self.plan.pill(other[0]) is not None for _, other in strips):
                 middle = len(strips)
-            strips.append((self._titled(self.field(run[0], x + PAD), run, x), run))
+            shift = PAD / 2 if len(run) > 1 else 0.0
+            placed = self._titled(self.field(run[0], x + PAD + shift), run, x + shift)
+            strips.append((self._stacked(placed, run[0].label, x + PAD / 2) if shift else placed, run))
         room = Room()
         tops: list[tuple[float, tuple[Group | Closed, ...]]] = []
         first = -sum(item.down + item.up + 12 for item, _ in strips[:middle]) if middle else 0.0
@@ -191,6 +214,15 @@ class Placer:
                 made.add(Shape(Form.FIELD, x, top, shape.width, 0, run[0].label))
         made.put(room.placed(None))
         return made.placed(None if endless_ else pen(shape.x + shape.width))
+
+    def _stacked(self, placed: Placed, label: str, x: float) -> Placed:
+        """A region that is drawn once for several, on the first of several sheets."""
+        room = Room()
+        top, width = -placed.up - 4, placed.right + PAD - x
+        room.add(Shape(Form.STACK, x, top, width, placed.down + PAD - 4 - top, label))
+        room.reach(x + width + STACKED + PAD / 2, 0.0, placed.down + PAD - 4 + STACKED)
+        room.put(placed)
+        return room.placed(placed.pen)
 
     def _titled(self, placed: Placed, run: tuple[Group | Closed, ...], x: float) -> Placed:
         """A field with its name and what stays in it, above what is inside."""
@@ -244,12 +276,12 @@ class Placer:
             mine = () if not signs or self._ends(branch) else signs
             signs = () if mine else signs
             placed = self.branch(branch, start, mine, column if branch.parts else 0)
-            dy = 0.0 if first else low + _ROW + placed.up
+            dy = 0.0 if first else low + ROW + placed.up
             under = (middle, 0.0), ((middle, float(_CHOICE)),)
-            room.put(placed if first else _from_below(placed, *under, dy), dy)
+            room.put(placed if first else from_below(placed, *under, dy), dy)
             low = max(low, dy + max(placed.down, _CHOICE + 2 if first else 6))
             if placed.pen is not None:
-                behind = placed.pen if first else _pen_from_below(placed.pen, *under, dy)
+                behind = placed.pen if first else pen_from_below(placed.pen, *under, dy)
                 ends.append(Exit(down(behind, -dy), placed.right))
         room.reach(0, 0, low)
         if signs:
@@ -311,9 +343,9 @@ class Placer:
             start = replace(behind, row=None)
             placed = self._if_it_fits(partial(place, start), limit)
             if placed is None and behind.at > left + _ROW_AT_LEAST:
-                behind = _put_row(room, row.placed(behind), turns)
+                behind = put_row(room, row.placed(behind), turns)
                 assert behind is not None
-                right, under = max(behind.at, row.right) + 8, room.down + _ROW
+                right, under = max(behind.at, row.right) + 8, room.down + ROW
                 turns = (*behind.points, (right, behind.axis), (right, under), (left, under))
                 row = Room()
                 start = replace(behind, points=((left, 0.0), (left, 0.0)), at=left, row=None)
@@ -321,7 +353,7 @@ class Placer:
             placed = placed or place(start)
             row.put(replace(placed, pen=None))
             behind = placed.pen
-        behind = _put_row(room, row.placed(behind), turns)
+        behind = put_row(room, row.placed(behind), turns)
         if behind is None or lower:
             return room.placed(behind)
         return self._join(room, [Exit(behind, room.right)])
@@ -373,27 +405,42 @@ class Placer:
             labels,
             signs if inside else (),
             silent,
-            max(self._back_width(link) for link in (links.back, () if loops else links.again))
-            + 16 * bool(links.back),
+            max(
+                back_width(links.back, self._words, self._wide) + 16 * bool(links.back),
+                0.0 if loops else back_width(links.again, self._words, self._wide),
+            ),
             bool(links.events or links.back or part.cuts or labels),
             not links.onward and not links.again,
         )
         body = self._body(block, line, rim)
-        shape = _border_of(body, block.label) if rim.leaves or not isinstance(block, Group) else None
+        shape = border_of(body, block.label) if rim.leaves or not isinstance(block, Group) else None
         if links.events and shape is not None:
-            rows = self._rows(links.events, silent, True)[0] + self._rows(links.onward, silent, False)[1]
-            body, shape = _taller(body, shape, rows * PITCH + _beside(body, shape) + 14)
+            rows = (
+                rows_of(self._words, self._wide, links.events, silent, True)[0]
+                + rows_of(self._words, self._wide, links.onward, silent, False)[1]
+            )
+            body, shape = taller(body, shape, rows * PITCH + beside(body, shape) + 14)
         room.put(replace(body, pen=None))
         behind = body.pen
         if loops:
-            behind = self._loop(room, body, joint, links, signs, block.label)
+            behind = loop(self._words, self._wide, room, body, joint, links, signs, block.label)
             if links.back and shape is not None:
                 start = replace(pen(shape.x + shape.width - 12, shape.y), stroke=Stroke.CUT)
-                room.add(*self._back(links.back, start, joint, room.up if links.again else body.up))
+                room.add(
+                    *back(
+                        self._words, self._wide, links.back, start, joint, room.up if links.again else body.up
+                    )
+                )
         elif shape is not None:
             for link, stroke in ((links.again, Stroke.PLAIN), (links.back, Stroke.CUT)):
                 start = replace(pen(shape.x + shape.width - 8, shape.y), stroke=stroke)
-                room.add(*(self._back(link, start, shape.x + 8, room.up, arc=True) if link else ()))
+                room.add(
+                    *(
+                        back(self._words, self._wide, link, start, shape.x + 8, room.up, arc=True)
+                        if link
+                        else ()
+                    )
+                )
         if signs and not inside and not (loops and links.again):
             room.add(endless(room.right + 6, -8, block.label, signs))
         ends = self._onward(room, behind, shape, links, silent, isinstance(block, Activity) and not signs)
@@ -522,55 +569,6 @@ class Placer:
             return replace(line, chain=(*line.chain, link)), ()
         return over(line, link, self._words, self._wide)
 
-    def _loop(
-        self, room: Room, body: Placed, joint: float, links: Links, signs: Link, label: str
-    ) -> Pen | None:
-        """The line back above a group; the pen behind it if something follows."""
-        if not links.again:
-            return body.pen
-        assert body.pen is not None
-        behind, least = body.pen, joint + self._back_width(links.again)
-        axis = behind.axis
-        reached = behind.is_joint and behind.at >= max(body.right, least)
-        x = behind.at if reached else max(max(behind.at, body.right) + 10, least)
-        if links.onward and not reached:
-            room.add(line_to(behind, (x, axis), arrow=False))
-            behind = pen(x, axis)
-        elif not reached:
-            behind = replace(behind, points=(*behind.points, (x, axis)), at=x)
-        texts = self._back(links.again, behind, joint, body.up)
-        room.add(*texts)
-        if signs or not links.onward:
-            written = [item.x + item.width for item in texts if isinstance(item, Text)]
-            line = next(item for item in texts if isinstance(item, Line))
-            room.add(endless(max(written, default=joint + 4) + 6, line.points[-2][1] - 7, label, signs))
-        return replace(behind, at=behind.at + 8) if links.onward else None
-
-    def _back(self, link: Link, start: Pen, joint: float, top: float, *, arc: bool = False) -> list[Element]:
-        """A line from a pen up, back, and down to a joint, with its texts above.
-
-        An arc goes back to the border that it leaves.
-        """
-        _, below = link_rows(self._words, link, self._wide, start.stroke is Stroke.CUT)
-        axis = -top - 8 - len(below) * PITCH
-        at = Pen(((joint, axis),), joint + 2, (), start.stroke)
-        after, written = over(at, link, self._words, self._wide)
-        end = (joint, start.axis if arc else 0.0)
-        points = (*start.points, (start.points[-1][0], axis), (joint, axis), end)
-        return [*written, Line(points, (*start.chain, *after.chain), after.stroke)]
-
-    def _back_width(self, link: Link) -> float:
-        """How long a line back must be for its texts."""
-        above, below = link_rows(self._words, link, self._wide, True)
-        return max((width(*row) + 36 for row, _ in (*above, *below)), default=0.0)
-
-    def _rows(self, link: Link, silent: Link, cuts: bool) -> tuple[int, int]:
-        """How many rows stand above and below the line of a link."""
-        if link and link[0] in silent:
-            return 0, 0
-        above, below = link_rows(self._words, link, self._wide, cuts)
-        return len(above), len(below)
-
     def _cut(self, room: Room, cut: Cut, start: Point) -> list[Exit]:
         """What interrupts a block: its line leaves the border below."""
         x, bottom = start
@@ -581,64 +579,9 @@ class Placer:
         made.add(*written)
         made.put(placed)
         moved = made.placed(placed.pen)
-        dy = max(room.down, bottom) + _ROW + moved.up
+        dy = max(room.down, bottom) + ROW + moved.up
         start_ = ((x, bottom),)
-        room.put(_from_below(moved, (x, 0.0), start_, dy), dy)
+        room.put(from_below(moved, (x, 0.0), start_, dy), dy)
         if moved.pen is None:
             return []
-        return [Exit(down(_pen_from_below(moved.pen, (x, 0.0), start_, dy), -dy), moved.right)]
-
-
-def _put_row(room: Room, row: Placed, turns: tuple[Point, ...]) -> Pen | None:
-    """Put a row below all others, entered by a line with these turns; gives the pen behind it."""
-    if not turns:
-        room.put(replace(row, pen=None))
-        return row.pen
-    left, under = turns[-1]
-    axis = under + _ROW + row.up
-    start = (*turns, (left, axis))
-    room.put(replace(_from_below(row, (left, 0.0), start, axis), pen=None), axis)
-    room.reach(max(x for x, _ in turns))
-    return None if row.pen is None else down(_pen_from_below(row.pen, (left, 0.0), start, axis), -axis)
-
-
-def _from_below(placed: Placed, mark: Point, start: tuple[Point, ...], dy: float) -> Placed:
-    """What was placed from a mark on its own axis; its first line begins elsewhere when it is `dy` lower."""
-
-    def moved(item: Element) -> Element:
-        if isinstance(item, Line) and item.points[:2] == (mark, mark):
-            return replace(item, points=(*((x, y - dy) for x, y in start), *item.points[1:]))
-        return item
-
-    return replace(placed, elements=tuple(map(moved, placed.elements)))
-
-
-def _pen_from_below(line: Pen, mark: Point, start: tuple[Point, ...], dy: float) -> Pen:
-    if line.points[:2] != (mark, mark):
-        return line
-    return replace(line, points=(*((x, y - dy) for x, y in start), *line.points[1:]))
-
-
-def _border_of(placed: Placed, label: str) -> Shape | None:
-    """The border of a state among what has been placed."""
-    forms = (Form.FIELD, Form.ENDLESS, Form.PILL)
-    shapes = (item for item in placed.elements if isinstance(item, Shape) and item.form not in forms)
-    return next((item for item in shapes if item.state == label or label in item.also), None)
-
-
-def _beside(placed: Placed, shape: Shape) -> float:
-    """How far the texts reach below the axis that stand right of a border already."""
-    right = shape.x + shape.width
-    return max(
-        (item.y + 4 for item in placed.elements if isinstance(item, Text) and item.x >= right), default=0
-    )
-
-
-def _taller(placed: Placed, shape: Shape, below: float) -> tuple[Placed, Shape]:
-    """The border so high that it reaches so far below the axis."""
-    missing = below - (shape.y + shape.height)
-    if missing <= 0:
-        return placed, shape
-    made = replace(shape, height=shape.height + missing)
-    elements = tuple(made if item is shape else item for item in placed.elements)
-    return replace(placed, elements=elements, down=max(placed.down, below)), made
+        return [Exit(down(pen_from_below(moved.pen, (x, 0.0), start_, dy), -dy), moved.right)]

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from aseme_dsl.diagrams.compact.elements import Element, Line, Link, Look, Point, Shape, Stroke, Text, moved
-from aseme_dsl.diagrams.compact.words import Row, Words, link_rows, width
+from aseme_dsl.diagrams.compact.words import INDENT, Words, indented, link_rows, width
 
 PITCH = 14.5
 """From base line to base line."""
@@ -108,10 +108,10 @@ def over(
     cuts = line.stroke is Stroke.CUT and not line.chain
     above, below = link_rows(words, link, wide, cuts)
     left = line.at + 8
-    written = [
-        _row(left, line.axis - 5 - (len(above) - 1 - row) * PITCH, *item) for row, item in enumerate(above)
-    ]
-    written += [_row(left, line.axis + 14 + row * PITCH, *item) for row, item in enumerate(below)]
+    high = line.axis - 5 - (len(above) - 1) * PITCH
+    placed = indented(above) if len(link) > 1 else ((row, of, 0.0) for row, of in above)
+    written = [text(left + dx, high + n * PITCH, *row, of) for n, (row, of, dx) in enumerate(placed)]
+    written += [text(left, line.axis + 14 + n * PITCH, *row, of) for n, (row, of) in enumerate(below)]
     at = max((item.x + item.width + 4 for item in written), default=line.at)
     errors = cuts and all(words.is_for_errors(place) for place in link)
     stroke = Stroke.ERROR if errors else line.stroke
@@ -121,12 +121,18 @@ def over(
 
 def room_of(link: Link, words: Words, wide: float) -> float:
     """How much room the texts of a link take along the line."""
-    above, below = link_rows(words, link, wide, False)
-    return max((width(*row) + 12 for row, _ in (*above, *below)), default=0.0)
+    return max((item + 12 for item in _widths(link, words, wide, False)), default=0.0)
 
 
-def _row(x: float, y: float, row: Row, of: int | None = None) -> Text:
-    return Text(x, y, *row, width(*row), of)
+def back_width(link: Link, words: Words, wide: float) -> float:
+    """How long a line back must be for its texts."""
+    return max((item + 36 for item in _widths(link, words, wide, True)), default=0.0)
+
+
+def _widths(link: Link, words: Words, wide: float, cuts: bool) -> list[float]:
+    above, below = link_rows(words, link, wide, cuts)
+    dent = INDENT if len(link) > 1 else 0.0
+    return [width(*row) + dent for row, _ in (*above, *below)]
 
 
 def text(x: float, y: float, said: str, look: Look, of: int | None = None) -> Text:

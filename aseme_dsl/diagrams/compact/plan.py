@@ -91,6 +91,13 @@ class Plan:
         part = group.branches[0].parts[0]
         return None if part.cuts or group.reactive else part
 
+    def is_around_regions(self, region: Group) -> bool:
+        """Whether a region is nothing but the line to an AND and from it."""
+        part = self.only(region)
+        while part is not None and isinstance(part.block, Group):
+            part = self.only(part.block)
+        return part is not None and isinstance(part.block, Parallel)
+
     def merges(self, group: Group, bordered: bool) -> Part | None:
         """The one part of a framed group that has its frame.
 
@@ -185,6 +192,12 @@ class Plan:
             more = f"{origin.owner} · {origin.name}" if origin.name else origin.owner
             return name or more, more if name else ""
         return name, ""
+
+    def called(self, label: str) -> str:
+        """What the drawing of a state is called: its formula, or its label."""
+        if label == self._chart.root.label:
+            return self._chart.name
+        return self.heading(label)[0] or f"part {label}"
 
     def tabled(self, link: Link) -> bool:
         """Whether the texts of a link stand as a table in its source."""

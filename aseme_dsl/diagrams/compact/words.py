@@ -47,9 +47,18 @@ ICONS = "⚡↯✕↻◷✉➤Ⓗ∞"
 
 ICON = 16.0
 
+INDENT = ICON
+"""How far the further rows of a transition are indented where several stand one below the other, in px."""
+
 Row = tuple[str, Look]
 Rows = tuple[tuple[Row, ...], tuple[Row, ...]]
 
+
+_NUMBER = "\ue000\ue000"
+_NOTE = f"… ({_NUMBER})"
+"""What a cut text ends with before its number is known."""
+
+_ONE_FIGURE = re.compile(r"… \(\d\)$")
 
 BOLD = (Look.NAME, Look.TITLE, Look.FIELD)
 
@@ -58,6 +67,8 @@ def width(text: str, look: Look) -> float:
     """How wide a text is, with a little room for other fonts."""
     sign = text[:1] in ICONS and text != ""
     plain = text[1:].lstrip() if sign else text
+    if _ONE_FIGURE.search(plain):
+        plain += "0"
     return room_for(plain, SIZES[look], bold=look in BOLD) + (ICON if sign else 0)
 
 
@@ -121,13 +132,20 @@ class Words:
         said = self.text(place) or "done"
         said = f"{before}{_without_sign(said)}" if before else said
         if len(said) > _LONG_PARAGRAPH:
-            said = f"{said[: _LONG_PARAGRAPH - 10].rpartition(' ')[0]} {self._note(place)}"
-        return tuple((line, look) for line in balanced(said, max(12, int(wide / _CHARACTER))))
+            said = f"{said[: _LONG_PARAGRAPH - 10].rpartition(' ')[0]} {_NOTE}"
+        return tuple((line, look) for line in self._broken(said, place, max(12, int(wide / _CHARACTER))))
 
-    def _note(self, place: int) -> str:
+    def _broken(self, text: str, place: int, characters: int) -> tuple[str, ...]:
+        """A text in lines, with the number of the transition if it is cut.
+
+        Each number takes the room of two figures, so that others may come before it.
+        """
+        lines = balanced(text, characters)
+        if _NUMBER not in text:
+            return lines
         if place not in self.notes:
             self.notes.append(place)
-        return f"… ({self.notes.index(place) + 1})"
+        return tuple(line.replace(_NUMBER, str(self.notes.index(place) + 1)) for line in lines)
 
     def _look(self, place: int, cuts: bool) -> Look:
         return Look.ERROR if self.is_for_errors(place) else Look.CUT if cuts else Look.LABEL
@@ -173,12 +191,16 @@ class Words:
         return "".join(part if number % 2 else self._shorter(part) for number, part in enumerate(parts))
 
     def lets(self) -> dict[str, str]:
-        """What each name of a `let` stands for that has been written, in the order of the chart."""
-        found: dict[str, str] = {}
+        """What each name of a `let` stands for that has been written, in the order of the chart.
+
+        In instances of a formula it may stand for one thing after the other.
+        """
+        found: dict[str, dict[str, None]] = {}
         for value in self._written_values():
             if isinstance(value, Named) and value_text(value.expression) != value.name:
-                found.setdefault(value.name, self.short(value_text(value.expression)))
-        return found
+                found.setdefault(value.name, {})[self.short(value_text(value.expression))] = None
+        order = " (one after the other in the drawing)"
+        return {name: "; ".join(said) + order * (len(said) > 1) for name, said in found.items()}
 
     def short_channels(self) -> dict[str, str]:
         """Each channel by the short name that has been written for it."""
@@ -276,15 +298,19 @@ class Words:
     def _written(self, place: int, cuts: bool, characters: int) -> Rows:
         said = self._said[place]
         look, mark = self._look(place, cuts), self._mark(place, cuts)
-        note = self._note(place) if said.long else ""
+        note = _NOTE if said.long else ""
         head = said.head
         if mark:
             head = f"{mark} {_without_sign(head)}"
-        above = tuple((line, look) for line in balanced(_cut(head, note), characters)) if head else ()
+        above = (
+            tuple((line, look) for line in self._broken(_cut(head, note), place, characters)) if head else ()
+        )
         actions = [_cut(text, note) for text in said.actions[:_MOST]]
         if len(said.actions) > _MOST:
             actions[-1] = f"/ {note}"
-        below = tuple((line, Look.ACTION) for text in actions for line in balanced(text, characters))
+        below = tuple(
+            (line, Look.ACTION) for text in actions for line in self._broken(text, place, characters)
+        )
         return above, below
 
 
@@ -334,6 +360,14 @@ def _cut(text: str, note: str) -> str:
     if len(text) <= _LONGEST:
         return text
     return f"{text[: _LONGEST - 12].rpartition(' ')[0]} {note}"
+
+
+def indented(rows: Sequence[tuple[Row, int]]) -> Iterator[tuple[Row, int, float]]:
+    """The rows of several transitions, and how far each is indented: all but the first of a transition."""
+    before = None
+    for row, place in rows:
+        yield row, place, INDENT if place == before else 0.0
+        before = place
 
 
 def link_rows(

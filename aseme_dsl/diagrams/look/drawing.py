@@ -36,8 +36,16 @@ class PageSize(StrEnum):
 
     @property
     def room(self) -> tuple[float, float]:
-        """How wide and high it is, in px. On A4, 1320 px are 277 mm: the smallest text has 6.5 points."""
-        return (1320.0, 905.0) if self is PageSize.A4 else (1920.0, 1080.0)
+        """How wide and high a drawing on it may be, in px.
+
+        On A4, 1079 px are the 277 mm between margins of 10 mm: the smallest text, of 11 px, has 8 points.
+        """
+        return (1079.0, 740.0) if self is PageSize.A4 else (1920.0, 1080.0)
+
+    @property
+    def paper(self) -> tuple[float, float] | None:
+        """How wide and high the paper is, in the same px; None if it is not for paper."""
+        return (1157.6, 818.5) if self is PageSize.A4 else None
 
 
 class NoSuchState(ValueError):
@@ -78,7 +86,7 @@ class Drawing(Displayed):
     draw it whole; None where there is nothing to divide. `states` is how many states are in it. `picture` is
     the SVG of a drawing that needs no Graphviz, `note` what must be said of the drawing, and `about` what it
     shows, for readers who cannot see it. `closed` are the labels of the states that a compact drawing shows
-    as boxes without what is inside.
+    as boxes without what is inside, and `size` is how wide and high it is, in px.
     """
 
     name: str
@@ -90,6 +98,7 @@ class Drawing(Displayed):
     note: str = ""
     about: str = ""
     closed: tuple[str, ...] = ()
+    size: tuple[float, float] = (0.0, 0.0)
 
 
 def piece_name(name: str, label: str) -> str:

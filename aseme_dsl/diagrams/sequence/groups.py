@@ -38,7 +38,11 @@ def grouped(diagram: SequenceDiagram, most: int = MOST) -> SequenceDiagram:
     if not groups:
         return diagram
     of = {member: group for group in groups for member in group.members}
-    lifelines = {line.name: line for item in diagram.lifelines for line in [_lifeline(item, of, diagram)]}
+    lifelines: dict[str, Lifeline] = {}
+    for line in diagram.lifelines:
+        name = of[line.name].name if line.name in of else line.name
+        if name not in lifelines:
+            lifelines[name] = _lifeline(line, of, diagram)
     rows = tuple(_merged([_in_groups(row, of) for row in diagram.rows]))
     return replace(diagram, lifelines=tuple(lifelines.values()), rows=rows)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
+from functools import partial
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
@@ -48,24 +49,42 @@ def choose(system: System, names: Sequence[str], options: Options) -> tuple[Draw
     chosen: list[Drawing] = []
     for name in names:
         fits = [item for item in found if _fits(item.name, name)]
-        if not fits and options.layout is not None:
-            found += _other_layouts(system, options, found)
+        if not fits:
+            others = _other_layouts(system, options)
+            drawn = {item.name for item in found}
+            found += [
+                item
+                for called, draw in others.items()
+                if _fits(called, name)
+                for item in draw()
+                if item.name not in drawn
+            ]
             fits = [item for item in found if _fits(item.name, name)]
         if not fits:
-            near = closest(name, [item.name for item in found])
-            known = ", ".join(item.name for item in found) or "none"
+            every = [*(item.name for item in found), *others]
+            near = closest(name, every)
+            known = ", ".join(dict.fromkeys(every)) or "none"
             hint = f"did you mean {near}? There are {known}" if near else f"there are {known}"
             raise NoSuchDrawing(f"{system.name} has no drawing {name}; {hint}")
         chosen += [item for item in fits if item not in chosen]
     return tuple(item for item in found if item in chosen)
 
 
-def _other_layouts(system: System, options: Options, found: Sequence[Drawing]) -> list[Drawing]:
-    from aseme_dsl.diagrams import drawings
+def _other_layouts(system: System, options: Options) -> dict[str, Callable[[], list[Drawing]]]:
+    """What draws each statechart in the layouts that were not asked for, by the name of the drawing."""
+    from aseme_dsl.diagrams import Layout, draw_statechart
+    from aseme_dsl.diagrams.look.drawing import piece_name
 
-    known = {item.name for item in found}
-    every = drawings(system, replace(options, layout=None))
-    return [item for item in every if item.name not in known]
+    made: dict[str, Callable[[], list[Drawing]]] = {}
+    for chart in system.statecharts:
+        if options.layout is None or (options.at is not None and options.at not in chart.by_label):
+            continue
+        for layout in (item for item in Layout if item is not options.layout):
+            name = f"{chart.kind.lower()}.{chart.name}"
+            name = name if layout is Layout.COMPACT else f"{name}.{layout}"
+            name = name if options.at is None else piece_name(name, options.at)
+            made[name] = partial(draw_statechart, chart, replace(options, layout=layout), system.activities)
+    return made
 
 
 def _fits(drawing: str, name: str) -> bool:
@@ -98,6 +117,19 @@ def draw_all(
         files += drawn.files
         notes += drawn.notes
     return Drawn(tuple(files), tuple(notes))
+
+
+def larger_than_a_screen(drawings: Sequence[Drawing]) -> tuple[str, ...]:
+    """What is to be said of drawings that nothing has divided into pages."""
+    from aseme_dsl.diagrams import PageSize
+
+    width, height = PageSize.SCREEN.room
+    large = [item.name for item in drawings if item.size[0] > width or item.size[1] > height]
+    if not large:
+        return ()
+    verb, them = ("is", "it") if len(large) == 1 else ("are", "them")
+    said = f"larger than a screen of {width:g} × {height:g} px: --page screen divides {them} into pages"
+    return (f"{', '.join(large)} {verb} {said}",)
 
 
 def into_folder(system: System, folder: Path, drawn: Drawn, *, force: bool, disk: Disk = DISK) -> Written:

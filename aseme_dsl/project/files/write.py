@@ -208,6 +208,7 @@ def write_over(files: Mapping[Path, tuple[bytes, bytes]], disk: Disk = DISK) -> 
 def write_file(path: Path, content: bytes, disk: Disk = DISK) -> Written:
     """Write one file that was named for it, over what is there: the whole of it at once, or (E009) nothing.
 
+    A file that holds the content already is left as it is.
     A link stays, and what it leads to is written; so does a device or a pipe, which takes the content.
     """
     plan = _Plan(path.parent, force=True)
@@ -215,6 +216,8 @@ def write_file(path: Path, content: bytes, disk: Disk = DISK) -> Written:
     if path.is_dir():
         plan.in_the_way(path, Obstacle.FOLDER)
         return Written(diagnostics=tuple(plan.errors))
+    if path.is_file() and _is(path, content):
+        return Written(unchanged=(path,))
     plan.writes.append((Path(os.path.realpath(path)), content))
     try:
         if path.exists() and not path.is_file():

@@ -23,13 +23,14 @@ path.message{stroke:{message}}path.message.solid{fill:{message}}path.cut.solid{f
 path.choice{fill:{choice};stroke:{choice-border}}
 .closed{fill:{frame};stroke:{ink};stroke-width:1.3;stroke-dasharray:2 2}
 path.endless{stroke:{soft};stroke-width:1.5}
-.frame{fill:{frame};stroke:{frame-border}}.parallel{fill:{paper};stroke:{frame-border}}
+.frame{fill:{frame};stroke:{frame-border}}.parallel,.stack{fill:{paper};stroke:{frame-border}}
+path.stack{fill:none}
 path.field{stroke:{frame-border};stroke-dasharray:6 4}
 .p0{fill:{q0};stroke:{p0};stroke-width:1.3}.p1{fill:{q1};stroke:{p1};stroke-width:1.3}
 .p2{fill:{q2};stroke:{p2};stroke-width:1.3}.p3{fill:{q3};stroke:{p3};stroke-width:1.3}
 path.p0{stroke:{p0};stroke-width:4}path.p1{stroke:{p1};stroke-width:4}
 path.p2{stroke:{p2};stroke-width:4}path.p3{stroke:{p3};stroke-width:4}
-.initial{fill:{ink}}.final{fill:{paper};stroke:{ink}}.dot{fill:{ink}}"""
+.initial{fill:{ink}}a text{text-decoration:underline}.final{fill:{paper};stroke:{ink}}.dot{fill:{ink}}"""
 
 
 def _rules(colours: dict[str, str]) -> str:

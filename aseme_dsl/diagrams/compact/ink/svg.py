@@ -8,7 +8,17 @@ from typing import assert_never
 from xml.sax.saxutils import escape
 
 from aseme_dsl.amola.statechart import Statechart, StateType, transition_text
-from aseme_dsl.diagrams.compact.elements import SIZES, Element, Form, Line, Picture, Point, Shape, Text
+from aseme_dsl.diagrams.compact.elements import (
+    SIZES,
+    STACKED,
+    Element,
+    Form,
+    Line,
+    Picture,
+    Point,
+    Shape,
+    Text,
+)
 from aseme_dsl.diagrams.compact.ink.colours import branch_colour, style
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS, Sign
 from aseme_dsl.diagrams.compact.words import BOLD, ICON
@@ -16,6 +26,7 @@ from aseme_dsl.diagrams.look.labels import printable, text_width
 
 _RADIUS = 6.0
 _HEAD = 7.0
+_FRAMES = (Form.FRAME, Form.PARALLEL, Form.PROTOCOL, Form.STACK)
 
 
 def svg(
@@ -23,8 +34,9 @@ def svg(
 ) -> str:
     """The drawing in light and dark colours, or in those of one `theme` (`light`, `dark`) alone.
 
-    A closed state that has one of the `files` leads there.
+    A closed state that has one of the `files` leads there, and so does a name in the title.
     """
+    files = files or {}
     width, height = picture.width, picture.height
     about = f"{chart.kind} {chart.name} of {chart.system}"
     parts = [
@@ -36,10 +48,8 @@ def svg(
     ]
     known: Counter[str] = Counter()
     for item in in_order(picture):
-        made = _element(chart, item, known)
-        leads = (
-            files.get(item.state) if files and isinstance(item, Shape) and item.form is Form.CLOSED else None
-        )
+        made = _element(chart, item, known, files)
+        leads = files.get(item.state) if isinstance(item, Shape) and item.form is Form.CLOSED else None
         parts += (f'<a href="{_text(leads)}">', *made, "</a>") if leads else made
     return "\n".join([*parts, "</svg>", ""])
 
@@ -53,7 +63,7 @@ def _layer(item: Line | Shape | Text) -> int:
     """Frames are at the back, outer ones first, as they are wider; texts in front."""
     match item:
         case Shape():
-            return -round(item.width) if item.form in (Form.FRAME, Form.PARALLEL, Form.PROTOCOL) else 2
+            return -round(item.width) if item.form in _FRAMES else 2
         case Line():
             return 1
         case Text():
@@ -62,7 +72,9 @@ def _layer(item: Line | Shape | Text) -> int:
             assert_never(item)
 
 
-def _element(chart: Statechart, item: Line | Shape | Text, known: Counter[str]) -> Iterator[str]:
+def _element(
+    chart: Statechart, item: Line | Shape | Text, known: Counter[str], files: Mapping[str, str]
+) -> Iterator[str]:
     match item:
         case Text():
             of = ""
@@ -76,9 +88,14 @@ def _element(chart: Statechart, item: Line | Shape | Text, known: Counter[str]) 
             if text[:1] in SIGNS:
                 yield from _sign(SIGNS[text[0]], x, item.y)
                 text, x = text[1:].lstrip(), x + ICON
-            long = text_width(text, SIZES[item.look], bold=item.look in BOLD)  # whatever the font
+            long = text_width(text, SIZES[item.look], bold=item.look in BOLD)  # in any font
             fixed = f' textLength="{long:.1f}" lengthAdjust="spacingAndGlyphs"' if long else ""
+            back = files.get(item.leads)
+            if back:
+                yield f'<a href="{_text(back)}">'
             yield f'<text class="{item.look}" x="{x:.1f}" y="{item.y:.1f}"{fixed}{of}>{_text(text)}</text>'
+            if back:
+                yield "</a>"
         case Line():
             yield from _line(chart, item)
         case Shape():
@@ -117,7 +134,7 @@ def _line(chart: Statechart, item: Line) -> Iterator[str]:
         yield f"<title>{_text(tip)}</title>"
     yield "".join(f'<g id="t{place}">' for place in others)
     yield f'<path class="{item.stroke}" d="{_path(item.points)}"/>'
-    if item.arrow and item.chain:
+    if item.arrow:
         yield f'<path class="head {item.stroke}" d="{_straight(head(item.points))}Z"/>'
     yield "</g>" * (len(others) + 1)
 
@@ -170,6 +187,9 @@ def _shape(chart: Statechart, item: Shape, name: str) -> Iterator[str]:
         case Form.ENDLESS:
             place = f"translate({x:.1f} {centre:.1f})"
             yield f'<path class="endless" d="{_straight(ENDLESS)}" transform="{place}"/>'
+        case Form.STACK:
+            yield f'<rect class="stack" {box} rx="8"/>'
+            yield f'<path class="stack" d="{_path(behind(item))}"/>'
         case Form.FIELD:
             yield f'<path class="field" d="M{x:.1f} {y:.1f}H{x + width:.1f}"/>'
         case _:
@@ -206,8 +226,21 @@ def head(points: tuple[Point, ...]) -> tuple[Point, ...]:
     return (x, y), (back_x + side_x, back_y + side_y), (back_x - side_x, back_y - side_y)
 
 
+def behind(item: Shape) -> tuple[Point, ...]:
+    """What is seen of the sheet behind a stack."""
+    left, top = item.x, item.y
+    right, bottom = left + item.width, top + item.height
+    far = STACKED
+    return (
+        (right, top + far),
+        (right + far, top + far),
+        (right + far, bottom + far),
+        (left + far, bottom + far),
+    )
+
+
 def _text(text: str) -> str:
     return escape(printable(text), {'"': "&quot;"})
 
 
-__all__ = ["head", "in_order", "svg", "text_id"]
+__all__ = ["behind", "head", "in_order", "svg", "text_id"]

@@ -4,13 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import assert_never
 
 from aseme_dsl.amola.statechart import Statechart
-from aseme_dsl.diagrams.compact.elements import SIZES, Form, Line, Look, Picture, Point, Shape, Stroke, Text
+from aseme_dsl.diagrams.compact.elements import (
+    SIZES,
+    Form,
+    Line,
+    Look,
+    Picture,
+    Point,
+    Shape,
+    Stroke,
+    Text,
+    moved,
+)
 from aseme_dsl.diagrams.compact.ink.colours import branch_colour
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS
-from aseme_dsl.diagrams.compact.ink.svg import head, in_order
+from aseme_dsl.diagrams.compact.ink.svg import behind, head, in_order
 from aseme_dsl.diagrams.compact.words import BOLD, ICON
 from aseme_dsl.diagrams.look.colours import LIGHT
 from aseme_dsl.diagrams.look.labels import printable
@@ -20,21 +32,47 @@ _STROKES = {Stroke.PLAIN: "line", Stroke.CUT: "cut", Stroke.ERROR: "error", Stro
 _INKS = {Look.ACTION: "soft", Look.SMALL: "soft", Look.CUT: "cut", Look.ERROR: "error"}
 _CORNER = 8.0
 
+_INCH = 99.0
+"""How many px are an inch of paper: 11 px are 8 points."""
+
+_LOWER = 0.1
+"""So much of its size lower a text is asked for, as Graphviz writes it higher than that."""
+
+_EDGE = 39.0
+"""The margin of a sheet: 10 mm, in px."""
+
 _BREAK = "\\\n"
 """Graphviz reads no longer piece of a text than 16384 characters."""
 
 
-def dot(chart: Statechart, picture: Picture) -> str:
-    """The drawing in light colours as a graph without nodes, whose background it is."""
+def dot(chart: Statechart, picture: Picture, paper: tuple[float, float] | None = None) -> str:
+    """The drawing in light colours as a graph without nodes, whose background it is.
+
+    On a sheet of `paper` of this size, in px, text of 11 px has 8 points; a drawing that is larger is scaled.
+    """
+    scaled = ""
+    if paper is not None:
+        scaled = f'pad=0 margin=0 size="{paper[0] / _INCH:.3f},{paper[1] / _INCH:.3f}" '
+        picture = _on_paper(picture, paper)
     pen = _Pen(picture.height)
     for item in in_order(picture):
         pen.element(chart, item)
     width, height = picture.width, picture.height
     size = f'pos="{width / 2:g},{height / 2:g}!" width={width / 72:.3f} height={height / 72:.3f}'
     return (
-        f'digraph "compact" {{\n  graph [layout=nop2 bb="0,0,{width:g},{height:g}" '
+        f'digraph "compact" {{\n  graph [layout=nop2 {scaled}bb="0,0,{width:g},{height:g}" '
         f'_background="{_BREAK.join(pen.said)}"]\n  page [{size} shape=box style=invis label=""]\n}}\n'
     )
+
+
+def _on_paper(picture: Picture, paper: tuple[float, float]) -> Picture:
+    """The drawing in the middle of a sheet, at its top."""
+    room = paper[0] - 2 * _EDGE, paper[1] - 2 * _EDGE
+    larger = max(1.0, picture.width / room[0], picture.height / room[1])
+    width, height = (round(side * larger, 1) for side in paper)
+    left = (width - picture.width) / 2
+    elements = tuple(moved(item, left, _EDGE) for item in picture.elements)
+    return replace(picture, width=width, height=height, elements=elements)
 
 
 class _Pen:
@@ -50,7 +88,7 @@ class _Pen:
                 self._style("dashed" if item.stroke in (Stroke.ERROR, Stroke.NEVER) else "solid", 1.3)
                 self._colour(_STROKES[item.stroke])
                 self._line(item.points)
-                if item.arrow and item.chain:
+                if item.arrow:
                     self._style("solid", 1)
                     self._area(head(item.points), _STROKES[item.stroke], _STROKES[item.stroke])
             case Shape():
@@ -92,6 +130,9 @@ class _Pen:
             case Form.ENDLESS:
                 self._colour("soft")
                 self._line([(x + a, centre + b) for a, b in ENDLESS])
+            case Form.STACK:
+                self._area(_rounded(item, _CORNER), "frame-border", "paper")
+                self._line(behind(item))
             case Form.FIELD:
                 self._style("dashed", 1)
                 self._colour("frame-border")
@@ -119,12 +160,15 @@ class _Pen:
                 self._colour("paper")
                 self._line([(x + a, item.y + b) for a, b in sign.flap])
             said, x = said[1:].lstrip(), x + ICON
+        if not said:
+            return  # Graphviz reads nothing behind an empty text
         flags = (1 if item.look in BOLD else 0) + (2 if item.look is Look.ACTION else 0)
         self._colour(_INKS.get(item.look, "ink"))
         said = printable(said).replace("\\", "∖").replace('"', '\\"')
         length = len(said.replace('\\"', '"').encode())
         self.said.append(f"F {SIZES[item.look]} {len(FONTS)} -{FONTS} t {flags} ")
-        self.said.append(f"T {self._place(x, item.y)} -1 {item.width:.0f} {length} -{said} ")
+        low = item.y + _LOWER * SIZES[item.look]
+        self.said.append(f"T {self._place(x, low)} -1 {item.width:.0f} {length} -{said} ")
 
     def _place(self, x: float, y: float) -> str:
         return f"{x:.1f} {self._height - y:.1f}"
