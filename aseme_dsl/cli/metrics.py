@@ -76,7 +76,7 @@ def command(
             reason = "it is a file of `asemec test --coverage-file`, not a trace"
             found.append(Diagnostic(TraceNotRead(reason), None, path=str(file)))
             continue
-        measuring, seen = Measuring(model.system), Seen()
+        measuring, seen = Measuring(model.system, model.hashes.values()), Seen()
         found += read_runs(model, [file], seen, [measuring])
         if seen.traces:
             runs.append(measuring.end())

@@ -9,9 +9,8 @@ from dataclasses import dataclass, field
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.play.coverage.measure import is_counted
-from aseme_dsl.play.coverage.seen import completed, shape_of
 from aseme_dsl.play.coverage.serving import Place, Serving, serving
-from aseme_dsl.runtime.chart.following import Following as At
+from aseme_dsl.play.coverage.walks import Move, Walks
 from aseme_dsl.runtime.trace.records import Record, agents_of
 
 
@@ -47,28 +46,24 @@ class RunMetrics:
     parts: Counter[tuple[str, str, str]] = field(default_factory=Counter)
     """How the parts of agents ended, by protocol, participant and `completed`, `left` or `open`."""
     agents: Counter[str] = field(default_factory=Counter)
-    """How many agents each role has."""
+    """How many agents each role has, or has had."""
     outcomes: Counter[tuple[str, str]] = field(default_factory=Counter)
     """How activities ended, by activity and outcome: `failed` among them."""
-
-
-@dataclass(slots=True)
-class _Agent:
-    role: str
-    at: At
-    since: dict[str, int] = field(default_factory=dict)
 
 
 class Measuring:
     """Measures one run by its records."""
 
-    def __init__(self, system: System) -> None:
+    def __init__(self, system: System, models: Iterable[str] = ()) -> None:
+        """`models` are the hashes of the models of the roles; without any, all agents run these."""
         self.found = RunMetrics()
         self._charts = {chart.name: chart for chart in system.iacs}
-        self._shapes = {name: shape_of(chart) for name, chart in self._charts.items()}
+        self._walks = Walks(self._charts, models)
         cases = serving(system)
         self._goals = {goal.name: frozenset(_served(cases[goal.name])) for goal in system.sag.goals}
-        self._agents: dict[str, _Agent] = {}
+        self._since: dict[tuple[str, str, str], int] = {}
+        """Since when an agent in a role is in a state, by its label."""
+        self._roles: set[tuple[str, str]] = set()
         self._busy: dict[str, int] = {}
         """How many active states serve a goal now."""
         self._goal_since: dict[str, int] = {}
@@ -86,12 +81,13 @@ class Measuring:
             case "header":
                 self.found.seed = record.get("seed")
                 for agent in agents_of(record):
-                    shape = self._shapes.get(agent.get("role", ""))
-                    if shape is not None:
-                        self.found.agents[agent["role"]] += 1
-                        self._agents[agent["name"]] = _Agent(agent["role"], At(shape))
-            case "step":
-                self._step(record, now)
+                    self._walks.begin(agent["name"], agent.get("role", ""))
+                    self._count(agent["name"])
+            case "step" | "error" | "select" | "swap":
+                for move in self._walks.moves(record):
+                    self._move(move, now)
+                if record["kind"] == "select":
+                    self._count(record["agent"])
             case "activity" if record["what"] in ("end", "crash"):
                 how = "failed" if record["what"] == "crash" else record.get("outcome")
                 if how is not None:
@@ -100,37 +96,29 @@ class Measuring:
                 self._conversation(record, now)
             case "agent_message" if record.get("protocol"):
                 self.found.messages[record["protocol"]] += 1
-            case "error":
-                self._change(record["agent"], self._agents[record["agent"]].at.end().left, (), now)
             case "finish":
                 self._finish(now)
 
-    def _step(self, record: Record, now: int) -> None:
-        agent = self._agents.get(record["agent"])
-        if agent is None:
-            return
-        name = record["agent"]
-        if record["step"] == 1:
-            self._change(name, tuple(agent.since), (), now)
-            agent.at = At(agent.at.shape)
-            self._change(name, (), agent.at.begin().entered, now)
-        for way in record["taken"]:
-            change = agent.at.take(tuple(way["transitions"]))
-            self._change(name, change.left, change.entered, now)
-            self._complete.update((name, label) for label in completed(agent.at, change.entered))
+    def _count(self, agent: str) -> None:
+        """An agent has a role, perhaps a second one."""
+        role = self._walks.role(agent)
+        if role is not None and (agent, role) not in self._roles:
+            self._roles.add((agent, role))
+            self.found.agents[role] += 1
 
-    def _change(self, name: str, left: Iterable[str], entered: Iterable[str], now: int) -> None:
-        agent = self._agents[name]
-        for label in left:
-            since = agent.since.pop(label, None)
+    def _move(self, move: Move, now: int) -> None:
+        role = move.role
+        for label in move.change.left:
+            since = self._since.pop((move.agent, role, label), None)
             if since is not None:
-                self._times((agent.role, label)).lasted.append(now - since)
-                self._serve(agent.role, label, -1, now)
-        for label in entered:
-            if is_counted(self._charts[agent.role].by_label[label]):
-                agent.since[label] = now
-                self._times((agent.role, label)).began += 1
-                self._serve(agent.role, label, 1, now)
+                self._times((role, label)).lasted.append(now - since)
+                self._serve(role, label, -1, now)
+        for label in move.change.entered:
+            if is_counted(self._charts[role].by_label[label]):
+                self._since[move.agent, role, label] = now
+                self._times((role, label)).began += 1
+                self._serve(role, label, 1, now)
+        self._complete.update((move.agent, label) for label in move.completed)
 
     def _times(self, place: Place) -> Times:
         return self.found.states.setdefault(place, Times())
@@ -177,12 +165,11 @@ class Measuring:
                 self._ended[record["peer"], name] = (protocol, participant, "completed")
 
     def _finish(self, now: int) -> None:
-        for agent in self._agents.values():
-            for label, since in agent.since.items():
-                times = self._times((agent.role, label))
-                times.lasted.append(now - since)
-                times.open += 1
-            agent.since.clear()
+        for (_, role, label), since in self._since.items():
+            times = self._times((role, label))
+            times.lasted.append(now - since)
+            times.open += 1
+        self._since.clear()
         for goal, since in self._goal_since.items():
             self.found.goals[goal].lasted.append(now - since)
             self.found.goals[goal].open += 1

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.play.coverage.probes import Evaluations
-from aseme_dsl.runtime.chart.following import Following as At
-from aseme_dsl.runtime.chart.following import Shape
-from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
-from aseme_dsl.runtime.chart.plan import State as PlanState
-from aseme_dsl.runtime.chart.plan import Transition as PlanTransition
+from aseme_dsl.play.coverage.walks import Walks
 from aseme_dsl.runtime.trace.records import Record
 
 
@@ -60,90 +56,40 @@ class Seen:
         self.left_out.update(other.left_out)
 
 
-@dataclass(slots=True)
-class _Agent:
-    role: str
-    at: At
-
-
 class Following:
     """Counts the records of one run."""
 
-    def __init__(self, charts: Mapping[str, Statechart], seen: Seen, agents: Mapping[str, str]) -> None:
-        shapes = {role: shape_of(charts[role]) for role in set(agents.values()) if role in charts}
+    def __init__(
+        self,
+        charts: Mapping[str, Statechart],
+        seen: Seen,
+        agents: Mapping[str, str],
+        models: Iterable[str] = (),
+    ) -> None:
+        """`models` are the hashes of the models of the roles; without any, all agents run these."""
         self._seen = seen
-        known = {name: role for name, role in agents.items() if role in shapes}
-        self._agents = {name: _Agent(role, At(shapes[role])) for name, role in known.items()}
-        for role in shapes:
-            seen.of(role)
+        self._walks = Walks(charts, models)
+        for name, role in agents.items():
+            if self._walks.begin(name, role):
+                seen.of(role)
 
     def wants(self, kind: str, what: str | None) -> bool:
-        return kind in ("step", "activity", "error")
+        return kind in ("step", "activity", "error", "select", "swap")
 
     def __call__(self, record: Record) -> None:
-        agent = self._agents.get(str(record.get("agent", "")))
-        if agent is None:
-            return
-        seen = self._seen.of(agent.role)
-        match record["kind"]:
-            case "step":
-                self._step(agent, seen, record)
-            case "activity" if record["what"] == "end":
-                seen.completed[record["label"]] += 1
-                if (outcome := record.get("outcome")) is not None:
-                    seen.ended[record["label"], outcome] += 1
-            case "error":
-                agent.at.end()
-
-    def leave(self, agent: str) -> None:
-        """The agent has another model from here on, which is not counted."""
-        self._agents.pop(agent, None)
-
-    def _step(self, agent: _Agent, seen: RoleSeen, record: Record) -> None:
-        at = agent.at
-        if record["step"] == 1:  # it begins, also after a crash
-            at = agent.at = At(at.shape)
-            seen.entered.update(at.begin().entered)
-        for way in record["taken"]:
-            seen.taken.update(way["transitions"])
-            entered = at.take(tuple(way["transitions"])).entered
-            seen.entered.update(entered)
-            seen.completed.update(completed(at, entered))
-        leaves = record.get("configuration")
-        if leaves is not None and not at.active.issuperset(leaves):
-            at.stand(leaves)  # a gap in the trace
+        for move in self._walks.moves(record):
+            seen = self._seen.of(move.role)
+            seen.taken.update(move.taken)
+            seen.entered.update(move.change.entered)
+            seen.completed.update(move.completed)
+        if record["kind"] == "activity" and record["what"] == "end":
+            role = self._walks.role(record["agent"])
+            if role is None:
+                return
+            seen = self._seen.of(role)
+            seen.completed[record["label"]] += 1
+            if (outcome := record.get("outcome")) is not None:
+                seen.ended[record["label"], outcome] += 1
 
 
-def completed(at: At, entered: Iterable[str]) -> Iterator[str]:
-    """The composites that are complete since these states were entered."""
-    states = at.shape.plan.by_label
-    for label in entered:
-        parent = states[label].parent
-        if states[label].type != "END" or parent is None:
-            continue
-        yield parent
-        around = states[parent].parent
-        if around is not None and states[around].type == "AND" and at.is_complete(around):
-            yield around
-
-
-def shape_of(chart: Statechart) -> Shape:
-    """What following agents of a role needs of its statechart."""
-    branches = [state for state in chart.states if chart.is_branch(state)]
-    return Shape(
-        Plan(
-            chart.name,
-            chart.system,
-            "",
-            "",
-            tuple(PlanState(item.label, item.name, item.type.value, item.parent) for item in chart.states),
-            tuple(
-                PlanTransition(item.source, item.target, kind=item.kind.value, resume=item.resume)
-                for item in chart.transitions
-            ),
-            branches=tuple(BranchInfo(item.label, item.origin.owner, item.origin.name) for item in branches),
-        )
-    )
-
-
-__all__ = ["Following", "RoleSeen", "Seen", "completed", "shape_of"]
+__all__ = ["Following", "RoleSeen", "Seen"]

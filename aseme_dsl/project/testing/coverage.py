@@ -159,7 +159,8 @@ def _read_trace(
             wrong = _others(model, record)
             if wrong:
                 return [Diagnostic(NotOfThisModel(model.system.name, wrong), None, path=str(path))]
-            following = Following(charts, seen, {a["name"]: a.get("role", "") for a in agents_of(record)})
+            agents = {a["name"]: a.get("role", "") for a in agents_of(record)}
+            following = Following(charts, seen, agents, model.hashes.values())
             seen.traces += 1
         following(record)
         if replay is not None and (why := _differs(replay, record)) is not None:
@@ -168,7 +169,6 @@ def _read_trace(
         for listener in listeners:
             listener(record)
         if record["kind"] in ("swap", "select") and record.get("model") not in (None, *model.hashes.values()):
-            following.leave(str(record.get("agent", "")))
             seen.left_out["an agent changed to another model: the rest of its run was not counted"] += 1
     if replay is not None:
         seen.add(Seen(evaluations=recorder.evaluations, evaluated=1))

@@ -1,0 +1,44 @@
+"""What an agent does after it has switched its role is measured as that of the other role."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.cli.support import Here
+
+TWO = """system Two
+import runtime
+srm goalie {
+  liveness { goalie = Guard . Save~ }
+  activities { Guard takes 200ms simulated  Save takes 100ms simulated }
+  control goalie {
+    enter Save~ : / runtime.signal.SelectPlan.plan = "player"; write_messages.runtime.signal.SelectPlan
+  }
+}
+srm player {
+  liveness { player = Chase . Kick~ }
+  activities { Chase takes 300ms simulated  Kick takes 100ms simulated }
+}
+team Two { b : goalie }
+property "one of them at once" { at most one (Guard or Save) }
+"""
+
+
+def test_metrics_and_coverage_follow_a_switch_of_the_role(here: Here, folder: Path) -> None:
+    (folder / "two.aseme").write_text(TWO)
+    done = here("run", "two.aseme", "-o", "out", "--for", "950ms", "--trace", "t.jsonl", "--json", "-q")
+    assert [item["verdict"] for item in done.json["result"]["watched"]] == ["kept"]
+    rows = here("metrics", "t.jsonl", "--json").json["metrics"]["rows"]
+    found = {(row["of"], row["name"]): row["times"] for row in rows if row["kind"] == "state"}
+    assert found == {
+        ("goalie", "goalie"): [1],
+        ("goalie", "Guard"): [1],
+        ("goalie", "Save~"): [1],
+        ("goalie", "Save"): [1],
+        ("player", "player"): [1],
+        ("player", "Chase"): [1],
+        ("player", "Kick~"): [1],
+        ("player", "Kick"): [5],
+    }
+    covered = here("coverage", "t.jsonl").out.splitlines()
+    assert [line.split()[1:3] for line in covered if line.startswith("states")] == [["8", "8"]], covered
