@@ -214,6 +214,9 @@ def test_goals_have_what_serves_them(lift: Here) -> None:
     assert found["runs"] == 2
     assert [(goal["name"], goal["runs"]) for goal in found["goals"]] == [("ride", 1), ("rest", 2), ("fly", 0)]
     assert "  reached once, in 1 of 2 runs\n" in lift("goals", "lift.aseme", "out", "some.json").out
+    assert lift("test", "lift.aseme", "--coverage-file", "some.json").code == 0
+    said = lift("goals", "lift.aseme", "some.json").out
+    assert ("in 1 of 1 file with 3 runs" in said, "never reached in 3 runs" in said) == (True, True), said
 
 
 def test_the_list_is_short_and_begins_with_the_own_files(here: Here, folder: Path) -> None:

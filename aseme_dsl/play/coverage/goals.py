@@ -57,6 +57,9 @@ class Goals:
     goals: tuple[GoalSum, ...]
     dangling: tuple[Dangling, ...]
     runs: int
+    """How many traces and files of coverage there are."""
+    played: int = 0
+    """The traces and scenarios that are in them."""
 
 
 def goals_of(system: System, scenarios: Iterable[Scenario], runs: Sequence[Seen]) -> Goals:
@@ -99,7 +102,8 @@ def goals_of(system: System, scenarios: Iterable[Scenario], runs: Sequence[Seen]
         *_unserving_formulas(system, served, goals),
         *_unserving_scenarios(spoken, served, goals),
     )
-    return Goals(system.name, tuple(goals), dangling, len(runs))
+    played = sum(run.scenarios + run.traces for run in runs)
+    return Goals(system.name, tuple(goals), dangling, len(runs), played)
 
 
 def _with_included(case: UseCase, by_name: Mapping[str, UseCase]) -> Iterable[UseCase]:

@@ -18,7 +18,7 @@ def lines(found: Goals) -> Iterator[str]:
         yield from _rows("state", goal.states)
         yield from _rows("scenario", goal.scenarios)
         if found.runs:
-            yield f"  {_reached(goal, found.runs)}"
+            yield f"  {_reached(goal, found)}"
     if found.dangling:
         yield ""
         yield "dangling"
@@ -34,11 +34,14 @@ def _rows(word: str, items: Sequence[Named]) -> Iterator[str]:
         yield f"  {word:9} {of}{item.name}  {item.span}"
 
 
-def _reached(goal: GoalSum, runs: int) -> str:
+def _reached(goal: GoalSum, found: Goals) -> str:
+    """A file of coverage says of all its scenarios and traces together what they have reached."""
     if not goal.times:
-        return f"never reached in {_counted(runs, 'run')}"
+        return f"never reached in {_counted(found.played, 'run')}"
     times = "once" if goal.times == 1 else f"{goal.times} times"
-    return f"reached {times}, in {goal.runs} of {_counted(runs, 'run')}"
+    if found.played == found.runs:
+        return f"reached {times}, in {goal.runs} of {_counted(found.runs, 'run')}"
+    return f"reached {times}, in {goal.runs} of {_counted(found.runs, 'file')} with {found.played} runs"
 
 
 def _counted(number: int, noun: str) -> str:
@@ -50,6 +53,7 @@ def data(found: Goals) -> dict[str, object]:
     return {
         "system": found.system,
         "runs": found.runs,
+        "played": found.played,
         "goals": [
             {
                 "name": goal.name,
