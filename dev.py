@@ -114,6 +114,11 @@ LONG = [
         ["-m", "pytest", "-n", "auto", "tests/diagrams/test_readable.py", "tests/diagrams/test_sequence.py"],
         {"RANDOM_DRAWINGS": "500"},
     ),
+    (
+        "questions why not",
+        ["-m", "pytest", "-n", "auto", "tests/play/test_asking.py"],
+        {"ASKED": "30", "ASKED_CHARTS": "200"},
+    ),
     ("latency", ["benchmarks/latency.py"], {}),
     ("agents", ["benchmarks/agents.py"], {}),
     ("a long match", ["benchmarks/soak.py", "0.5"], {}),

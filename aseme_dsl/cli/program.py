@@ -38,6 +38,8 @@ COMMANDS = (
     "goals",
     "metrics",
     "replay",
+    "why",
+    "whynot",
     "node",
     "status",
     "switch",

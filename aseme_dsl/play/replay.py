@@ -10,7 +10,7 @@ next checkpoint.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from time import perf_counter
@@ -53,6 +53,10 @@ class Model:
 
 Models = Callable[[Mapping[str, str]], Mapping[str, Model]]
 """From the files of a model to the roles' models, by their hashes. May raise NotReplayable."""
+
+
+Before = Callable[[str, Chart, Record, Sequence[Input]], None]
+"""Is shown a step of an agent: its chart before it, the line, and the inputs."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,9 +105,19 @@ class _Agent:
 class Replay:
     """Goes through the lines of a trace once."""
 
-    def __init__(self, models: Models, only: Collection[str] = (), earlier: Earlier | None = None) -> None:
-        """`only` these agents; all, if it is empty. `earlier` gives the lines that may be left out."""
+    def __init__(
+        self,
+        models: Models,
+        only: Collection[str] = (),
+        earlier: Earlier | None = None,
+        before: Before = lambda *step: None,
+    ) -> None:
+        """`only` these agents; all, if it is empty. `earlier` gives the lines that may be left out.
+
+        Each step is shown to `before`, before it is made.
+        """
         self._models = models
+        self._before = before
         self._only = only
         self._known: dict[str, Model] = {}
         self.agents: dict[str, _Agent] = {}
@@ -311,6 +325,7 @@ class Replay:
         if ahead:
             samples = [found for found in ahead if isinstance(found, Sample)]
             chart.pending = lambda: samples
+        self._before(item.name, chart, record, inputs)
         before = perf_counter()
         outcome = chart.step(record["time"], inputs)
         self.seconds += perf_counter() - before

@@ -102,8 +102,12 @@ USES = {
     "doctor": Use(says="sockets of a run, by transport\n"),
 }
 """The commands that take a target."""
-OTHERS = {"new", "explain", "lsp", "status", "switch", "key", "import", "completion", "match"}
-"""Those that take none, or two: `status` and `switch` are about what runs from an output folder (-o)."""
+OTHERS = {
+    *("new", "explain", "lsp", "status", "switch", "key", "import", "completion", "match"),
+    *("why", "whynot"),
+}
+"""Those that take none, or two, or others before it: `status` and `switch` are about what runs from an output
+folder (-o)."""
 FORMS = (
     "   hint: name a .aseme file, a project's folder or an output folder"
     " (or, for commands that read runs, a trace)\n"

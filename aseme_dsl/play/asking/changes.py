@@ -1,0 +1,326 @@
+"""Changes: what could be otherwise at a moment, tried out on the step class of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+from functools import partial
+from random import Random
+from typing import assert_never, cast
+
+from aseme_dsl.play.asking.parts import Fact, Part
+from aseme_dsl.play.replay import Model
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.following import Following, Shape
+from aseme_dsl.runtime.chart.functions import TYPES
+from aseme_dsl.runtime.chart.inputs import (
+    LOST,
+    AgentMessage,
+    Completed,
+    Crashed,
+    Effect,
+    Happened,
+    Identity,
+    Input,
+    Sample,
+)
+from aseme_dsl.runtime.chart.saving import Saved
+from aseme_dsl.runtime.chart.stepping import RECEIVE
+
+OUTSIDE: Identity = ("?", 0)
+"""Who sends what a trial makes up."""
+STEPS = 100
+"""A trial makes so many steps at one instant at the most."""
+
+# ---- what could be otherwise ------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Holding:
+    """The fact of a part of a condition is true, or not. What is `absent` in it comes: channel and sender."""
+
+    part: Part
+    is_true: bool
+    absent: tuple[tuple[str, str | None], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """The activity of a state ends, with an outcome if it has several."""
+
+    label: str
+    outcome: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Failing:
+    """The activity of a state fails."""
+
+    label: str
+
+
+@dataclass(frozen=True, slots=True)
+class Waiting:
+    """So much time (ns) has passed since a state was entered, or (negative) it has not passed yet."""
+
+    label: str
+    duration: int
+
+
+@dataclass(frozen=True, slots=True)
+class Raising:
+    """An event is raised."""
+
+    event: str
+
+
+@dataclass(frozen=True, slots=True)
+class Coming:
+    """An agent message comes for a branch; that an agent is `lost` is one, too."""
+
+    branch: str
+    performative: str
+    message: str
+    participant: str
+
+
+@dataclass(frozen=True, slots=True)
+class Lacking:
+    """An input of the step has not come, or an agent message does not wait, by its identity."""
+
+    input: Input
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """This weighted branch is drawn, after so many that are not."""
+
+    transition: int
+    passed: int
+
+
+Change = Holding | Ending | Failing | Waiting | Raising | Coming | Lacking | Drawing
+
+
+# ---- trials -----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """An agent between two steps: its state, the time (ns), and what its next step takes."""
+
+    saved: Saved
+    now: int
+    inputs: tuple[Input, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """A step that the agent has made, from this moment, and the transitions that it took."""
+
+    moment: Moment
+    taken: tuple[tuple[int, ...], ...]
+
+
+@dataclass(slots=True)
+class Tried:
+    """What came of a trial.
+
+    `told` has what the probes have told: by their numbers, and how many transitions had been taken then.
+    """
+
+    after: Saved
+    now: int
+    taken: list[tuple[int, ...]] = field(default_factory=list)
+    effects: list[Effect] = field(default_factory=list)
+    entered: set[str] = field(default_factory=set)
+    told: dict[int, dict[int, bool]] = field(default_factory=dict)
+    failure: str | None = None
+
+    def holds(self, part: Part, place: int | None = None) -> bool | None:
+        """What a part came to last, or behind so many transitions; None if it was not asked."""
+        found = self.told.get(part.number)
+        if found is None:
+            return None
+        return found[max(found)] if place is None else found.get(place)
+
+
+class Trial:
+    """Makes the next steps of an agent with something changed. Nothing of the project's code runs."""
+
+    def __init__(
+        self,
+        model: Model,
+        parts: Sequence[Part],
+        agent: str,
+        seed: int,
+        given: Mapping[str, object],
+    ) -> None:
+        """`model` has probes of these parts; `given` is what functions of the document gave last, by name."""
+        self._messages = model.messages
+        self._forced: dict[Fact, bool] = {}
+        self._told: dict[int, dict[int, bool]] = {}
+        self._taken = 0
+
+        def probe(chart: Chart, number: int, holds: bool) -> bool:
+            if self._forced and (wanted := self._forced.get(parts[number].fact)) is not None:
+                holds = wanted is not parts[number].negated
+            self._told.setdefault(number, {})[self._taken + len(chart.taken)] = holds
+            return holds
+
+        members: dict[str, object] = {"__slots__": (), "probe": probe}
+        kind = cast("type[Chart]", type(model.kind.__name__, (model.kind,), members))
+        self.plan = kind.PLAN
+        self.shape = Shape(self.plan)
+        self.chart = kind(agent)
+        self.chart.seed = seed
+        self.chart.stand_in(
+            {
+                name: partial(_give, self._given(given.get(name), result))
+                for name, _, result, _ in self.plan.functions
+            }
+        )
+
+    def _given(self, value: object, result: str) -> object:
+        """What a function gives: the same as last, or nothing in particular."""
+        kind = TYPES[result][-1] if result in TYPES else self._messages.get(result)
+        if value is not None or kind is None:
+            return value
+        return next(iter(kind)) if issubclass(kind, Enum) else kind()
+
+    def look(self, moment: Moment) -> Chart:
+        """The chart as it is at a moment, with what its step takes, to be looked at."""
+        self.chart.load(moment.saved)
+        self.chart.now = moment.now
+        for item in moment.inputs:
+            RECEIVE[type(item)](self.chart, item)
+        self.chart.events.clear()
+        return self.chart
+
+    def run(self, moment: Moment, changes: Sequence[Change] = ()) -> Tried:
+        """The steps of this instant, if something of the moment was otherwise."""
+        chart = self.chart
+        chart.load(moment.saved)
+        self._told.clear()
+        self._taken = 0
+        self._forced.clear()
+        inputs = self._prepared(moment, changes)
+        following = Following(self.shape)
+        if chart.started:
+            following.stand(chart.configuration())
+        before = frozenset(following.active)
+        tried = Tried(moment.saved, moment.now)
+        for _ in range(STEPS):
+            begins = not chart.started
+            outcome = chart.step(moment.now, inputs)
+            if begins:
+                tried.entered.update(following.begin().entered)
+            for way in outcome.taken:
+                tried.entered.update(following.take(way).entered)
+            tried.taken += outcome.taken
+            tried.effects += outcome.effects
+            self._taken = len(tried.taken)
+            inputs = []
+            if not outcome.again or outcome.finished or outcome.failure is not None:
+                break
+        following.stand(() if chart.finished or chart.failure is not None else chart.configuration())
+        tried.entered |= following.active - before  # also what was resumed
+        tried.failure = outcome.failure
+        tried.told = {number: dict(found) for number, found in self._told.items()}
+        tried.after = chart.save()
+        return tried
+
+    # ---- what is changed -----------------------------------------------------------------------
+
+    def _prepared(self, moment: Moment, changes: Sequence[Change]) -> list[Input]:
+        """Change the chart, and what its next step takes."""
+        chart = self.chart
+        inputs = list(moment.inputs)
+        numbers: list[float] = []
+        for change in changes:
+            match change:
+                case Holding(part=part, is_true=is_true, absent=absent):
+                    self._forced[part.fact] = is_true
+                    inputs += (self._sample(moment, *place) for place in absent)
+                case Ending(label=label, outcome=outcome):
+                    inputs.append(Completed(label, self._token(label), outcome))
+                case Failing(label=label):
+                    inputs.append(Crashed(label, self._token(label), "as is asked"))
+                case Waiting(label=label, duration=duration):
+                    setattr(chart, chart.TIMES[label], moment.now - duration)
+                case Raising(event=event):
+                    inputs.append(Happened(event))
+                case Coming():
+                    inputs.append(self._message(change, moment.now))
+                case Lacking(input=AgentMessage(branch=branch, identity=identity)):
+                    chart.mail[branch] = [item for item in chart.mail[branch] if item.identity != identity]
+                    inputs = [item for item in inputs if item is not change.input]
+                case Lacking(input=gone):
+                    inputs = [item for item in inputs if item is not gone]
+                case Drawing(passed=passed):
+                    numbers += [*[_LAST] * passed, 0.0]
+                case _:
+                    assert_never(change)
+        if numbers:
+            chart.chance = _Numbers(numbers)
+        return inputs
+
+    def _token(self, label: str) -> int:
+        return int(getattr(self.chart, self.chart.RUNNING[label][1]))
+
+    def _sample(self, moment: Moment, channel: str, host: str | None) -> Sample:
+        """A message of a channel that says nothing in particular."""
+        content = self._messages[channel.rpartition(".")[2]]()
+        sender = OUTSIDE[0] if host is None else host
+        return Sample(channel, content, sender, moment.now, (sender, -1))
+
+    def _message(self, coming: Coming, now: int) -> AgentMessage:
+        lost = coming.performative == LOST
+        content = "left" if lost else self._messages[coming.message]()
+        return AgentMessage(
+            coming.branch,
+            coming.performative,
+            coming.message,
+            content,
+            coming.participant,
+            OUTSIDE[0],
+            OUTSIDE,
+            sent=now,
+        )
+
+
+def _give(value: object, *arguments: object) -> object:
+    return value
+
+
+_LAST = 1 - 2**-53
+"""The largest number that can be drawn."""
+
+
+class _Numbers(Random):
+    """Draws these numbers first."""
+
+    def __init__(self, numbers: Sequence[float]) -> None:
+        super().__init__(0)
+        self._numbers = iter(numbers)
+
+    def random(self) -> float:
+        return next(self._numbers, super().random())
+
+
+__all__ = [
+    "Change",
+    "Coming",
+    "Drawing",
+    "Ending",
+    "Failing",
+    "Holding",
+    "Lacking",
+    "Made",
+    "Moment",
+    "Raising",
+    "Trial",
+    "Tried",
+    "Waiting",
+]

@@ -1,0 +1,199 @@
+"""Parts: a system whose conditions tell what each part of them comes to, and take what it shall come to.
+
+It does the same as before as long as nothing else is asked for. A part is what `&&` and `||` join, apart from
+its negation. All parts of a condition are evaluated each time, but for those that may raise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from aseme_dsl.amola.expression import (
+    Arithmetic,
+    Bound,
+    Call,
+    Holds,
+    Literal,
+    Logic,
+    LossReason,
+    Named,
+    Not,
+    Outcome,
+    RoundValue,
+    Sender,
+    StateValue,
+    Value,
+    rewritten,
+    value_text,
+    walk,
+)
+from aseme_dsl.amola.meant import performers, states_meant
+from aseme_dsl.amola.messages import BOOL, INT, PROBE, Function
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.system import System
+from aseme_dsl.source import Source, Span
+
+_PROBE = Function("probe", (("number", INT), ("holds", BOOL)), BOOL, PROBE, Span(Source("", ""), 0, 0))
+
+Fact = tuple[str, ...]
+"""What a part says, without its negation: the same one wherever it means the same."""
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A part of the condition of a transition, by the number of its probe; `value` is without a negation."""
+
+    number: int
+    fact: Fact
+    value: Value
+    negated: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Joined:
+    """Parts that all have to hold, or one of which has to."""
+
+    needs_all: bool
+    parts: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Denied:
+    """What must not hold; it may be absent."""
+
+    part: Tree
+
+
+Tree = Part | Joined | Denied
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """A system with a probe around each part of a condition.
+
+    `conditions` are those of the transitions, by role and number; `parts` are by the numbers of the probes.
+    """
+
+    system: System
+    conditions: Mapping[tuple[str, int], Tree]
+    parts: tuple[Part, ...]
+
+
+def asked(system: System) -> Asked:
+    """The system with a probe around each part of each condition of its roles."""
+    parts: list[Part] = []
+    conditions: dict[tuple[str, int], Tree] = {}
+    charts = []
+    for chart in system.iacs:
+        transitions = list(chart.transitions)
+        for number, item in enumerate(transitions):
+            reader = _Reader(chart, number, parts)
+            written = item.expression
+            if written.draw is not None:
+                if written.condition is not None:
+                    conditions[chart.name, number] = reader.condition(written.condition)[1]
+                changed = replace(written, draw=rewritten(written.draw, reader.inside))
+            elif written.condition is not None:
+                condition, tree = reader.condition(written.condition)
+                conditions[chart.name, number] = tree
+                changed = replace(written, condition=_with_all(condition, tree))
+            else:
+                continue
+            transitions[number] = replace(item, expression=changed)
+        charts.append(replace(chart, transitions=tuple(transitions)))
+    return Asked(replace(system, iacs=tuple(charts)), conditions, tuple(parts))
+
+
+class _Reader:
+    """Puts probes into the condition of one transition."""
+
+    def __init__(self, chart: Statechart, number: int, parts: list[Part]) -> None:
+        self._chart = chart
+        self._number = number
+        self._source = chart.transitions[number].source
+        self._place = (chart.name, chart.region_of(self._source))
+        self._parts = parts
+        self._known: dict[Value, tuple[Value, Tree]] = {}
+
+    def condition(self, value: Value) -> tuple[Value, Tree]:
+        """A condition with its probes, and its parts."""
+        if value not in self._known:
+            self._known[value] = self._read(value, negated=False)
+        return self._known[value]
+
+    def inside(self, value: Value) -> Value:
+        """The conditions in a draw, each with its probes."""
+        return replace(value, operand=self.condition(value.operand)[0]) if isinstance(value, Holds) else value
+
+    def _read(self, value: Value, *, negated: bool) -> tuple[Value, Tree]:
+        match value:
+            case Named(expression=inner) if isinstance(_meant(inner), Logic | Not | Holds):
+                return self._read(inner, negated=negated)
+            case Not(operand=operand):
+                return self._read(operand, negated=not negated)
+            case Logic(operator=word, operands=operands):
+                other = {"&&": "||", "||": "&&"}[word] if negated else word
+                read = [self._read(item, negated=negated) for item in operands]
+                parts = tuple(tree for _, tree in read)
+                inner = replace(value, operator=other, operands=tuple(item for item, _ in read))
+                return inner, Joined(other == "&&", parts)
+            case Holds(operand=operand):
+                inside, tree = self._read(operand, negated=False)
+                holds = replace(value, operand=inside)
+                return (Not(holds, value.span), Denied(tree)) if negated else (holds, tree)
+        part = Part(len(self._parts), self._fact(value), value, negated)
+        self._parts.append(part)
+        told = Not(value, value.span) if negated else value
+        return _around(told, part.number), part
+
+    def _fact(self, value: Value) -> Fact:
+        """Where something in it depends on the transition, or on its source, that belongs to the fact."""
+        place: list[str] = []
+        for item in walk(value):
+            match item:
+                case Bound() | Sender() | LossReason():
+                    place.append(str(self._number))
+                case StateValue(state=state):
+                    place += (node.label for node in states_meant(self._chart, self._source, state))
+                case Outcome(activity=activity):
+                    place += (node.label for node in performers(self._chart, self._source, activity))
+                case RoundValue():
+                    place.append(self._chart.branch_of(self._source) or "")
+        return (*self._place, value_text(rewritten(value, _meant)), *place)
+
+
+def _meant(value: Value) -> Value:
+    while isinstance(value, Named):
+        value = value.expression
+    return value
+
+
+def _around(value: Value, number: int) -> Value:
+    return Call(_PROBE, (Literal(number, INT, value.span), value), BOOL, value.span)
+
+
+def _with_all(condition: Value, tree: Tree) -> Value:
+    """The condition, behind its parts, which are all looked at; they decide nothing there."""
+    if isinstance(tree, Part):
+        return condition
+    span = condition.span
+    asked = [item for item in walk(condition) if _is_probe(item) and not _may_raise(item)]
+    looked_at = (Logic("||", (item, Literal(True, BOOL, span)), span) for item in asked)
+    return Logic("&&", (*looked_at, condition), span)
+
+
+def _is_probe(value: Value) -> bool:
+    return isinstance(value, Call) and value.function is _PROBE
+
+
+def _may_raise(value: Value) -> bool:
+    for item in walk(value):
+        if isinstance(item, Call) and item.function is not _PROBE and item.function.is_of_document:
+            return True
+        if isinstance(item, Arithmetic) and item.operator in ("/", "%"):
+            return True
+    return False
+
+
+__all__ = ["Asked", "Denied", "Fact", "Joined", "Part", "Tree", "asked"]

@@ -1,0 +1,93 @@
+"""Question: what is asked for in a statechart: a state, a transition or a message."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+
+from aseme_dsl.play.asking.ways import Goal
+from aseme_dsl.runtime.chart.plan import Plan, State
+
+
+class NotAsked(Exception):
+    """The statechart has nothing of that name; the text says what it has."""
+
+
+def goal_of(plan: Plan, asked: str) -> Goal:
+    """What a text asks for: `State`, `State -> State`, `inform Done`, or a channel `team.signal.Pass`.
+
+    Raises:
+        NotAsked: there is no such state, transition or message.
+    """
+    text = " ".join(asked.split())
+    if "->" in text:
+        return _transition(plan, *(part.strip() for part in text.split("->", 1)))
+    states = _called(plan, text)
+    if states:
+        return Goal(frozenset(state.label for state in states))
+    return _message(plan, text)
+
+
+def _called(plan: Plan, name: str) -> list[State]:
+    """The states of a name: their own, that of their activity, their label, or one behind that of a part."""
+    found = [item for item in plan.states if name in (item.name, item.activity, item.label)]
+    if found or "." not in name:
+        return found
+    around, _, inner = name.rpartition(".")
+    outer = _called(plan, around)
+    return [
+        item for item in _called(plan, inner) if any(item.label.startswith(f"{one.label}.") for one in outer)
+    ]
+
+
+def _transition(plan: Plan, source: str, target: str) -> Goal:
+    sources, targets = (
+        {item.label for item in _called(plan, name) or _pointed(plan, name)} for name in (source, target)
+    )
+    for name, found in ((source, sources), (target, targets)):
+        if not found:
+            raise NotAsked(_unknown(plan, name))
+    numbers = {
+        number
+        for number, item in enumerate(plan.transitions)
+        if item.kind == "external" and item.source in sources and item.target in targets
+    }
+    if not numbers:
+        text = f"no transition of {plan.name} leads from {source} to {target} at once: ask for {target}"
+        raise NotAsked(text)
+    return Goal(transitions=frozenset(numbers))
+
+
+def _pointed(plan: Plan, name: str) -> list[State]:
+    """The states that people call so: `start of Play`."""
+    return [item for item in plan.states if plan.called(item) == name]
+
+
+def _message(plan: Plan, text: str) -> Goal:
+    """What sends an agent message, or publishes on a channel: transitions, and the states of activities."""
+    words = text.removeprefix("send ").removeprefix("publish ").split()
+    kind = tuple(words) if len(words) == 2 else ("", text)
+    numbers = {
+        number
+        for number, item in enumerate(plan.transitions)
+        for action in item.actions
+        if action[:3] == ("send", *kind) or action == ("publish", text)
+    }
+    writers = {info.name for info in plan.activities if text in info.writes}
+    states = {item.label for item in plan.states if item.activity in writers}
+    for info in plan.branches:
+        for performative, message, labels, _ in info.moves:
+            if (performative, message) == kind:
+                states.update(labels)
+    if not numbers and not states:
+        raise NotAsked(_unknown(plan, text))
+    return Goal(frozenset(states), frozenset(numbers))
+
+
+def _unknown(plan: Plan, name: str) -> str:
+    names = sorted({item.name for item in plan.states if item.name.isidentifier()})
+    near = get_close_matches(name, names, 1)
+    hint = f"did you mean {near[0]}?" if near else f"its states are {', '.join(names)}"
+    return f"{plan.name} has no state, transition or message {name}: {hint}"
+
+
+__all__ = ["NotAsked", "goal_of"]

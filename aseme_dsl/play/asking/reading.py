@@ -1,0 +1,106 @@
+"""Reading: what a part of a condition reads at a moment: values, with their ages and senders."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from aseme_dsl.amola.expression import (
+    Call,
+    Expired,
+    Index,
+    Member,
+    Outcome,
+    RoundValue,
+    Value,
+    VariableValue,
+    value_text,
+    walk,
+)
+from aseme_dsl.play.asking.parts import Part
+from aseme_dsl.runtime.chart.board import Board
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.chart.plan import is_in
+from aseme_dsl.runtime.message.as_json import to_json
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """Something that a condition reads. `value` is as JSON has it, None if it is absent.
+
+    A message has its channel, its age in ns, its sender and its identity.
+    """
+
+    text: str
+    value: object
+    channel: str | None = None
+    host: str | None = None
+    age: int | None = None
+    sender: str | None = None
+    identity: Identity | None = None
+    is_timer: bool = False
+    """Its value is when it runs out, in ns."""
+
+
+def readings(part: Part, chart: Chart, now: int, given: Mapping[str, object]) -> tuple[Reading, ...]:
+    """What a part reads, each once; `given` is what functions of the document gave last."""
+    found = (_reading(item, part, chart, now, given) for item in walk(part.value))
+    return tuple({item.text: item for item in found if item is not None}.values())
+
+
+def _reading(value: Value, part: Part, chart: Chart, now: int, given: Mapping[str, object]) -> Reading | None:
+    text = value_text(value)
+    match value:
+        case Member(channel=channel, host=host, path=path):
+            return _message(text, str(channel), host, path, part, chart, now)
+        case VariableValue(name=name, path=path):
+            return Reading(text, to_json(_inside(chart.variable(name), path)))
+        case Expired(timer=timer):
+            return Reading(f"timer {timer}", _timer(chart, part.fact[1], timer), is_timer=True)
+        case Outcome(activity=activity):
+            labels = tuple(state.label for state in chart.PLAN.states if state.activity == activity)
+            return Reading(text, chart.last_outcome(labels))
+        case RoundValue(question=question, participant=participant):
+            branch = chart.PLAN.branch_of(part.fact[-1]) or ""
+            return Reading(text, getattr(chart, question)(branch, participant))
+        case Index():
+            return Reading(text, chart.index)
+        case Call(function=function) if function.is_of_document:
+            kinds = ", ".join(str(kind) for _, kind in function.parameters)
+            name = f"{function.name}({kinds})"
+            return Reading(text, given[name]) if name in given else None
+    return None
+
+
+def _message(
+    text: str, channel: str, host: str | None, path: tuple[str, ...], part: Part, chart: Chart, now: int
+) -> Reading:
+    board = board_in(chart, part.fact[1])
+    item = None if board is None else board.newest(channel, host)
+    if item is None:
+        return Reading(text, None, channel, host)
+    value = to_json(_inside(item.message, path))
+    return Reading(text, value, channel, host, now - item.time, item.sender, item.identity)
+
+
+def board_in(chart: Chart, region: str) -> Board | None:
+    """The blackboard of a region; of one that is not active, that of the region around it, of which it will
+    have the messages when it is entered."""
+    boards = zip(chart.REGIONS, chart.boards(), strict=True)
+    around = [(label, board) for label, board in boards if board is not None and is_in(region, label)]
+    return max(around, key=lambda item: len(item[0]))[1] if around else None
+
+
+def _inside(value: object, path: tuple[str, ...]) -> object:
+    for name in path:
+        value = None if value is None else getattr(value, name)
+    return value
+
+
+def _timer(chart: Chart, region: str, timer: str) -> int | None:
+    board = board_in(chart, region)
+    return None if board is None else board.timers.get(timer)
+
+
+__all__ = ["Reading", "board_in", "readings"]

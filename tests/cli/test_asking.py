@@ -1,0 +1,247 @@
+"""`asemec why` and `asemec whynot`, as people ask: what they say of recorded runs, and that it is so."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import Here
+
+DESK = """\
+system Desk
+message Ball { double distance  bool visible }
+message Order { int n }
+message Job { int n }
+topic eyes { state Ball from outside }
+topic shop { signal Order from outside }
+aip hire {
+  participant boss {
+    sends    request Job
+    receives inform Job
+    process  = Ask . Listen
+  }
+  participant hand { sends inform Job  receives request Job  process = Do . Tell }
+  control boss {
+    enter Listen : / send request Job { n = 1 } to hand
+    leave Listen : inform Job from hand
+    leave Listen : after(20s)
+  }
+  control hand { enter Do : request Job from boss  enter Tell : / send inform Job { n = 2 } to boss }
+}
+srm boss {
+  plays hire.boss
+  var tries : int = 0
+  liveness { boss = (boss . (Jab | Kick | Rest))~ [> Flee }
+  activities {
+    Ask takes 100ms simulated  Listen takes 1ms simulated
+    Jab takes 1s simulated  Kick takes 1s simulated  Flee takes 1s simulated
+    Rest takes 500ms simulated ends well, badly
+  }
+  let close = eyes.state.Ball.visible && eyes.state.Ball.distance < 2
+  control boss {
+    enter Jab  : [tries > 3] weight 3
+    enter Kick : [tries > 3] weight 1
+    enter Rest : else
+    repeat (boss . (Jab | Kick | Rest)) : / tries += 1
+    enter Flee : when [close]
+  }
+}
+srm hand {
+  plays hire.hand
+  liveness { hand = hand~ || (Wait . Serve . Pack)~ }
+  activities {
+    Do takes 30s simulated  Tell takes 1ms simulated
+    Wait waits  Serve takes 1s simulated ends served, empty  Pack takes 1s simulated
+  }
+  control hand {
+    enter Serve : when [has(shop.signal.Order)] / start_timer(pause, 5s)
+    on    Serve : ignores shop.signal.Order
+    on    Pack  : ignores shop.signal.Order
+    enter Pack  : [outcome(Serve) == served && expired(pause)]
+  }
+}
+team Desk { ann : boss  bob : hand }
+"""
+"""Two agents with everything that a transition can wait for."""
+
+INPUTS = """\
+{"at": "1s", "channel": "eyes.state.Ball", "message": {"distance": 5, "visible": true}}
+{"at": "8s", "channel": "shop.signal.Order", "message": {"n": 1}}
+"""
+
+
+_TRACE: list[bytes] = []
+"""The trace of the run, which is made once."""
+
+
+@pytest.fixture
+def desk(here: Here, folder: Path) -> Here:
+    (folder / "desk.aseme").write_text(DESK)
+    (folder / "in.jsonl").write_text(INPUTS)
+    if not _TRACE:
+        arguments = ("--input", "in.jsonl", "--for", "60s", "--trace", "t.jsonl", "--quiet")
+        here("run", "desk.aseme", *arguments)
+        _TRACE.append((folder / "t.jsonl").read_bytes())
+    (folder / "t.jsonl").write_bytes(_TRACE[0])
+    return here
+
+
+def asked(here: Here, command: str, agent: str, what: str, at: str, *more: str) -> str:
+    found = here(command, agent, what, "--at", at, "t.jsonl", *more)
+    assert found.code == 0, found.err
+    return found.out
+
+
+def test_an_activity_that_has_not_ended_and_a_timer(desk: Here) -> None:
+    assert asked(desk, "whynot", "bob", "Pack", "8.5s") == (
+        "at 8.5 s bob is in Serve since 8 s, beside Do\n"
+        "`Pack` did not happen; it would have, if these 2 things were otherwise:\n"
+        "  to Pack from Serve by `[outcome(Serve) == served && expired(pause)]` (desk.aseme:50:5)\n"
+        "    Serve has not ended with `served`: its activity runs since 8 s, and takes 1 s\n"
+        "    `expired(pause)` does not hold\n"
+        "      timer pause runs out at 13 s\n"
+    )
+
+
+def test_a_message_that_has_not_come_its_sender_and_a_draw(desk: Here) -> None:
+    assert asked(desk, "whynot", "ann", "Kick", "5s") == (
+        "at 5 s ann is in Listen since 0.1 s\n"
+        "`Kick` did not happen; it would have, if these 3 things were otherwise:\n"
+        "  to Kick from Listen by `inform Job from hand`, `[tries > 3] weight 1` (desk.aseme:33:5)\n"
+        "    `inform Job` from hand has not come, or was taken before\n"
+        "      bob has never sent it; it does in Do -> Tell (desk.aseme:19:52), and is in Do since 0.1 s\n"
+        "        to Tell from Do by `/ send inform Job { n = 2 } to boss` (desk.aseme:19:52)\n"
+        "          Do has not ended: its activity runs since 0.1 s, and takes 30 s\n"
+        "    `tries > 3` does not hold\n"
+        "      tries is 0\n"
+        "    another branch may be drawn: this one has the weight 1 of 4\n"
+    )
+    assert "to Tell" not in asked(desk, "whynot", "ann", "Kick", "5s", "--depth", "0")
+
+
+def test_a_value_has_its_age_and_sender(desk: Here) -> None:
+    assert asked(desk, "whynot", "ann", "Flee", "3s").splitlines()[2:] == [
+        "  to Flee from (hire_boss . (Jab | Kick | Rest))~ by `[> when [close]` (desk.aseme:36:5)",
+        "    `eyes.state.Ball.distance < 2` does not hold",
+        "      eyes.state.Ball.distance is 5.0, 2 s old, from input",
+    ]
+
+
+def test_a_message_that_nobody_of_the_team_publishes(desk: Here) -> None:
+    found = asked(desk, "whynot", "ann", "Flee", "500ms")
+    assert "    `eyes.state.Ball.visible` does not hold\n" in found
+    assert "      eyes.state.Ball.visible is absent: the message is not there\n" in found
+    assert "no role of the team publishes it: it comes from outside" in found
+
+
+def test_several_stages_and_what_was_done_instead(desk: Here) -> None:
+    found = asked(desk, "whynot", "ann", "Jab", "20.3s").splitlines()
+    assert [line for line in found if line.startswith("  ") and line[2] != " "] == [
+        "  1. to Ask from Rest by `/ tries += 1` (desk.aseme:11:16)",
+        "  2. to Listen from Ask by `/ send request Job { n = 1 } to hand` (desk.aseme:15:5)",
+        "  3. to Jab from Listen by `inform Job from hand`, `[tries > 3] weight 3` (desk.aseme:32:5)",
+    ]
+
+
+def test_what_was_taken_at_that_moment_comes_first(desk: Here) -> None:
+    found = asked(desk, "whynot", "ann", "Jab", "20.1s").splitlines()
+    assert found[1] == "`Jab` did not happen; it would have, if this was otherwise:"
+    assert found[2].startswith("  at 20.1 s it went to Rest from the start of (Jab | Kick | Rest) by `else`")
+    assert found[3:] == ["    `tries > 3` does not hold", "      tries is 0"]
+
+
+def test_why_names_what_was_needed(desk: Here) -> None:
+    assert asked(desk, "why", "bob", "Pack", "20s").splitlines()[1:] == [
+        "`Pack` happened:",
+        "  at 13 s it went to Pack from Serve by `[outcome(Serve) == served && expired(pause)]`"
+        " (desk.aseme:50:5)",
+        "    `outcome(Serve) == served` held",
+        '      outcome(Serve) is "served"',
+        "    `expired(pause)` held",
+        "      timer pause has run out at 13 s",
+    ]
+    assert "20 s had passed since Listen was entered" in asked(desk, "why", "ann", "Rest", "30s")
+    assert "`request Job` from ann came" in asked(desk, "why", "bob", "Do", "40s")
+    assert 'shop.signal.Order is {"n": 1}, 0 s old, from input' in asked(desk, "why", "bob", "Serve", "9s")
+
+
+def test_transitions_messages_and_channels_can_be_asked_for(desk: Here) -> None:
+    told = "Do has not ended: its activity runs since 0.1 s, and takes 30 s"
+    for what in ("inform Job", "send inform Job", "Do -> Tell", "hire_hand.Tell"):
+        assert told in asked(desk, "whynot", "bob", what, "10s"), what
+
+
+def test_what_is_so_and_what_never_was(desk: Here) -> None:
+    assert "it is so: ask `asemec why bob 'Serve'`" in asked(desk, "whynot", "bob", "Serve", "9s")
+    assert "it has never been there in this trace" in asked(desk, "why", "ann", "Flee", "60s")
+
+
+def test_json_has_the_same_lines(desk: Here) -> None:
+    found = json.loads(asked(desk, "whynot", "ann", "Flee", "3s", "--json"))
+    assert found["format"] == 1 and found["is_so"] is False and found["time_ns"] == 3_000_000_000
+    (way,) = found["said"]
+    assert way["inside"][0]["text"] == "`eyes.state.Ball.distance < 2` does not hold"
+
+
+def test_names_that_are_not_there(desk: Here) -> None:
+    found = desk("whynot", "ann", "Kikc", "--at", "3s", "t.jsonl")
+    assert found.code == 2 and "did you mean Kick?" in found.err
+    found = desk("whynot", "carl", "Kick", "--at", "3s", "t.jsonl")
+    assert found.code == 1 and "the team has ann, bob" in found.err
+    found = desk("whynot", "ann", "Kick", "--at", "3s", "none.jsonl")
+    assert found.code == 1 and "E001" in found.err
+    found = desk("whynot", "ann", "Listen -> Jab", "--at", "3s", "t.jsonl")
+    assert found.code == 2 and "ask for Jab" in found.err
+
+
+# What is told to be otherwise is made otherwise, in a run with other inputs: then it happens.
+OTHERWISE = [
+    (
+        "Flee",
+        "3s",
+        '{"at": "3s", "channel": "eyes.state.Ball", "message": {"distance": 1, "visible": true}}\n',
+        ("`eyes.state.Ball.distance < 2` does not hold",),
+    ),
+    (
+        "Flee",
+        "500ms",
+        '{"at": "500ms", "channel": "eyes.state.Ball", "message": {"distance": 1, "visible": true}}\n',
+        ("`eyes.state.Ball.visible` does not hold",),
+    ),
+]
+
+
+@pytest.mark.parametrize(("what", "at", "inputs", "facts"), OTHERWISE)
+def test_it_happens_if_what_is_told_is_otherwise(
+    desk: Here, folder: Path, what: str, at: str, inputs: str, facts: tuple[str, ...]
+) -> None:
+    found = asked(desk, "whynot", "ann", what, at)
+    assert all(fact in found for fact in facts)
+    (folder / "other.jsonl").write_text(inputs)
+    arguments = ("--input", "other.jsonl", "--for", "60s", "--trace", "other-trace.jsonl", "--quiet")
+    desk("run", "desk.aseme", *arguments)
+    told = desk("why", "ann", what, "--at", at, "other-trace.jsonl")
+    assert f"`{what}` happened" in told.out, told.out
+
+
+LOSSY = """\
+system Lossy
+message Here { int n }
+topic radio { state Here }
+srm one { liveness { one = Tell~ }  activities { Tell every 1s writes radio.state.Here simulated } }
+srm two {
+  liveness { two = Idle . Go }
+  activities { Idle takes 1s simulated  Go takes 1s simulated }
+  control two { enter Go : [radio.state.Here.n == 0 && age(radio.state.Here) < 500ms] }
+}
+team Two { ann : one  bob : two }
+"""
+
+
+def test_a_sender_is_asked_back(here: Here, folder: Path) -> None:
+    (folder / "lossy.aseme").write_text(LOSSY)
+    assert here("run", "lossy.aseme", "--for", "5s", "--trace", "t.jsonl", "--quiet").code == 0
+    found = asked(here, "whynot", "bob", "Go", "3s")
+    assert "ann has never published it; it does in Tell, and is in Tell" in found

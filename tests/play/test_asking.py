@@ -1,0 +1,98 @@
+"""Asking why not, of random states at random times: what is told makes it happen if it is otherwise, and only
+all of it does."""
+
+from __future__ import annotations
+
+import os
+import random
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.play.asking.answer import Answer, Asking
+from aseme_dsl.play.asking.ways import Goal
+from aseme_dsl.project.testing.asking import Questions, questions
+from aseme_dsl.runtime.chart.plan import State
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
+from tests.cli.support import asemec
+from tests.oracle import charts
+from tests.oracle.choices import Choices
+from tests.play.test_replay import recorded
+from tests.runtime.playing import SECOND
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+NAMES = sorted(path.parent.name for path in EXAMPLES.glob("*/pyproject.toml"))
+ASKED = int(os.environ.get("ASKED", "4"))
+"""So many questions are asked about each run."""
+RANDOM_CHARTS = int(os.environ.get("ASKED_CHARTS", "8"))
+
+
+@dataclass(frozen=True)
+class Question:
+    agent: str
+    now: int
+    state: State
+    asking: Asking
+
+
+def asked(trace: Questions, agents: list[str], end: int, chance: random.Random) -> Iterator[Question]:
+    """Random states in which random agents are not at random times."""
+    for _ in range(ASKED):
+        agent, now = chance.choice(agents), chance.randrange(end + 1)
+        asking = trace.at(agent, now)
+        active = asking.search.active(asking.moment)
+        states = [
+            state
+            for state in asking.teller.plan.states
+            if state.label not in active and state.type in ("BASIC", "OR", "AND")
+        ]
+        if states:
+            yield Question(agent, now, chance.choice(states), asking)
+
+
+def check(question: Question) -> Answer:
+    """The answer: it happens with all the changes, and with none of them left out."""
+    goal = Goal(frozenset([question.state.label]))
+    answer = question.asking.whynot(goal)
+    search, what = question.asking.search, (question.agent, question.now, question.state)
+    if not answer.stages:
+        return answer
+    assert search.happens(goal, answer.stages), what
+    for place, stage in enumerate(answer.stages):
+        for change in stage.changes:
+            fewer = replace(stage, changes=tuple(item for item in stage.changes if item is not change))
+            others = [*answer.stages[:place], fewer, *answer.stages[place + 1 :]]
+            assert not search.happens(goal, others), (what, change)
+    return answer
+
+
+def run_of(trace: Path) -> tuple[list[str], int]:
+    """The agents of a trace, and its last moment."""
+    lines = [line.record for line in TraceReader(trace)]
+    return [str(agent["name"]) for agent in lines[0]["agents"]], lines[-1]["time"]  # type: ignore[index]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_is_told_is_needed_and_enough_in_examples(name: str, tmp_path: Path) -> None:
+    trace = tmp_path / "trace.jsonl.gz"
+    length = "5s" if name == "robocup" else "20s"
+    folder = tmp_path / "out"
+    arguments = ("--for", length, "--seed", 3, "--trace", trace, "-o", folder, "--quiet")
+    asemec("run", EXAMPLES / name, *arguments)
+    agents, end = run_of(trace)
+    chance = random.Random(f"asked {name}")
+    with questions(trace) as found:
+        answers = [check(question) for question in asked(found, agents, end, chance)]
+    assert any(answer.stages for answer in answers)
+
+
+@pytest.mark.parametrize("seed", range(RANDOM_CHARTS))
+def test_what_is_told_is_needed_and_enough_in_random_charts(seed: int, tmp_path: Path) -> None:
+    text = charts.text(Choices(seed))
+    recorded(text, tmp_path, until=2 * SECOND)
+    agents, end = run_of(tmp_path / "trace.jsonl")
+    with questions(tmp_path / "trace.jsonl") as found:
+        for question in asked(found, agents, end, random.Random(seed)):
+            check(question)
