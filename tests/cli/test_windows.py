@@ -88,6 +88,54 @@ def test_the_commands_of_a_project(tmp_path: Path) -> None:
     assert out.read_bytes() == there  # the same run as on this system
 
 
+SEEDED = """
+sag { actor walker { goal walk "It walks until it is home." } }
+scenario "it stands" { one : robot  activity Stand takes 500ms..1500ms  by 5s one in Stand }
+"""
+
+
+def test_the_commands_about_runs(tmp_path: Path) -> None:
+    """Scenarios, steps, and what is read from a trace."""
+    (tmp_path / "team.aseme").write_text(GOOD + SEEDED, "utf-8")
+    trace = "out/trace.jsonl.gz"
+    for words, said in {
+        "run team.aseme --for 5s": "(virtual, seed 1)",
+        "test team.aseme -j 1": "1 scenario: 1 passed",
+        "test team.aseme --coverage --html page.html": "states",
+        f"coverage team.aseme {trace}": "states",
+        f"metrics {trace}": "robot: Stand",
+        f"replay {trace}": "no difference",
+        f"trace {trace} --lines": "robot",
+        "goals team.aseme": "goal",
+    }.items():
+        done = on_windows(*words.split(), cwd=tmp_path)
+        assert done.code == 0, (words, done.out, done.err)
+        assert said in done.out, (words, done.out)
+        assert "Traceback" not in done.err
+    steps = subprocess.run(
+        command("sim", "team.aseme"),
+        cwd=tmp_path,
+        input=b"step\nback\nquit\n",
+        capture_output=True,
+        env={**os.environ, **environment(tmp_path / "profile")},
+        timeout=600,
+    )
+    assert (steps.returncode, b"Traceback" in steps.stderr) == (0, False), steps.stderr
+    assert b"starts" in steps.stdout
+
+
+def test_scenarios_on_a_cluster(tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    (tmp_path / "team.aseme").write_text(GOOD + SEEDED, "utf-8")
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, dashboard_address="127.0.0.1:0", host="127.0.0.1"
+    ) as there:
+        words = ("test", "team.aseme", "--seeds", "3", "--cluster", there.scheduler_address)
+        done = on_windows(*words, cwd=tmp_path)
+    assert (done.code, "Traceback" in done.err) == (0, False), done.err
+    assert "1 scenario: 1 passed" in done.out
+
+
 def test_the_language_server_starts(tmp_path: Path) -> None:
     request = {"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}}
     body = json.dumps(request).encode()

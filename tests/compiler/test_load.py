@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from aseme_dsl.compiler import analyse
 from aseme_dsl.compiler.read.load import Loaded, load
 from aseme_dsl.diagnostics import Diagnostic, render_text
 from aseme_dsl.source import Source
@@ -194,3 +195,11 @@ def test_syntax_errors_of_all_files_come_in_one_run(tmp_path: Path) -> None:
 def test_a_chain_of_imports_may_be_long(tmp_path: Path) -> None:
     write(tmp_path, **{f"f{n}": f'import "f{n + 1}.aseme"' for n in range(300)}, f300="enum E { A }")
     assert len(load(tmp_path / "f0.aseme").files) == 301
+
+
+def test_a_name_of_the_library_is_taken() -> None:
+    """Only the own declaration can be called otherwise."""
+    text = "system S\nimport protocols\nmessage Order { int id }\nsrm a { liveness { a = X } }\n"
+    [found] = [item for item in analyse(Source("s.aseme", text)).diagnostics if item.code == "E201"]
+    assert found.span is not None and found.span.text == "Order"
+    assert found.hint == "rename this one: the other one belongs to the standard library"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from aseme_dsl.editor.answers.hover import hover
-from aseme_dsl.editor.changes.rename import Renaming, edited, rename
+from aseme_dsl.editor.changes.rename import Refused, Renaming, edited, rename
 from aseme_dsl.editor.files.known import known_in
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.files.workspace import Workspace
@@ -63,3 +63,20 @@ def test_what_stands_behind_an_alias_is_offered(old: str, new: str, offered: set
     offset = text.index("‸")
     items = complete(Source(PATH, text.replace("‸", "")), offset, known_in(view))
     assert {item.label for item in items} == offered
+
+
+def test_an_alias_gets_another_name() -> None:
+    workspace, view = opened(BOTH)
+    for at in (BOTH.index("as alice") + 3, BOTH.index("x, y : alice") + len("x, y : ")):
+        found = rename(workspace, view, at, "home")
+        assert isinstance(found, Renaming)
+        assert list(found.edits) == [PATH]
+        after = edited(BOTH, found.edits[PATH])
+        assert 'import "alice.aseme" as home' in after and "alice." not in after.replace("alice.aseme", "")
+        assert after.count("home.") == BOTH.replace("alice.aseme", "").count("alice.")
+
+
+@pytest.mark.parametrize("name", ["bob", "judge", "2nd"])
+def test_an_alias_that_is_taken(name: str) -> None:
+    workspace, view = opened(BOTH)
+    assert isinstance(rename(workspace, view, BOTH.index("as alice") + 3, name), Refused)

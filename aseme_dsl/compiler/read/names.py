@@ -16,7 +16,7 @@ from aseme_dsl.diagnostics import Diagnostic, Edit, Problem, Related, closest, s
 from aseme_dsl.diagnostics.problems.absences import NoPerformative, Unknown
 from aseme_dsl.diagnostics.problems.names import DeclaredTwice
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.source import Span
+from aseme_dsl.source import Span, is_library_path
 
 P = ParamSpec("P")
 
@@ -38,7 +38,8 @@ def unknown(
 
 def declared_twice(what: str, name: tree.Name | tree.Text, first: Span) -> Diagnostic:
     """`name` has a declaration already, at `first`."""
-    return Diagnostic(DeclaredTwice(what, name.text), name.span, (Related(first, "first declared here"),))
+    problem = DeclaredTwice(what, name.text, is_library_path(first.source.path))
+    return Diagnostic(problem, name.span, (Related(first, "first declared here"),))
 
 
 def unknown_performative(name: tree.Name) -> Diagnostic:

@@ -16,12 +16,18 @@ class DeclaredTwice(Problem):
     code = "E201"
     kind: str
     name: str
+    in_library: bool = False
+    """Whether the first one is in the standard library, which stays as it is."""
 
     @property
     def message(self) -> str:
         return f"the {self.kind} `{self.name}` is declared twice"
 
-    hint = "rename one of them, or remove it"
+    @property
+    def hint(self) -> str:
+        if self.in_library:
+            return "rename this one: the other one belongs to the standard library"
+        return "rename one of them, or remove it"
 
 
 class CarriedTwice(DeclaredTwice):

@@ -15,6 +15,7 @@ from aseme_dsl.compiler.read.blocks import with_exchange
 from aseme_dsl.compiler.read.builtins import FORMS
 from aseme_dsl.diagnostics import CODES
 from aseme_dsl.editor.answers.constructs import meanings
+from aseme_dsl.editor.files.aliases import alias_at, comments_near
 from aseme_dsl.editor.files.comments import documentation
 from aseme_dsl.editor.files.index import Kind, Occurrence, Symbol, Use, name_of
 from aseme_dsl.editor.files.known import nodes
@@ -72,24 +73,13 @@ def hover(view: View, offset: int) -> Hover | None:
     return Hover(view.whole(found.span), "\n\n".join(part for part in parts if part)) if parts else None
 
 
-_IMPORT = re.compile(r'import\s+"[^"\n]*"\s+as\s+(\w+)', re.ASCII)
-_WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
-
-
 def _alias_at(view: View, offset: int) -> Hover | None:
     """What the name of an import stands for, at `alice` of `alice.attacker`."""
-    text = view.source.text
-    start = offset
-    while start > 0 and (text[start - 1].isalnum() or text[start - 1] == "_"):
-        start -= 1
-    word = _WORD.match(text, start)
-    if word is None or any(span.start <= offset < span.end for span in _comments(view, offset)):
+    alias = alias_at(view, offset)
+    if alias is None:
         return None
-    said = next((found for found in _IMPORT.finditer(text) if found[1] == word[0]), None)
-    if said is None or not (text[word.end() :].lstrip()[:1] == "." or said.start(1) == start):
-        return None
-    means = f"What the file declares stands behind `{word[0]}.`"
-    return Hover(Span(view.source, start, word.end()), f"{_fence(said[0])}\n\n{means}")
+    means = f"What the file declares stands behind `{alias.span.text}.`"
+    return Hover(alias.span, f"{_fence(alias.said)}\n\n{means}")
 
 
 def _is_abandon(view: View, found: Occurrence) -> bool:
@@ -101,7 +91,7 @@ def _is_abandon(view: View, found: Occurrence) -> bool:
 
 def _construct_at(view: View, offset: int) -> Hover | None:
     """A word or sign of the language; nothing in comments and texts."""
-    if any(span.start <= offset < span.end for span in _comments(view, offset)):
+    if any(span.start <= offset < span.end for span in comments_near(view, offset)):
         return None
     begin = view.source.text.rfind("\n", 0, offset) + 1
     line = clean(Source(view.path, view.source.text[begin:].partition("\n")[0])).text
@@ -162,24 +152,13 @@ def explained(code: str) -> str:
 
 def _code_at(view: View, offset: int) -> Hover | None:
     """A code in a comment to asemec."""
-    for span in _comments(view, offset):
+    for span in comments_near(view, offset):
         if span.start <= offset <= span.end and "asemec" in span.text:
             for found in _CODE.finditer(span.text):
                 start, end = span.start + found.start(), span.start + found.end()
                 if start <= offset <= end and found.group() in CODES:
                     return Hover(Span(span.source, start, end), explained(found.group()))
     return None
-
-
-def _comments(view: View, offset: int) -> Iterator[Span]:
-    """The comments among which an offset may be; in a text that was not yet read again, those of its line."""
-    if not view.carry:
-        yield from (item.span for item in (view.file.comments if view.file is not None else ()))
-        return
-    begin = view.source.text.rfind("\n", 0, offset) + 1
-    line = view.source.text[begin:].partition("\n")[0]
-    for item in clean(Source(view.path, line)).comments:
-        yield Span(view.source, begin + item.span.start, begin + item.span.end)
 
 
 def _about(program: Program, found: Occurrence) -> Iterator[str]:

@@ -12,6 +12,7 @@ from aseme_dsl.compiler.read.pieces import InPieces, finished
 from aseme_dsl.diagnostics import Diagnostic, Edit
 from aseme_dsl.diagnostics.problems.syntax.entries import NotReadInTime
 from aseme_dsl.editor.changes.renamed_code import Code, Unreadable, renamed_code
+from aseme_dsl.editor.files.aliases import Alias, alias_at
 from aseme_dsl.editor.files.index import Kind, Occurrence, Symbol
 from aseme_dsl.editor.files.program import Program, errors_in_texts
 from aseme_dsl.editor.files.view import View
@@ -54,7 +55,8 @@ def renameable(workspace: Workspace, view: View, offset: int) -> Span | Refused:
     """The name at `offset`, if it can have another one."""
     found = view.occurrence_at(offset)
     if found is None:
-        return Refused("there is no name here")
+        alias = alias_at(view, offset)
+        return Refused("there is no name here") if alias is None else alias.span
     reason = _fixed(workspace, view, found)
     return Refused(reason) if reason is not None else view.whole(found.span)
 
@@ -76,15 +78,19 @@ def renaming(
     Refused where the name is none, belongs to something else, or would make a file mean something else.
     """
     found = view.occurrence_at(offset)
-    if found is None:
+    alias = alias_at(view, offset) if found is None else None
+    if found is None and alias is None:
         return Refused("there is no name here")
-    reason = _fixed(workspace, view, found)
+    reason = None if found is None else _fixed(workspace, view, found)
     if reason is not None:
         return Refused(reason)
     if not _NAME.fullmatch(name):
         return Refused(
             f"`{name}` is not a name: names consist of the letters A to Z and a to z, digits and '_'"
         )
+    if alias is not None:
+        return (yield from _of_alias(workspace, view, alias, name, activities))
+    assert found is not None
     word = view.program.whole(found.span).text
     if name in (found.symbol.name, word):
         return Renaming({})
@@ -105,6 +111,41 @@ def renaming(
         return Refused(reason)
     try:
         return Renaming(edits, renamed_code(_names(view.program, view, found.symbol, name), activities))
+    except Unreadable as problem:
+        return Refused(str(problem))
+
+
+def _of_alias(
+    workspace: Workspace, view: View, alias: Alias, name: str, activities: Path | None
+) -> InPieces[Renaming | Refused]:
+    """Another name for an import, in the file that gives it."""
+    old = alias.span.text
+    if name == old:
+        return Renaming({})
+    programs = []
+    for root in workspace.roots(view.path):
+        programs.append((yield from workspace.programming(root)))
+    text, declared = view.source.text, alias.declared
+    edits = {(declared.start, declared.end): Edit(declared, name)}
+    all_names: list[dict[Symbol, str]] = []
+    for program in programs:
+        all_names.append({})
+        for item in program.index.all():
+            if not item.symbol.name.startswith(f"{old}_"):
+                continue
+            all_names[-1][item.symbol] = name + item.symbol.name.removeprefix(old)
+            span = program.whole(item.span)
+            before = re.search(rf"\b({re.escape(old)})\s*\.\s*$", text[: span.start])
+            if before is not None and program.path_of(span.source) == view.path:
+                place = Span(view.source, before.start(1), before.end(1))
+                edits[place.start, place.end] = Edit(place, name)
+    found = {view.path: tuple(edits[key] for key in sorted(edits))}
+    reason = yield from _spoilt(workspace, programs, found, all_names)
+    if reason is not None:
+        return Refused(reason)
+    try:
+        changed = {symbol: new for names in all_names for symbol, new in names.items()}
+        return Renaming(found, renamed_code(changed, activities))
     except Unreadable as problem:
         return Refused(str(problem))
 
