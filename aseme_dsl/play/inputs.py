@@ -87,7 +87,7 @@ class RecordedInputs:
         self._said[str(record["agent"]), record["sequence"]] = self.number, record
 
     def _published(self, record: Record) -> None:
-        if record["channel"] in self._reads:
+        if record["channel"] in self._reads or any(name in self._agents for name in record.get("to", ())):
             self._say(record)
 
     def _carried(self, record: Record) -> None:

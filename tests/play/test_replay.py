@@ -121,6 +121,26 @@ def test_a_swap_while_inputs_wait(tmp_path: Path) -> None:
     assert replayed(lines) == (steps(lines), None)
 
 
+def test_a_message_that_comes_though_no_condition_reads_it(tmp_path: Path) -> None:
+    text = """
+        system Own
+        message Note { int n }
+        topic t { signal Note }
+        srm r {
+          var n : int = 0
+          liveness { r = A }
+          activities { A takes 50ms }
+          control r {
+            enter A : / write_messages.t.signal.Note
+            leave A : when [n > 9] / t.signal.Note.n = 3
+          }
+        }
+    """
+    lines = recorded(text, tmp_path, until=SECOND)
+    assert any(line["kind"] == "step" and line["inputs"] == [["me", 1]] for line in lines)
+    assert replayed(lines) == (steps(lines), None)
+
+
 def test_functions_are_not_called_and_chance_is_the_same(tmp_path: Path) -> None:
     lines = recorded(CHANCE, tmp_path, until=SECOND)
     before = calls[0]
