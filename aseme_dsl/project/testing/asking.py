@@ -6,7 +6,6 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import cast
 
 from aseme_dsl.amola.statechart import Statechart
@@ -20,6 +19,7 @@ from aseme_dsl.play.asking.telling import Said, Teller
 from aseme_dsl.play.asking.ways import Goal
 from aseme_dsl.play.inputs import Earlier
 from aseme_dsl.play.replay import Model, NotReplayable, Replay
+from aseme_dsl.project.testing.replaying import compiled, generated
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.inputs import Input
 from aseme_dsl.runtime.chart.plan import Plan
@@ -157,29 +157,18 @@ def asked_models(sources: Mapping[str, str], stack: ExitStack) -> dict[str, Aske
     """The roles of a model's files by the hashes of their models; what is generated lasts as `stack`.
 
     Raises:
-        NotReplayable: this version of asemec does not compile them.
+        NotReplayable: this version of asemec does not compile them, or they cannot be loaded.
     """
     from aseme_dsl.backends.shared.generate import role_models
-    from aseme_dsl.compiler import analyse
     from aseme_dsl.project.building.build import Choice, with_labels
-    from aseme_dsl.project.playing.operate import generate_version
-    from aseme_dsl.runtime.version.loading import load_system
-    from aseme_dsl.source import Source
 
-    root, *_ = sources
-    analysis = analyse(Source(root, sources[root]), sources)
-    if analysis.system is None:
-        raise NotReplayable("its model does not compile")
-    system = with_labels(analysis.system, Choice().labels)
+    system = with_labels(compiled(sources), Choice().labels)
     hashes = role_models(system)
     found = asked(system)
-    folder = stack.enter_context(TemporaryDirectory(prefix="asemec-asking-"))
-    package, _ = generate_version(found.system, Path(folder), Choice())
-    loaded = load_system(package)
-    messages = vars(loaded.modules[f"{package.parent.name}.{package.name}.messages"])
+    kinds, messages = generated(found.system, stack)
     charts = {chart.name: chart for chart in system.iacs}
     result: dict[str, AskedModel] = {}
-    for role, kind in loaded.charts.items():
+    for role, kind in kinds.items():
         plan = replace(kind.PLAN, model=hashes[role])
         own = cast("type[Chart]", type(kind.__name__, (kind,), {"__slots__": (), "PLAN": plan}))
         conditions = {number: tree for (name, number), tree in found.conditions.items() if name == role}

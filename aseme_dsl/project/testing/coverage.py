@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, cast
 
 from aseme_dsl import outside
@@ -16,10 +15,13 @@ from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.running import NotOfThisModel, TraceNotRead
 from aseme_dsl.play.coverage.probes import Probed, Recorder, probed
 from aseme_dsl.play.coverage.seen import Following, RoleSeen, Seen
+from aseme_dsl.play.inputs import Messages
 from aseme_dsl.play.replay import Model as Replayed
 from aseme_dsl.play.replay import NotReplayable, Replay
 from aseme_dsl.project.files.inputs import is_folder
 from aseme_dsl.project.settings.target import builds_in, project_here
+from aseme_dsl.project.testing.replaying import generated
+from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.trace.records import Record, agents_of
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.trace.trace_reading import TraceReader
@@ -27,7 +29,6 @@ from aseme_dsl.runtime.trace.trace_reading import TraceReader
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
     from aseme_dsl.project.building.build import Choice
-    from aseme_dsl.runtime.version.loading import Loaded
 
 FORMAT = 1
 _MARK = "asemec coverage"
@@ -118,31 +119,21 @@ class _Replays:
     def __init__(self, model: Model, stack: ExitStack) -> None:
         self._model = model
         self._stack = stack
-        self._loaded: tuple[Loaded, Probed, Path] | None = None
+        self._generated: tuple[Mapping[str, type[Chart]], Messages, Probed] | None = None
 
     def replay(self, recorder: Recorder) -> Replay:
-        """A replay whose conditions tell the recorder."""
-        loaded, made, package = self._generated()
+        """A replay whose conditions tell the recorder. Raises NotReplayable."""
+        if self._generated is None:
+            made = probed(self._model.system)
+            self._generated = *generated(made.system, self._stack), made
+        charts, messages, made = self._generated
         recorder.probes = made.probes
-        messages = vars(loaded.modules[f"{package.parent.name}.{package.name}.messages"])
         hashes = self._model.hashes
         kinds = {
             hashes[role]: Replayed(recorder.listening(chart, hashes[role]), messages)
-            for role, chart in loaded.charts.items()
+            for role, chart in charts.items()
         }
         return Replay(lambda sources: kinds)
-
-    def _generated(self) -> tuple[Loaded, Probed, Path]:
-        from aseme_dsl.project.building.build import Choice
-        from aseme_dsl.project.playing.operate import generate_version
-        from aseme_dsl.runtime.version.loading import load_system
-
-        if self._loaded is None:
-            made = probed(self._model.system)
-            folder = self._stack.enter_context(TemporaryDirectory(prefix="asemec-coverage-"))
-            package, _ = generate_version(made.system, Path(folder), Choice())
-            self._loaded = load_system(package), made, package
-        return self._loaded
 
 
 def _read_trace(
@@ -152,7 +143,12 @@ def _read_trace(
     charts = {chart.name: chart for chart in model.system.iacs}
     following: Following | None = None
     recorder = Recorder(())
-    replay = None if replays is None else replays.replay(recorder)
+    replay = None
+    if replays is not None:
+        try:
+            replay = replays.replay(recorder)
+        except NotReplayable as problem:
+            seen.left_out[f"the conditions of {path} were not measured: {problem}"] += 1
     for line in reader:
         record = line.record
         if following is None:

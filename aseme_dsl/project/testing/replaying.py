@@ -7,9 +7,15 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
+from aseme_dsl.play.inputs import Messages
 from aseme_dsl.play.replay import Difference, Model, Models, NotReplayable, Replay
+from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.trace.trace_reading import Line, TraceReader
+
+if TYPE_CHECKING:
+    from aseme_dsl.amola.system import System
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,11 +86,14 @@ def models_of(sources: Mapping[str, str], stack: ExitStack) -> dict[str, Model]:
     Raises:
         NotReplayable: this version of asemec does not compile them.
     """
+    charts, messages = generated(compiled(sources), stack)
+    return {kind.PLAN.model: Model(kind, messages) for kind in charts.values()}
+
+
+def compiled(sources: Mapping[str, str]) -> System:
+    """The system of a model's files, the first of which is the root. Raises NotReplayable."""
     from aseme_dsl.compiler import analyse
     from aseme_dsl.diagnostics import Severity
-    from aseme_dsl.project.building.build import Choice
-    from aseme_dsl.project.playing.operate import OperateError, generate_version
-    from aseme_dsl.runtime.version.loading import LoadError, load_system
     from aseme_dsl.source import Source
 
     root, *_ = sources
@@ -92,14 +101,26 @@ def models_of(sources: Mapping[str, str], stack: ExitStack) -> dict[str, Model]:
     if analysis.system is None:
         first = next((item for item in analysis.diagnostics if item.severity is Severity.ERROR), None)
         raise NotReplayable(f"its model does not compile: {'' if first is None else first.message}")
+    return analysis.system
+
+
+def generated(system: System, stack: ExitStack) -> tuple[Mapping[str, type[Chart]], Messages]:
+    """The step classes of a system by role, and its messages; their files last as `stack`.
+
+    Raises:
+        NotReplayable: they cannot be written or loaded.
+    """
+    from aseme_dsl.project.building.build import Choice
+    from aseme_dsl.project.playing.operate import OperateError, generate_version
+    from aseme_dsl.runtime.version.loading import LoadError, load_system
+
     folder = stack.enter_context(TemporaryDirectory(prefix="asemec-replay-"))
     try:
-        package, _ = generate_version(analysis.system, Path(folder), Choice())
+        package, _ = generate_version(system, Path(folder), Choice())
         loaded = load_system(package)
     except (OperateError, LoadError) as problem:
         raise NotReplayable(f"its model cannot be loaded: {problem}") from problem
-    messages = vars(loaded.modules[f"{package.parent.name}.{package.name}.messages"])
-    return {kind.PLAN.model: Model(kind, messages) for kind in loaded.charts.values()}
+    return loaded.charts, vars(loaded.modules[f"{package.parent.name}.{package.name}.messages"])
 
 
-__all__ = ["Replayed", "models_of", "replay", "replayed_to"]
+__all__ = ["Replayed", "compiled", "generated", "models_of", "replay", "replayed_to"]
