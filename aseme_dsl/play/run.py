@@ -72,6 +72,9 @@ class Watch(Protocol):
     def begin(self, team: Team, observer: Observer) -> None:
         """The run begins."""
 
+    def acted(self, act: Crashes | Restarts) -> None:
+        """The scenario has stopped an agent, or started it again, of which a trace has no line."""
+
     def settled(self, team: Team) -> str | None:
         """Nothing is left to do at an instant; a reason ends the run."""
 
@@ -208,6 +211,8 @@ class _Stage:
                 self.observer.restarted(act.agent)
             case _:
                 assert_never(act)
+        if self.watch is not None and isinstance(act, Crashes | Restarts):
+            self.watch.acted(act)
 
     def _say(
         self, team: Team, agent: Agent, sender: str, content: Content, performative: str, message: object

@@ -212,3 +212,9 @@ def stepping(text: str, statements: tuple[str, ...] = ()) -> Any:
                 yield stepper
 
     return opened()
+
+
+def test_a_crash_is_an_instant(lamp: Callable[..., str]) -> None:
+    said = lamp("add crash stairs at 5.5s", "add restart stairs at 5.7s", "to 5.4s", "step", "step")
+    assert "    stairs  crashes\n5.5 s" in said, said
+    assert "    stairs  starts again" in said, said

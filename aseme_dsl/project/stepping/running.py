@@ -10,6 +10,7 @@ from pathlib import Path
 
 from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.run import NotPlayable, play
+from aseme_dsl.play.scenario import Crashes, Restarts
 from aseme_dsl.project.playing.play import PlayError, made_world
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.stepping.picture import Picture, picture_of
@@ -177,6 +178,13 @@ class Run:
 
     def __call__(self, record: Record) -> None:
         self._now.append(record)
+
+    def acted(self, act: Crashes | Restarts) -> None:
+        """Something that a trace has no line of: it has one here."""
+        assert self._team is not None
+        what = "crash" if isinstance(act, Crashes) else "restart"
+        moment = self._team.driver.clock.now()
+        self._now.append({"kind": "scenario", "time": moment, "agent": act.agent, "what": what})
 
     def settled(self, team: Team) -> str | None:
         """An instant has ended: stand still if it is a goal. A reason ends the run."""

@@ -30,6 +30,8 @@ def told(records: Iterable[Record], plans: Mapping[str, Plan]) -> Iterator[tuple
                     agent,
                     f"{record['activity']} {'starts' if record['what'] == 'start' else 'is cancelled'}",
                 )
+            case "scenario":
+                yield agent, "crashes" if record["what"] == "crash" else "starts again"
             case "message":
                 yield agent, f"publishes {record['channel']} {_short(record['message'])}"
             case "agent_message":
