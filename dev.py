@@ -98,6 +98,11 @@ LONG = [
     ("compact drawings", ["benchmarks/compact.py"], {}),
     ("broken files", ["benchmarks/broken_files.py"], {}),
     ("one slip, one message", ["benchmarks/mutations.py"], {}),
+    (
+        "scenarios of the examples with many seeds",
+        ["-m", "pytest", "-n", "auto", "tests/examples/test_scenarios.py"],
+        {"SCENARIO_SEEDS": "20"},
+    ),
     ("whether scenarios notice mistakes", ["-m", "benchmarks.mutants"], {}),
     (
         "mutations of all examples",

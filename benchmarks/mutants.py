@@ -24,7 +24,7 @@ import sys
 import threading
 import time
 from collections import Counter, deque
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import asdict, dataclass, replace
 from itertools import zip_longest
@@ -195,15 +195,16 @@ def compare(candidate: Candidate, found: Judged, kept: Path) -> Judged:
 def _difference(candidate: Candidate, kept: Path) -> str:
     model = candidate.model
     in_scenarios = _original(model, kept, SCENARIOS)
-    is_by_chance = len({json.dumps(seen) for seen in in_scenarios.values()}) > 1
+    by_chance = {
+        name for seen in in_scenarios.values() for name in seen if seen[name] != in_scenarios[1][name]
+    }
     with TemporaryDirectory(prefix="mutant-") as folder:
         made = Made.of(model, {str(candidate.file): candidate.mutant.text}, Path(folder))
         assert made is not None
         for part in (SCENARIOS, RUNS) if made.is_run() else (SCENARIOS,):
             for seed, usual in _original(model, kept, part).items():
-                if part == SCENARIOS and seed > 2 and not is_by_chance:
-                    break
-                for place, seen in made.behaviours(seed, part):
+                wanted = by_chance if part == SCENARIOS and seed > 2 else usual
+                for place, seen in made.behaviours(seed, part, wanted):
                     if usual[place] != seen:
                         return f"{place}, seed {seed}"
     return ""
@@ -261,18 +262,21 @@ class Made:
         """Whether the project says how it is run."""
         return self.configuration.run is not None
 
-    def behaviours(self, seed: int, part: str) -> Iterator[tuple[str, str]]:
-        """Digests of what people see, by scenario, or of the run of the example."""
+    def behaviours(
+        self, seed: int, part: str, wanted: Container[str] | None = None
+    ) -> Iterator[tuple[str, str]]:
+        """Digests of what people see, by scenario (all, or those `wanted`), or of the run of the example."""
         if part == RUNS:
             yield "the run", self._example(seed)
             return
         for scenario in self.scenarios:
-            if scenario.refused is None:
+            place = f"scenario {scenario.name!r}"
+            if scenario.refused is None and (wanted is None or place in wanted):
                 digest = Digest()
                 for case in cases_of(scenario, (seed,)):
                     if case.seed == seed:
                         self._run(scenario.scripts[case.script], seed, case.inputs, digest)
-                yield f"scenario {scenario.name!r}", digest.text()
+                yield place, digest.text()
 
     @property
     def _activities(self) -> Path:
