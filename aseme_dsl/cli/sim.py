@@ -17,6 +17,7 @@ from aseme_dsl.cli.shared import (
     activities_option,
     colour_option,
     one_system,
+    plural,
     refuse,
     target_argument,
 )
@@ -88,6 +89,9 @@ def stepper_for(
         package, _ = generate_version(compiled.system, Path(folder), choice)
         loaded = loaded_for(package, configuration.folder.resolve())
         stage = Stage(loaded, configuration, folder_of_code, configuration.length)
+        if scenario is not None and len(scenario.scripts) > 1:
+            rest = plural(len(scenario.scripts) - 1, "further row")
+            click.echo(f"note: this is the first row of its table; `asemec test` plays {rest}, too", err=True)
         session = opened(compiled, scenario, chosen)
         session = replace(session, statements=(*session.statements, *statements))
         try:

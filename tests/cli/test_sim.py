@@ -218,3 +218,10 @@ def test_a_crash_is_an_instant(lamp: Callable[..., str]) -> None:
     said = lamp("add crash stairs at 5.5s", "add restart stairs at 5.7s", "to 5.4s", "step", "step")
     assert "    stairs  crashes\n5.5 s" in said, said
     assert "    stairs  starts again" in said, said
+
+
+def test_of_a_table_the_first_row_is_stepped_through_and_said(here: Here, folder: Path) -> None:
+    rows = 'scenario "rows" { table (d) { (true) (false) (true) }  for 1s }\n'
+    (folder / "lamp.aseme").write_text(LAMP + rows)
+    done = here("sim", "lamp.aseme", "-k", "rows", input=b"")
+    assert "first row of its table; `asemec test` plays 2 further rows, too" in done.err, done.err

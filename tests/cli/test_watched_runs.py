@@ -65,7 +65,19 @@ ALL = [
 
 
 def test_a_breach_ends_a_strict_run_in_real_time(band: Path) -> None:
-    done = asemec("run", "band.aseme", "-o", "out", "--real", "--strict", "--json", "-q", cwd=band.parent)
+    done = asemec(
+        "run",
+        "band.aseme",
+        "-o",
+        "out",
+        "--real",
+        "--strict",
+        "--for",
+        "60s",
+        "--json",
+        "-q",
+        cwd=band.parent,
+    )
     assert (done.code, done.json["result"]["reason"]) == (1, "a property or clause is broken"), done.out
     assert [item for item in verdicts(done) if item[0] != ALL[1][0]] == [ALL[0], *ALL[2:]]
     (found,) = breaches(band.parent / "out" / "trace.jsonl.gz")
@@ -92,7 +104,7 @@ def test_the_line_is_the_same_in_virtual_time(
 
 def test_the_process_of_one_agent_watches_what_that_decides(band: Path) -> None:
     pytest.importorskip("zenoh")
-    done = asemec("node", "ann", "band.aseme", "-o", "out", "--strict", cwd=band.parent)
+    done = asemec("node", "ann", "band.aseme", "-o", "out", "--for", "60s", "--strict", cwd=band.parent)
     assert done.code == 1, done.out + done.err
     told = [line.strip() for line in done.out.splitlines() if "band.aseme:" in line or "other agents" in line]
     broken = [line for line in told if line.startswith("broken at")]
@@ -111,7 +123,7 @@ def test_the_process_of_one_agent_watches_what_that_decides(band: Path) -> None:
 
 def test_the_supervisor_watches_what_all_processes_do(band: Path) -> None:
     pytest.importorskip("zenoh")
-    options = ("--process-per-agent", "--strict", "--json", "-q")
+    options = ("--process-per-agent", "--strict", "--for", "60s", "--json", "-q")
     done = asemec("run", "band.aseme", "-o", "out", *options, cwd=band.parent)
     assert (done.code, done.json["result"]["reason"]) == (1, "a property or clause is broken"), done.err
     assert [item for item in verdicts(done) if item[0] != ALL[1][0]] == [ALL[0], *ALL[2:]]
