@@ -49,6 +49,8 @@ class RecordedInputs:
         """The lines of what was said, by the identity of the input that it is."""
         self._brought: dict[tuple[str, Identity], tuple[int, Record]] = {}
         """The same for what the transport has brought to an agent."""
+        self._made: dict[int, tuple[Messages, object]] = {}
+        """The message in a line, which all who get it have in common, and the classes that it was made of."""
         self._branches: dict[tuple[str, str, str], str] = {}
         """Where an agent takes part in a conversation, by its part."""
         self.number = 0
@@ -70,21 +72,23 @@ class RecordedInputs:
 
     def line(self, record: Record, number: int | None = None) -> bool:
         """The next line of the trace, or the one of a number; whether some before it were left out."""
-        is_next = number is None or number == self.number + 1
-        self.number = self.number + 1 if number is None else number
-        if not is_next:
-            self._begin = self.number
+        expected = self.number = self.number + 1
         known = self._kinds.get(record["kind"])
+        if number is None or number == expected:
+            if known is not None:
+                known(record)
+            return False
+        self.number = self._begin = number
         if known is not None:
             known(record)
-        return not is_next
+        return True
 
     def part(self, agent: str, conversation: str, participant: str, branch: str) -> None:
         """An agent takes part in a conversation as this participant."""
         self._branches[agent, conversation, participant] = branch
 
     def _say(self, record: Record) -> None:
-        self._said[str(record["agent"]), record["sequence"]] = self.number, record
+        self._said[record["agent"], record["sequence"]] = self.number, record
 
     def _published(self, record: Record) -> None:
         if record["channel"] in self._reads or any(name in self._agents for name in record.get("to", ())):
@@ -124,11 +128,11 @@ class RecordedInputs:
             record = line.record
             if record["kind"] in ("arrived", "received"):
                 if record["agent"] == agent and identity_of(record["input"]) == identity:
-                    self._brought[agent, identity] = line.number, record
-                    return line.number, record
+                    found = self._brought[agent, identity] = line.number, record
+                    return found
             elif record.get("agent") == identity[0] and record.get("sequence") == identity[1]:
-                self._said[identity] = line.number, record
-                return line.number, record
+                found = self._said[identity] = line.number, record
+                return found
         return None
 
     def _branch(self, agent: str, conversation: str, participant: str) -> str:
@@ -162,15 +166,17 @@ class RecordedInputs:
         found = self._find(agent, identity)
         if found is None:
             return None
-        _, record = found
+        number, record = found
         if record["kind"] == "agent_message" and record["agent"] == agent and agent not in record["to"]:
             branch = self._branch(agent, record["conversation"], record["participant"])
             return Addressed(branch, record["receiver"], tuple(record["to"]), name_of(identity))
         match record["kind"]:
+            case "activity" if record["what"] == "end":
+                return Completed(record["label"], record["token"], record.get("outcome"))
             case "message" | "radio_received" | "arrived":
-                return _message(agent, messages, identity, record)
+                return self._message(agent, messages, identity, number, record)
             case "agent_message" | "received":
-                return self._mail(agent, messages, identity, record)
+                return self._mail(agent, messages, identity, number, record)
             case "event":
                 return Happened(record["event"])
             case "variable":
@@ -178,8 +184,6 @@ class RecordedInputs:
                 name = record["variable"]
                 kind = _type_of(chart, messages, name)
                 return Written(name, value if value is None else from_json(kind, value))
-            case "activity" if record["what"] == "end":
-                return Completed(record["label"], record["token"], record.get("outcome"))
             case "activity":
                 return Crashed(record["label"], record["token"], record.get("reason", ""))
             case _ if record["what"] == "settled":
@@ -190,9 +194,30 @@ class RecordedInputs:
                 reason = record.get("reason", "left")
                 return AgentMessage(record["branch"], LOST, "", reason, part, record["peer"], identity)
 
-    def _mail(self, agent: str, messages: Messages, identity: Identity, record: Record) -> AgentMessage:
+    def _content(self, messages: Messages, name: str, number: int, data: object) -> object:
+        """The message in a line. Raises LookupError, ValueError."""
+        made = self._made.get(number)
+        if made is None or made[0] is not messages:
+            made = self._made[number] = messages, from_json(messages[name], data)
+        return made[1]
+
+    def _message(
+        self, agent: str, messages: Messages, identity: Identity, number: int, record: Record
+    ) -> Sample:
+        channel = record["channel"]
+        content = self._content(messages, channel.rpartition(".")[2], number, record["message"])
+        if record["kind"] == "arrived":
+            return Sample(channel, content, identity[0], record["measured"], identity)
+        own = record.get("region") if record["agent"] == agent else None
+        sender = record.get("sender") or record["agent"]
+        moment = record["measured"] if "measured" in record else record["time"]
+        return Sample(channel, content, sender, moment, identity, own)
+
+    def _mail(
+        self, agent: str, messages: Messages, identity: Identity, number: int, record: Record
+    ) -> AgentMessage:
         name = str(record["message"])
-        content = from_json(messages[name], record["content"]) if name in messages else None
+        content = self._content(messages, name, number, record["content"]) if name in messages else None
         branch = self._branch(agent, record["conversation"], record["receiver"])
         part = record["participant"]
         answered = [name_of(identity_of(item)) for item in record.get("answers", ()) if item[0] == agent]
@@ -208,17 +233,6 @@ class RecordedInputs:
             in_reply_to=record.get("in_reply_to") or next(iter(answered), ""),
             sent=sent,
         )
-
-
-def _message(agent: str, messages: Messages, identity: Identity, record: Record) -> Sample:
-    channel = record["channel"]
-    content = from_json(messages[channel.rpartition(".")[2]], record["message"])
-    if record["kind"] == "arrived":
-        return Sample(channel, content, identity[0], record["measured"], identity)
-    own = record.get("region") if record["agent"] == agent else None
-    sender = record.get("sender") or record["agent"]
-    moment = record["measured"] if "measured" in record else record["time"]
-    return Sample(channel, content, sender, moment, identity, own)
 
 
 def _type_of(chart: Chart, messages: Messages, name: str) -> object:

@@ -287,8 +287,10 @@ class Replay:
     def _input(self, item: _Agent, name: InputName) -> Input:
         """An input as the agent's chart is given it."""
         identity = identity_of(name)
-        said = self._inputs.said_at(item.name, identity)
-        run = next((number for number, former in enumerate(item.former) if said < former.until), None)
+        run = None
+        if item.former:
+            said = self._inputs.said_at(item.name, identity)
+            run = next((number for number, former in enumerate(item.former) if said < former.until), None)
         chart, messages = item.chart, item.model.messages
         if run is not None:
             chart, messages = item.former[run].chart, item.former[run].model.messages
@@ -315,11 +317,13 @@ class Replay:
             raise NotReplayable(f"it does not have step {item.steps + 1} of {item.name}")
         item.steps += 1
         inputs = [self._input(item, name) for name in record["inputs"]]
-        ahead = [self._input(item, name) for name in record.get("ahead", ())]
-        functions = record.get("functions", ())
-        item.answers.extend(
-            (call["function"], call["value"]) for call in functions if call["function"] != "random"
-        )
+        ahead = [self._input(item, name) for name in record["ahead"]] if "ahead" in record else []
+        if "functions" in record:
+            item.answers.extend(
+                (call["function"], call["value"])
+                for call in record["functions"]
+                if call["function"] != "random"
+            )
         chart = item.chart
         chart.drains = False
         if ahead:
@@ -346,19 +350,24 @@ def _compared(item: _Agent, record: Record, outcome: Outcome) -> Difference | No
     """The first thing in which a step is another one than the recorded."""
     chart, plan = item.chart, item.chart.PLAN
     taken = [tuple(way["transitions"]) for way in record["taken"]]
-    called = [(effect.function, to_json(effect.value)) for effect in outcome.of(FunctionResult)]
-    mail = [list(effect.identity) for effect in outcome.of(MailTaken)]
+    called = []
+    mail = []
+    for effect in outcome.effects:
+        if type(effect) is FunctionResult:
+            called.append((effect.function, to_json(effect.value)))
+        elif type(effect) is MailTaken:
+            mail.append(list(effect.identity))
     where = chart.configuration()
     said = [(call["function"], call["value"]) for call in record.get("functions", ())]
     if taken != outcome.taken:
         texts = tuple(map(plan.way, taken)), tuple(map(plan.way, outcome.taken))
         return Difference(item.name, record["time"], item.steps, "transitions", *texts)
     for what, expected, got in (
-        ("configuration", list(item.where), list(where)),
+        ("configuration", item.where, where),
         ("results of functions", said, called),
         ("agent messages taken", record.get("agent_messages", []), mail),
-        ("another step at once", [record.get("again", False)], [outcome.again]),
-        ("the end", [record.get("finished", False)], [outcome.finished]),
+        ("another step at once", (record.get("again", False),), (outcome.again,)),
+        ("the end", (record.get("finished", False),), (outcome.finished,)),
     ):
         if expected != got:
             shown = tuple(map(str, expected)), tuple(map(str, got))

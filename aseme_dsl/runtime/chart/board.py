@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections import deque
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from itertools import repeat
+from operator import attrgetter
 from typing import TYPE_CHECKING, ClassVar, TypeAlias
 
 from aseme_dsl.runtime.chart import history
@@ -22,7 +25,7 @@ QUEUE = 10_000
 """So many signals of a queued channel wait in a region at the most, if nothing else is said."""
 
 
-Known: TypeAlias = tuple[
+Messages: TypeAlias = tuple[
     tuple[tuple[str, tuple[tuple[str, Sample], ...]], ...],
     tuple[tuple[str, tuple[Sample, ...], tuple[Sample, ...]], ...],
     tuple[tuple[str, tuple[Sample, ...]], ...],
@@ -31,11 +34,64 @@ Known: TypeAlias = tuple[
 
 SavedDrafts: TypeAlias = tuple[tuple[tuple[str, str | None], tuple[tuple[tuple[str, ...], object], ...]], ...]
 
+
+class Known:
+    """The messages on a board, as a value.
+
+    Nothing in it is ever changed: the board has it in common with what is saved, and makes copies before it
+    changes.
+    """
+
+    __slots__ = ("_messages", "data", "shown", "signals", "states")
+
+    def __init__(
+        self,
+        states: dict[str, dict[str, Sample]],
+        data: dict[str, History],
+        signals: dict[str, list[Sample]],
+        shown: tuple[object, ...] | None = None,
+    ) -> None:
+        """`shown` are the values of the slots of the board, where they are known."""
+        self.states = states
+        self.data = data
+        self.signals = signals
+        self.shown = shown
+        self._messages: Messages | None = None
+
+    @classmethod
+    def of(cls, messages: Messages) -> Known:
+        """Those that `messages` gives."""
+        states, data, signals = messages
+        return cls(
+            {channel: dict(senders) for channel, senders in states},
+            {channel: History(window, before) for channel, before, window in data},
+            {channel: list(items) for channel, items in signals},
+        )
+
+    def messages(self) -> Messages:
+        """The messages in tuples; the order is that of the names where none matters."""
+        if self._messages is None:
+            states = [(channel, tuple(items.items())) for channel, items in sorted(self.states.items())]
+            data = [(channel, *history.save()) for channel, history in sorted(self.data.items())]
+            signals = [(channel, tuple(items)) for channel, items in sorted(self.signals.items()) if items]
+            self._messages = tuple(states), tuple(data), tuple(signals)
+        return self._messages
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (isinstance(other, Known) and self.messages() == other.messages())
+
+    def __hash__(self) -> int:
+        return hash(self.messages())
+
+
 SavedBoard: TypeAlias = tuple[Known, frozenset[Identity], tuple[tuple[str, int], ...], SavedDrafts]
 """All that a board holds between two steps: messages, those read ahead, timers, drafts."""
 
-NOTHING_KNOWN: Known = ((), (), ())
 _NOBODY: frozenset[Identity] = frozenset()
+
+
+def _shows_nothing(board: Board) -> tuple[object, ...]:
+    return ()
 
 
 class Board:
@@ -55,6 +111,20 @@ class Board:
     RETENTION: ClassVar[Mapping[str, int]] = {}
     SLOTS: ClassVar[Mapping[str, tuple[tuple[str, str | None], ...]]] = {}
     TIMED: ClassVar[frozenset[str]] = frozenset()
+    show_in: ClassVar[tuple[str, ...]] = ()
+    """All slots that show what the messages are."""
+    shown: ClassVar[Callable[[Board], tuple[object, ...]]] = staticmethod(_shows_nothing)
+    """Gives what these hold."""
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        slots = [slot for slots in cls.SLOTS.values() for slot, _ in slots]
+        cls.show_in = (*slots, *(slot + "_time" for slot in slots if slot in cls.TIMED))
+        if len(cls.show_in) > 1:
+            cls.shown = attrgetter(*cls.show_in)
+        elif cls.show_in:
+            only = attrgetter(*cls.show_in)
+            cls.shown = staticmethod(lambda board: (only(board),))
 
     def __init__(self) -> None:
         self._states: dict[str, dict[str, Sample]] = {}
@@ -62,7 +132,7 @@ class Board:
         self._signals: dict[str, list[Sample]] = {}
         self._seen: dict[tuple[str, str | None], Sample] = {}
         self._known: Known | None = None
-        """The messages as a value; None since they have changed."""
+        """The messages as a value that is saved; None since they have changed."""
         self.ahead: set[Identity] = set()
         """What `read_messages` has put here before it comes as an input."""
         self.asked: list[Sample] = []
@@ -76,7 +146,8 @@ class Board:
 
     def inherit(self, outer: Board) -> None:
         """Start with the states and histories of the surrounding region, without signals and timers."""
-        self._known = None
+        if self._known is not None:
+            self._part()
         for channel in self.CHANNELS:
             if channel in outer._states:
                 self._states[channel] = dict(outer._states[channel])
@@ -90,7 +161,8 @@ class Board:
 
     def put(self, item: Sample, now: int) -> None:
         """Take in a message of one of the board's channels."""
-        self._known = None
+        if self._known is not None:
+            self._part()
         channel = item.channel
         comm = channel.split(".", 2)[1]
         if comm == "state":
@@ -203,11 +275,11 @@ class Board:
         )
 
     def _drop(self, item: Sample) -> bool:
-        waiting = self._signals.get(item.channel, [])
-        for index, other in enumerate(waiting):
+        for index, other in enumerate(self._signals.get(item.channel, ())):
             if other is item:
-                del waiting[index]
-                self._known = None
+                if self._known is not None:
+                    self._part()
+                del self._signals[item.channel][index]
                 self._refresh(item.channel)
                 return True
         return False
@@ -222,9 +294,10 @@ class Board:
         for channel, longest in ages.items():
             waiting = self._signals.get(channel)
             if waiting and any(now - item.time >= longest for item in waiting):
+                if self._known is not None:
+                    self._part()
                 dropped += [item for item in waiting if now - item.time >= longest]
-                waiting[:] = [item for item in waiting if now - item.time < longest]
-                self._known = None
+                self._signals[channel] = [item for item in waiting if now - item.time < longest]
                 self._refresh(channel)
         return dropped
 
@@ -238,36 +311,36 @@ class Board:
     # ---- as a value ------------------------------------------------------------------------
 
     def save(self) -> SavedBoard:
-        """All that it holds, between two steps; the order is that of the names where none matters."""
+        """All that it holds, between two steps."""
         known = self._known
         if known is None:
-            known = self._known = self._messages()
+            known = self._known = Known(self._states, self._data, self._signals, type(self).shown(self))
         if not (self.timers or self.ahead or self.drafts):
             return (known, _NOBODY, (), ())
         drafts = tuple((key, tuple(members.items())) for key, members in self.drafts.items())
         return (known, frozenset(self.ahead), tuple(sorted(self.timers.items())), drafts)
 
-    def _messages(self) -> Known:
-        if not (self._states or self._data or self._signals):
-            return NOTHING_KNOWN
-        return (
-            tuple([(channel, tuple(senders.items())) for channel, senders in sorted(self._states.items())]),
-            tuple([(channel, *data.save()) for channel, data in sorted(self._data.items())]),
-            tuple(
-                [(channel, tuple(waiting)) for channel, waiting in sorted(self._signals.items()) if waiting]
-            ),
-        )
+    def _part(self) -> None:
+        """Have messages of its own, which what was saved does not share."""
+        self._known = None
+        if self._states:
+            self._states = {channel: senders.copy() for channel, senders in self._states.items()}
+        if self._data:
+            self._data = {channel: data.copy() for channel, data in self._data.items()}
+        if self._signals:
+            self._signals = {channel: waiting.copy() for channel, waiting in self._signals.items()}
 
     def load(self, saved: SavedBoard) -> None:
         """Hold what was saved, and nothing else."""
         known, ahead, timers, drafts = saved
         if known is not self._known:  # most boards of a chart have not changed since
-            states, data, signals = self._known = known
-            self._states = {channel: dict(senders) for channel, senders in states}
-            self._data = {channel: History(window, before) for channel, before, window in data}
-            self._signals = {channel: list(items) for channel, items in signals}
-            for channel in self.SLOTS:
-                self._refresh(channel)
+            self._known = known
+            self._states, self._data, self._signals = known.states, known.data, known.signals
+            if known.shown is not None:
+                deque(map(setattr, repeat(self), self.show_in, known.shown), maxlen=0)
+            else:
+                for channel in self.SLOTS:
+                    self._refresh(channel)
         if timers or self.timers:
             self.timers = dict(timers)
         if ahead or self.ahead:

@@ -11,7 +11,8 @@ from dataclasses import fields, is_dataclass
 from enum import IntEnum
 from typing import TypeAlias, Unpack, cast
 
-from aseme_dsl.runtime.chart.inputs import AgentMessage, Sample
+from aseme_dsl.runtime.chart.board import Known, Messages, SavedBoard, SavedDrafts
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Sample
 from aseme_dsl.runtime.chart.saving import Saved, Seldom
 from aseme_dsl.runtime.message.as_json import from_json, to_json
 
@@ -22,6 +23,9 @@ SHARE = 8
 """At least so many times as long as the last checkpoints are the lines up to the next ones."""
 
 _Make: TypeAlias = Callable[[Unpack[tuple[object, ...]]], object]
+
+_Board: TypeAlias = tuple[Messages, frozenset[Identity], tuple[tuple[str, int], ...], SavedDrafts]
+"""A saved board as it is read."""
 
 _CARRIERS = {"sample": cast(_Make, Sample), "mail": cast(_Make, AgentMessage)}
 """What carries messages, by how it is written: its members stand there in their order."""
@@ -41,6 +45,8 @@ class _Writer:
         kind = type(value)
         if value is None or kind is bool or kind is int or kind is str:
             return value
+        if isinstance(value, Known):
+            value = value.messages()
         if isinstance(value, tuple):
             return [self.written(item) for item in value]
         if isinstance(value, frozenset):
@@ -76,9 +82,15 @@ def saved_of(state: object, messages: Mapping[str, type[object]]) -> Saved:
     """
     try:
         model, values, boards, seldom = cast("list[list[object]]", _Reader(messages).read(state))
-        return Saved(str(model), tuple(values), boards, Seldom(*seldom))  # type: ignore[arg-type]
+        saved = tuple([None if board is None else _board(cast(_Board, board)) for board in boards])
+        return Saved(str(model), tuple(values), saved, Seldom(*seldom))  # type: ignore[arg-type]
     except (TypeError, LookupError, AttributeError) as problem:
         raise ValueError(f"the state does not fit the model: {problem}") from problem
+
+
+def _board(read: _Board) -> SavedBoard:
+    messages, ahead, timers, drafts = read
+    return Known.of(messages), ahead, timers, drafts
 
 
 class _Reader:
