@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import repeat
 from operator import attrgetter
@@ -90,8 +90,14 @@ SavedBoard: TypeAlias = tuple[Known, frozenset[Identity], tuple[tuple[str, int],
 _NOBODY: frozenset[Identity] = frozenset()
 
 
-def _shows_nothing(board: Board) -> tuple[object, ...]:
-    return ()
+def getter(names: Sequence[str]) -> Callable[[object], tuple[object, ...]]:
+    """What gives the values of these attributes of an object."""
+    if len(names) > 1:
+        return attrgetter(*names)
+    if not names:
+        return lambda item: ()
+    only = attrgetter(*names)
+    return lambda item: (only(item),)
 
 
 class Board:
@@ -113,18 +119,14 @@ class Board:
     TIMED: ClassVar[frozenset[str]] = frozenset()
     show_in: ClassVar[tuple[str, ...]] = ()
     """All slots that show what the messages are."""
-    shown: ClassVar[Callable[[Board], tuple[object, ...]]] = staticmethod(_shows_nothing)
+    shown: ClassVar[Callable[[object], tuple[object, ...]]] = getter(())
     """Gives what these hold."""
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
         slots = [slot for slots in cls.SLOTS.values() for slot, _ in slots]
         cls.show_in = (*slots, *(slot + "_time" for slot in slots if slot in cls.TIMED))
-        if len(cls.show_in) > 1:
-            cls.shown = attrgetter(*cls.show_in)
-        elif cls.show_in:
-            only = attrgetter(*cls.show_in)
-            cls.shown = staticmethod(lambda board: (only(board),))
+        cls.shown = getter(cls.show_in)
 
     def __init__(self) -> None:
         self._states: dict[str, dict[str, Sample]] = {}
@@ -308,18 +310,6 @@ class Board:
         self._seen.clear()
         return dropped
 
-    # ---- as a value ------------------------------------------------------------------------
-
-    def save(self) -> SavedBoard:
-        """All that it holds, between two steps."""
-        known = self._known
-        if known is None:
-            known = self._known = Known(self._states, self._data, self._signals, type(self).shown(self))
-        if not (self.timers or self.ahead or self.drafts):
-            return (known, _NOBODY, (), ())
-        drafts = tuple((key, tuple(members.items())) for key, members in self.drafts.items())
-        return (known, frozenset(self.ahead), tuple(sorted(self.timers.items())), drafts)
-
     def _part(self) -> None:
         """Have messages of its own, which what was saved does not share."""
         self._known = None
@@ -329,27 +319,6 @@ class Board:
             self._data = {channel: data.copy() for channel, data in self._data.items()}
         if self._signals:
             self._signals = {channel: waiting.copy() for channel, waiting in self._signals.items()}
-
-    def load(self, saved: SavedBoard) -> None:
-        """Hold what was saved, and nothing else."""
-        known, ahead, timers, drafts = saved
-        if known is not self._known:  # most boards of a chart have not changed since
-            self._known = known
-            self._states, self._data, self._signals = known.states, known.data, known.signals
-            if known.shown is not None:
-                deque(map(setattr, repeat(self), self.show_in, known.shown), maxlen=0)
-            else:
-                for channel in self.SLOTS:
-                    self._refresh(channel)
-        if timers or self.timers:
-            self.timers = dict(timers)
-        if ahead or self.ahead:
-            self.ahead = set(ahead)
-        if drafts or self.drafts:
-            self.drafts = {key: dict(members) for key, members in drafts}
-        if self.asked:
-            self.asked = []
-            self._seen = {}
 
     # ---- drafts ----------------------------------------------------------------------------
 
@@ -366,6 +335,50 @@ class Board:
         if not hosts:
             return [(None, kind())]
         return [(host, built(kind, self.drafts.pop((channel, host)), {})) for host in hosts]
+
+
+def save_all(boards: Iterable[Board | None]) -> tuple[SavedBoard | None, ...]:
+    """All that each of these holds, between two steps; None for one that is not there."""
+    found: list[SavedBoard | None] = []
+    for board in boards:  # in a loop: a call for each board would take half as long again
+        if board is None:
+            found.append(None)
+            continue
+        known = board._known
+        if known is None:
+            known = Known(board._states, board._data, board._signals, type(board).shown(board))
+            board._known = known
+        if board.timers or board.ahead or board.drafts:
+            drafts = tuple((key, tuple(members.items())) for key, members in board.drafts.items())
+            found.append((known, frozenset(board.ahead), tuple(sorted(board.timers.items())), drafts))
+        else:
+            found.append((known, _NOBODY, (), ()))
+    return tuple(found)
+
+
+def load_all(boards: Iterable[Board], saved: Iterable[SavedBoard | None]) -> None:
+    """Have each of these hold what was saved, and nothing else; None leaves a board as it is."""
+    for board, held in zip(boards, saved, strict=True):
+        if held is None:
+            continue
+        known, ahead, timers, drafts = held
+        if known is not board._known:
+            board._known = known
+            board._states, board._data, board._signals = known.states, known.data, known.signals
+            if known.shown:
+                deque(map(setattr, repeat(board), board.show_in, known.shown), maxlen=0)
+            elif known.shown is None:
+                for channel in board.SLOTS:
+                    board._refresh(channel)
+        if timers or board.timers:
+            board.timers = dict(timers)
+        if ahead or board.ahead:
+            board.ahead = set(ahead)
+        if drafts or board.drafts:
+            board.drafts = {key: dict(members) for key, members in drafts}
+        if board.asked:
+            board.asked = []
+            board._seen = {}
 
 
 def built(

@@ -11,7 +11,7 @@ from itertools import repeat
 from random import Random
 from typing import NamedTuple, TypeAlias
 
-from aseme_dsl.runtime.chart.board import SavedBoard
+from aseme_dsl.runtime.chart.board import SavedBoard, load_all, save_all
 from aseme_dsl.runtime.chart.inputs import AgentMessage
 from aseme_dsl.runtime.chart.rounds import SavedRound
 from aseme_dsl.runtime.chart.state import ChartState
@@ -56,11 +56,11 @@ class OtherModel(ValueError):
 def save(chart: ChartState) -> Saved:
     """The state of a chart, which is between two steps."""
     # The timers of a suspended part stand still on boards that nothing reads meanwhile.
-    boards = [getattr(chart, name) for name in chart.board_places] if chart.suspended else chart.boards()
+    boards = type(chart).all_boards(chart) if chart.suspended else chart.boards()
     return Saved(
         chart.PLAN.model,
         type(chart).values(chart),
-        tuple([None if board is None else board.save() for board in boards]),
+        save_all(boards),
         _seldom(chart),
     )
 
@@ -107,9 +107,7 @@ def load(chart: ChartState, saved: Saved) -> None:
     if model != chart.PLAN.model:
         raise OtherModel(f"the state is one of the model {model}, not of {chart.PLAN.model}")
     deque(map(setattr, repeat(chart), chart.places, values), maxlen=0)  # a third faster than a loop
-    for name, board in zip(chart.board_places, boards, strict=True):
-        if board is not None:
-            getattr(chart, name).load(board)
+    load_all(type(chart).all_boards(chart), boards)
     if seldom is not NOTHING or _seldom(chart) is not NOTHING:
         _load_seldom(chart, seldom)
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from operator import attrgetter
 from random import Random
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, cast
 
-from aseme_dsl.runtime.chart.board import QUEUE, Board
+from aseme_dsl.runtime.chart.board import QUEUE, Board, getter
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Outcome, Sample
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.chart.rounds import Rounds
@@ -102,19 +101,20 @@ class ChartState:
     """The attributes that hold a plain immutable value each (`saving.py`)."""
     values: ClassVar[Callable[[ChartState], tuple[object, ...]]]
     """Gives what these hold."""
-    board_places: ClassVar[tuple[str, ...]] = ()
-    """The attributes that hold the blackboards of the regions."""
+    all_boards: ClassVar[Callable[[ChartState], tuple[Board, ...]]]
+    """Gives the blackboards of all regions."""
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
         if cls.REGIONS:  # one that was generated
-            cls.board_places = tuple(f"b{number}" for number in range(len(cls.REGIONS)))
-            other = {*cls.board_places, *cls.KEPT.values()}
+            boards = [f"b{number}" for number in range(len(cls.REGIONS))]
+            cls.all_boards = cast("Callable[[ChartState], tuple[Board, ...]]", getter(boards))
+            other = {*boards, *cls.KEPT.values()}
             # A class inside a generated one has its attributes.
             kinds = [kind for kind in reversed(cls.__mro__) if getattr(kind, "REGIONS", ())]
             own = [name for kind in kinds for name in kind.__dict__.get("__slots__", ())]
             cls.places = (*COMMON, *(name for name in own if name not in other))
-            cls.values = attrgetter(*cls.places)
+            cls.values = getter(cls.places)
 
     def __init__(self, agent: str) -> None:
         self.agent = agent
