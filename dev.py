@@ -156,6 +156,12 @@ LONG = [
     ("what our layer costs over SPADE", ["tests/platforms/lane.py", "bench"], {}),
     ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
     ("machine code", ["-m", "pytest", "tests/project/building/test_native.py"], {"NATIVE_EXAMPLES": "12"}),
+    ("one seed, one trace", ["-m", "benchmarks.same_traces"], {}),
+    (
+        "replays of examples and of seeded faults",
+        ["-m", "pytest", "-n", "auto", "tests/play/test_replay.py"],
+        {"REPLAY_RUNS": "334", "REPLAY_SECONDS": "60"},
+    ),
     ("seeded faults", ["-m", "pytest", "-n", "auto", "tests/faults/test_seeded.py"], {"FAULT_RUNS": "1000"}),
     (
         "random networks",

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
 import random
+import subprocess
+import sys
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
@@ -23,6 +26,9 @@ from tests.faults.test_swap import NET
 from tests.runtime.conversation.test_counting_answers import AUCTION
 from tests.runtime.playing import MS, SECOND, check_line, lines_of, make
 from tests.support.generated import generate
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = sorted(path.parent.name for path in (ROOT / "examples").glob("*/pyproject.toml"))
 
 CHANCE = """
 system Dice
@@ -87,13 +93,24 @@ def often(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(checkpoint, "SHARE", 1)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(int(os.environ.get("REPLAY_RUNS", "3"))))
 @pytest.mark.parametrize("text", [TALK, AUCTION.replace("ACTIVITIES", ""), NET])
 def test_runs_with_faults(text: str, seed: int, tmp_path: Path) -> None:
     chance = random.Random(f"replay {seed}")
     names = [name for name, _ in generate(text).package.TEAM]
     lines = recorded(text, tmp_path, until=2 * SECOND, faults=faults(chance, names))
     assert replayed(lines) == (steps(lines), None)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_examples(name: str, tmp_path: Path) -> None:
+    trace, seconds = tmp_path / "trace.jsonl.gz", os.environ.get("REPLAY_SECONDS", "5")
+    words = ["run", f"{ROOT}/examples/{name}", "-o", f"{tmp_path}/out", "--trace", f"{trace}"]
+    words += ["--for", f"{seconds}s", "--quiet", "--allow", "waiting"]
+    subprocess.run([sys.executable, "-m", "aseme_dsl", *words], check=True)
+    found = replay(trace)
+    assert (found.difference, found.problem) == (None, None)
+    assert found.steps == steps(lines_of(trace)) > 0
 
 
 def test_a_swap_while_inputs_wait(tmp_path: Path) -> None:
