@@ -53,7 +53,9 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
     type=click.Choice(["numbered", "inline", "none"]),
     help="Transition expressions in the layouts nested and tree.  [default: the project's, else numbered]",
 )
-@click.option("--at", metavar="LABEL", help="Draw only the state with this label and its content.")
+@click.option(
+    "--at", metavar="STATE", help="Draw only the formula with this name, or the state with this label."
+)
 @click.option(
     "--depth",
     type=click.IntRange(min=1),

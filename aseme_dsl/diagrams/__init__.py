@@ -13,7 +13,7 @@ from typing import Literal, assert_never
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Srm
-from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagrams.look.drawing import (
@@ -56,6 +56,7 @@ __all__ = [
     "draw_one",
     "draw_statechart",
     "drawings",
+    "label_of",
     "makers",
     "names",
     "program",
@@ -72,11 +73,22 @@ def drawings(system: System, options: Options = DEFAULT) -> list[Drawing]:
     state are drawn, and its label is added to the name; raises NoSuchState if none has.
     """
     if options.at is not None:
-        charts = [chart for chart in system.statecharts if options.at in chart.by_label]
+        charts = [chart for chart in system.statecharts if label_of(chart, options.at) in chart.by_label]
         if not charts:
             raise NoSuchState(f"no statechart of {system.name} has a state {options.at}")
         return [drawing for chart in charts for drawing in draw_statechart(chart, options, system.activities)]
     return [drawing for make, inputs in makers(system, options) for drawing in make(*inputs)]
+
+
+def label_of(chart: Statechart, at: str) -> str:
+    """The label of the state that `at` means: a label, or the name of a formula, where that comes first."""
+    if at in chart.by_label:
+        return at
+    return next((state.label for state in chart.called(at) if state.type is StateType.OR), at)
+
+
+def _placed(chart: Statechart, options: Options) -> Options:
+    return options if options.at is None else replace(options, at=label_of(chart, options.at))
 
 
 def draw_model(model: Sag | Suc | Aip | Srm | Statechart) -> Drawing:
@@ -117,6 +129,7 @@ def draw_one(system: System, name: str, options: Options = DEFAULT) -> Drawing |
     """
     chart = system.chart(name)
     if chart is not None:
+        options = _placed(chart, options)
         if options.page is not None:
             return _compact(chart, options, system.activities, alone=True)[0]
         return draw_statechart(chart, options, system.activities)[0]
@@ -194,6 +207,7 @@ def draw_statechart(
     A compact drawing says what is known of the `activities`.
     Raises NoSuchState if the chart has no state `options.at`.
     """
+    options = _placed(chart, options)
     made: list[Drawing] = []
     for layout in Layout if options.layout is None else (options.layout,):
         match layout:

@@ -74,6 +74,7 @@ def test_a_part_is_drawn_alone() -> None:
     (drawing,) = drawn(at=label("fetch"))
     assert drawing.name == f"iac.r.{label('fetch')}"
     assert "C" in text(drawing) and "F" not in text(drawing).split()
+    assert drawn(at="fetch") == [drawing]
     with pytest.raises(NoSuchState, match="no state 9"):
         drawn(at="9")
     (nested,) = drawn(at=label("A"))

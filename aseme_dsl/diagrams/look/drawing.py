@@ -56,10 +56,11 @@ class NoSuchState(ValueError):
 class Options:
     """How statecharts are drawn.
 
-    `at` is the label of the state to draw, with the states inside it. `depth` is the number of nested levels
-    that are drawn open; composites below are closed and show how many states they have. `layout` None means
-    all three. With a `page`, the compact one is divided into pages of this size. In a compact drawing `depth`
-    counts formulas, and `expressions` mean nothing. Raises ValueError for a depth below 1.
+    `at` is the label of the state to draw, with the states inside it, or the name of a formula. `depth` is
+    the number of nested levels that are drawn open; composites below are closed and show how many states
+    they have. `layout` None means all three. With a `page`, the compact one is divided into pages of this
+    size. In a compact drawing `depth` counts formulas, and `expressions` mean nothing. Raises ValueError for
+    a depth below 1.
     """
 
     expressions: Expressions = Expressions.NUMBERED

@@ -72,17 +72,18 @@ def choose(system: System, names: Sequence[str], options: Options) -> tuple[Draw
 
 def _other_layouts(system: System, options: Options) -> dict[str, Callable[[], list[Drawing]]]:
     """What draws each statechart in the layouts that were not asked for, by the name of the drawing."""
-    from aseme_dsl.diagrams import Layout, draw_statechart
+    from aseme_dsl.diagrams import Layout, draw_statechart, label_of
     from aseme_dsl.diagrams.look.drawing import piece_name
 
     made: dict[str, Callable[[], list[Drawing]]] = {}
     for chart in system.statecharts:
-        if options.layout is None or (options.at is not None and options.at not in chart.by_label):
+        at = None if options.at is None else label_of(chart, options.at)
+        if options.layout is None or (at is not None and at not in chart.by_label):
             continue
         for layout in (item for item in Layout if item is not options.layout):
             name = f"{chart.kind.lower()}.{chart.name}"
             name = name if layout is Layout.COMPACT else f"{name}.{layout}"
-            name = name if options.at is None else piece_name(name, options.at)
+            name = name if at is None else piece_name(name, at)
             made[name] = partial(draw_statechart, chart, replace(options, layout=layout), system.activities)
     return made
 
