@@ -35,8 +35,7 @@ _GAIN = 0.9
 """Narrow labels are worth it where a region is at most so much of its usual width."""
 
 _LEAST = 560
-"""How wide a page is at least, so that the texts below have room."""
-
+"""How wide a page with texts below is at least."""
 
 _BESIDE = 300
 """So much room beside the chart is enough for the texts that have none below, in px."""
@@ -136,10 +135,10 @@ def _page(chart: Statechart, field: Placed, words: Words, placer: Placer, wanted
         room.add(*_modules(chart, top))
         top += 24
     room.put(field, top + field.up, _MARGIN)
-    right = max(room.right, _LEAST)
+    entries = _entries(words)
+    right = max(room.right, _LEAST if entries else 0.0)
     below = room.down + 20
     broad = wanted.size[0] - _MARGIN if wanted.page else right
-    entries = _entries(words)
     further: tuple[Picture, ...] = ()
     if wanted.apart and entries:
         told = text(_MARGIN, below, "Its names and numbers are explained on a page of their own.", Look.SMALL)
