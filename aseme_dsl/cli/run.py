@@ -484,6 +484,7 @@ def _supervise(
 ) -> int:
     """Play with a process for each robot, and say how it ended; the exit code."""
     from aseme_dsl.project.playing.supervisor import supervise
+    from aseme_dsl.runtime.version.loading import importing
 
     width = max((len(name) for name, _ in loaded.team), default=0)
 
@@ -491,7 +492,8 @@ def _supervise(
         if wrong or not quiet:
             click.echo(f"{name:<{width}} | {line}" if name else line, err=wrong or as_json)
 
-    with ending_left_processes():
+    # The functions of the document, which properties may call, are looked for in the project.
+    with ending_left_processes(), importing([configuration.folder.resolve(), *loaded.path]):
         ended = supervise(loaded, folder, activities, configuration, request, options, say, watch)
     watched = () if watch is None else watch.end()
     is_broken = any(item.verdict == "broken" for item in watched)

@@ -136,3 +136,27 @@ def test_a_run_without_properties_is_as_before(folder: Path, here: Here) -> None
     (folder / "good.aseme").write_text(GOOD)
     done = here("run", "good.aseme", "-o", "out", "--for", "10ms", "--real", "--json", "-q")
     assert done.json["result"]["watched"] == []
+
+
+GONE = """\
+system Gone
+function gone(double x) : double = "math:not_there"
+srm robot {
+  var n : double = 0
+  liveness { robot = Walk~ }
+  activities { Walk takes 20ms simulated }
+  control robot { repeat Walk : / n = n + 1 }
+}
+team T { one : robot }
+property "p" { never one has [gone(n) > 3] }
+"""
+
+
+@pytest.mark.parametrize("how", [(), ("--real",)])
+def test_a_function_that_is_not_there_ends_the_watching_only(
+    how: tuple[str, ...], here: Here, folder: Path
+) -> None:
+    (folder / "gone.aseme").write_text(GONE)
+    done = here("run", "gone.aseme", "-o", "out", "--for", "600ms", *how)
+    assert (done.code, 'open: property "p"' in done.out) == (0, True), done.out + done.err
+    assert "are not watched from" in done.out and "no function not_there in module math" in done.out

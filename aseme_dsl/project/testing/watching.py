@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from aseme_dsl.play.evaluate import NotEvaluated
 from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import Expectation, Refused, Script
 from aseme_dsl.play.sight.deciding import decided_by
@@ -114,7 +115,8 @@ class Watch:
         self._told: set[int] = set()
         self._later = None if plans is None else Later(self._observer, plans)
         self._reporter = None if self._later is None else Reporter(self.asked, self._later.take)
-        self._has_told_of_stranger = False
+        self._stopped: str | None = None
+        """Why nothing is watched any more."""
         self.record: Callable[[Breach], None] = lambda breach: None
         """Called for each that is broken: it writes the line of the trace."""
 
@@ -138,7 +140,7 @@ class Watch:
 
     def __call__(self, record: Record) -> None:
         if self._reporter is None:
-            self._observer(record)
+            self._see(lambda: self._observer(record), record["time"])
         else:
             self._reporter(record)
 
@@ -160,20 +162,30 @@ class Watch:
 
     def look(self, moment: int) -> str | None:
         """The time is `moment`; why the run ends, if it does."""
-        if self._later is None:
-            self._observer.settled()
-        else:
-            self._later.pass_to(moment - LAG)
+        later = self._later
+        self._see(self._observer.settled if later is None else lambda: later.pass_to(moment - LAG), moment)
         self._judge()
         return BROKEN if self._told and self._is_strict else None
 
     def finish(self, moment: int) -> None:
         """The run has ended at this moment."""
-        if self._later is None:
-            self._observer.rest(moment)
-        else:
-            self._later.pass_to(moment)
+        later = self._later
+        end = (lambda: self._observer.rest(moment)) if later is None else (lambda: later.pass_to(moment))
+        self._see(end, moment)
         self._judge()
+
+    def _see(self, call: Callable[[], object], moment: int) -> None:
+        """Show something to the observer, unless a condition could not be evaluated."""
+        if self._stopped is not None:
+            return
+        try:
+            call()
+        except NotEvaluated as problem:
+            self._stop(moment, str(problem))
+
+    def _stop(self, moment: int, why: str) -> None:
+        self._stopped = why
+        self._tell(f"properties and clauses are not watched from {shown(moment)} on: {why}")
 
     # ---- what is broken --------------------------------------------------------------------------
 
@@ -185,16 +197,14 @@ class Watch:
                 self._tell(found.text)
                 self.record(found.breach)
         stranger = None if self._later is None else self._later.stranger
-        if stranger is not None and not self._has_told_of_stranger:
-            self._has_told_of_stranger = True
+        if stranger is not None and self._stopped is None:
             agent, since = stranger
-            why = f"{agent} runs another version of its role"
-            self._tell(f"properties and clauses are not watched from {shown(since)} on: {why}")
+            self._stop(since, f"{agent} runs another version of its role")
 
     def end(self) -> tuple[Watched, ...]:
         """What has become of them in a run that has ended (see `finish`)."""
         found = []
-        is_cut = self._later is not None and self._later.stranger is not None
+        is_cut = self._stopped is not None
         for number, item in enumerate(self._script.expectations):
             state = self._observer.states[number]
             if state.verdict is Verdict.BROKEN:
