@@ -148,6 +148,8 @@ class Judged:
     after: str
     result: str
     by: str = ""
+    seeds: int = 0
+    """With so many seeds it was compared with the model."""
 
 
 class TooLong(BaseException):
@@ -186,15 +188,15 @@ def _caught(candidate: Candidate) -> tuple[str, str]:
     return SURVIVED, ""
 
 
-def compare(candidate: Candidate, found: Judged, kept: Path) -> Judged:
+def compare(candidate: Candidate, found: Judged, kept: Path, seeds: int) -> Judged:
     """Whether a mutant that no scenario has noticed behaves otherwise than its model, and where first."""
-    difference = _difference(candidate, kept)
-    return replace(found, result=OTHERWISE if difference else SAME, by=difference)
+    difference = _difference(candidate, kept, seeds)
+    return replace(found, result=OTHERWISE if difference else SAME, by=difference, seeds=seeds)
 
 
-def _difference(candidate: Candidate, kept: Path) -> str:
+def _difference(candidate: Candidate, kept: Path, seeds: int) -> str:
     model = candidate.model
-    in_scenarios = _original(model, kept, SCENARIOS)
+    in_scenarios = _original(model, kept, SCENARIOS, seeds)
     by_chance = {
         name for seen in in_scenarios.values() for name in seen if seen[name] != in_scenarios[1][name]
     }
@@ -202,7 +204,7 @@ def _difference(candidate: Candidate, kept: Path) -> str:
         made = Made.of(model, {str(candidate.file): candidate.mutant.text}, Path(folder))
         assert made is not None
         for part in (SCENARIOS, RUNS) if made.is_run() else (SCENARIOS,):
-            for seed, usual in _original(model, kept, part).items():
+            for seed, usual in _original(model, kept, part, seeds).items():
                 wanted = by_chance if part == SCENARIOS and seed > 2 else usual
                 for place, seen in made.behaviours(seed, part, wanted):
                     if usual[place] != seen:
@@ -210,14 +212,14 @@ def _difference(candidate: Candidate, kept: Path) -> str:
     return ""
 
 
-def _original(model: Model, kept: Path, part: str) -> Mapping[int, Mapping[str, str]]:
+def _original(model: Model, kept: Path, part: str, seeds: int) -> Mapping[int, Mapping[str, str]]:
     """The behaviour of a model as it is, by seed, in its scenarios or in its runs."""
-    path = kept / f"{part}-{model.key(part)}.json"
+    path = kept / f"{part}-{seeds}-{model.key(part)}.json"
     if not path.exists():
         with TemporaryDirectory(prefix="model-") as folder:
             made = Made.of(model, {}, Path(folder))
             assert made is not None, model.root
-            found = {seed: dict(made.behaviours(seed, part)) for seed in range(1, SEEDS + 1)}
+            found = {seed: dict(made.behaviours(seed, part)) for seed in range(1, seeds + 1)}
         written = path.with_suffix(f".{os.getpid()}")
         written.write_text(json.dumps(found), "utf-8")
         written.replace(path)
@@ -402,7 +404,7 @@ class Kept:
 
 
 def judged(
-    drawn: Iterator[Candidate], number: int, jobs: int, kept: Kept, deadline: float
+    drawn: Iterator[Candidate], number: int, jobs: int, kept: Kept, deadline: float, seeds: int
 ) -> tuple[list[Judged], bool]:
     """The first mutants that compile, and those before them that do not; and whether all is known of them."""
     context = multiprocessing.get_context("spawn")
@@ -431,7 +433,9 @@ def judged(
         compared = [
             (
                 candidate,
-                pool.submit(compare, candidate, found, kept.folder) if found.result == SURVIVED else found,
+                pool.submit(compare, candidate, found, kept.folder, seeds)
+                if found.result == SURVIVED or (found.result == SAME and found.seeds < seeds)
+                else found,
             )
             for candidate, found in first
         ]
@@ -475,16 +479,27 @@ def not_caught(results: Sequence[Judged]) -> Iterator[str]:
             yield f"+ {item.after}"
 
 
+def _compared(results: Sequence[Judged]) -> str:
+    counts = Counter(item.seeds for item in results if item.result == SAME)
+    said = ", ".join(f"{count} with the seeds 1 to {seeds}" for seeds, count in sorted(counts.items()))
+    return f"Those with the same behaviour were compared with the model: {said}." if said else ""
+
+
 def write_page(page: Path, results: Sequence[Judged], names: Sequence[str], seed: int) -> None:
     """Put the figures into a page, between its two marks."""
-    left = list(not_caught(results))
+    left = [
+        f"- `{item.file}:{item.line}`, {item.kind}: `{item.before}` becomes `{item.after}`"
+        for item in results
+        if item.result == OTHERWISE
+    ]
     lines = [
         f"Seed {seed}: {share(results):.1f} % of the mutants that behave otherwise are caught.",
+        _compared(results),
         "",
         *table(results, "kind", KINDS),
         "",
         *table(results, "model", names),
-        *(["", "Not caught:", "", "```diff", *left, "```"] if left else []),
+        *(["", "Not caught:", "", *left] if left else []),
     ]
     before, mark, rest = page.read_text("utf-8").partition(BEGIN)
     _, end, after = rest.partition(END)
@@ -507,6 +522,9 @@ def main() -> int:
     parser.add_argument("-j", "--jobs", type=int, default=2)
     parser.add_argument("--for", dest="minutes", type=float, default=120, help="stop after so many minutes")
     parser.add_argument("--kept", type=Path, default=KEPT, help="the folder of what is known")
+    parser.add_argument(
+        "--seeds", type=int, default=SEEDS, help="compare behaviours with seeds 1 to this one"
+    )
     parser.add_argument("--least", type=float, default=95, help="percent that have to be caught")
     parser.add_argument("--show", action="store_true", help="show all mutants, not only those not caught")
     parser.add_argument("--report", type=Path, help="write the tables into docs/project/mutants.md")
@@ -518,6 +536,7 @@ def main() -> int:
         options.jobs,
         Kept(options.kept),
         time.monotonic() + 60 * options.minutes,
+        options.seeds,
     )
     for column, names in (("kind", KINDS), ("model", [item.name for item in chosen])):
         print("\n".join(table(results, column, names)), end="\n\n")

@@ -154,5 +154,5 @@ def test_a_mutant_is_caught_or_behaves_otherwise_or_not(
     result = judge(candidate)
     assert result.result == first
     if result.result == SURVIVED:
-        result = compare(candidate, result, tmp_path)
+        result = compare(candidate, result, tmp_path, 2)
     assert result.result == then
