@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import os
 import re
 import signal
@@ -624,3 +625,12 @@ class TestTheEnd:
         lines = done.out.splitlines()
         first = next(number for number, line in enumerate(lines) if "faults; the first of each kind:" in line)
         assert re.fullmatch(r"\s+\d+ times, first by r at 1 s: .* \(faulty.aseme:8\)", lines[first + 1])
+
+
+def test_a_compressed_trace_is_written_over_and_another_file_is_not(here: Here, folder: Path) -> None:
+    words = ("run", "good.aseme", "-o", "out", "--for", "1s", "--allow", "waiting", "-q")
+    for _ in range(2):
+        assert here(*words, "--trace", "again.jsonl.gz").code == 0
+    (folder / "mine.jsonl.gz").write_bytes(gzip.compress(b"my notes"))
+    done = here(*words, "--trace", "mine.jsonl.gz")
+    assert (done.code, "is not a trace that asemec wrote" in done.err) == (2, True), done.err

@@ -67,6 +67,8 @@ _OURS: Mapping[Kind, re.Pattern[bytes]] = {
 """How a file is known that asemec wrote: by what is in it."""
 _HEAD = 100_000
 """How much of its beginning is looked at, in bytes."""
+_GZIP = 31
+"""The window of zlib with which it reads gzip."""
 _TAIL = 200
 """How much of its end, where a mark is."""
 
@@ -111,7 +113,17 @@ def is_ours(path: Path, kind: Kind) -> bool:
             tail = file.read(_TAIL)
     except OSError:  # nothing there; or nothing that can be read, which writing will say
         return True
-    return not head or _OURS[kind].search(head) is not None or _OURS[kind].search(tail) is not None
+    return not head or any(_OURS[kind].search(part) is not None for part in (head, _unpacked(head), tail))
+
+
+def _unpacked(head: bytes) -> bytes:
+    """The beginning of what is compressed by gzip; nothing of another file."""
+    if not head.startswith(b"\x1f\x8b"):
+        return b""
+    try:
+        return zlib.decompressobj(_GZIP).decompress(head, _HEAD)
+    except zlib.error:
+        return b""
 
 
 def marked(content: bytes, suffix: str, command: str) -> bytes:
