@@ -20,6 +20,7 @@ from aseme_dsl.backends.monas import BACKEND
 from aseme_dsl.compiler import analyse
 from aseme_dsl.runtime import Loaded, Team, activities_in, load_system, make_team
 from aseme_dsl.worlds.field.match import Match
+from tests.support.traces import texts_of
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "robocup"
 SECOND = 1_000_000_000
@@ -50,7 +51,11 @@ def play(project: Path, *arguments: str) -> Played:
     done = subprocess.run(command, capture_output=True, encoding="utf-8")
     assert done.returncode == 0, done.stdout + done.stderr
     result = json.loads(done.stdout)["result"]
-    return Played(result, done.stderr, Path(result["trace"]).read_bytes(), Path(result["folder"]))
+    return Played(result, done.stderr, lines_of(Path(result["trace"])), Path(result["folder"]))
+
+
+def lines_of(trace: Path) -> bytes:
+    return "".join(f"{text}\n" for text in texts_of(trace)).encode()
 
 
 @pytest.fixture(scope="module")

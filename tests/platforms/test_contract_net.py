@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import subprocess
 import sys
 from collections import Counter
@@ -14,6 +13,7 @@ import pytest
 from aseme_dsl.project.code.activity_files import stubs
 from tests.platforms.servers import Server
 from tests.support.compiling import system
+from tests.support.traces import records_of
 
 pytest.importorskip("spade", reason="SPADE is not installed: python3 dev.py long")
 
@@ -91,9 +91,7 @@ def test_the_contract_net_finds_its_contractor(tmp_path: Path, server: Server, h
     )
     assert done.returncode == 0, done.stdout + done.stderr
     records: list[dict[str, Any]] = [
-        json.loads(line)
-        for path in sorted((tmp_path / "out").glob("trace*.jsonl"))
-        for line in path.read_text("utf-8").splitlines()
+        record for path in sorted((tmp_path / "out").glob("trace*.jsonl.gz")) for record in records_of(path)
     ]
     mails = [r for r in records if r["kind"] == "agent_message"]
     first = min((r for r in mails if r["performative"] == "inform"), key=lambda r: r["time"])

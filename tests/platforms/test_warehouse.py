@@ -28,7 +28,7 @@ def test_jobs_are_announced_awarded_and_done(tmp_path: Path) -> None:
     assert "is at the gate: carrier" in told, told
     assert "(9 processes)" in told, told
 
-    traces = sorted((project / "build").glob("trace.*.jsonl"))
+    traces = sorted((project / "build").glob("trace.*.jsonl.gz"))
     said = subprocess.run(
         [*asemec, "sniff", *map(str, traces)], capture_output=True, encoding="utf-8", timeout=60
     ).stdout
