@@ -12,15 +12,17 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.play.asking.answer import Answer, Asking
+from aseme_dsl.play.asking.question import goal_of
 from aseme_dsl.play.asking.ways import Goal
 from aseme_dsl.project.testing.asking import Questions, questions
 from aseme_dsl.runtime.chart.plan import State
+from aseme_dsl.runtime.team.faults import Crash, Faults
 from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from tests.cli.support import asemec
 from tests.oracle import charts
 from tests.oracle.choices import Choices
 from tests.play.test_replay import recorded
-from tests.runtime.playing import SECOND
+from tests.runtime.playing import MS, SECOND
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NAMES = sorted(path.parent.name for path in EXAMPLES.glob("*/pyproject.toml"))
@@ -96,3 +98,31 @@ def test_what_is_told_is_needed_and_enough_in_random_charts(seed: int, tmp_path:
     with questions(tmp_path / "trace.jsonl") as found:
         for question in asked(found, agents, end, random.Random(seed)):
             check(question)
+
+
+def test_an_agent_that_is_down_has_crashed(tmp_path: Path) -> None:
+    text = """
+        system Down
+        message Note { int n }
+        topic t { state Note }
+        srm one { liveness { one = Tell~ }  activities { Tell takes 100ms simulated writes t.state.Note } }
+        srm two {
+          liveness { two = A . B }
+          activities { A takes 3s simulated  B takes 1s simulated }
+          control two { enter B : [t.state.Note.n > 3] }
+        }
+        team Both { ann : one  bob : two }
+    """
+    crashes = (Crash("ann", 500 * MS, SECOND), Crash("bob", SECOND, 500 * MS))
+    recorded(text, tmp_path, until=4 * SECOND, faults=Faults(crashes=crashes))
+    with questions(tmp_path / "trace.jsonl") as found:
+        for agent, what, now, text in (
+            ("bob", "B", 1200 * MS, "it has stopped: it crashed at 1 s"),
+            ("ann", "Tell", 700 * MS, "it has stopped: it crashed at 0.5 s"),
+        ):
+            asking = found.at(agent, now)
+            answer = asking.whynot(goal_of(asking.teller.plan, what))
+            assert [said.text for said in answer.said] == [text]
+            assert asking.where(answer.goal) == f"has stopped: {text.partition(': ')[2]}"
+        asking = found.at("bob", 2 * SECOND)
+        assert "A has not ended" in str(asking.whynot(goal_of(asking.teller.plan, "B")))

@@ -51,8 +51,9 @@ class Asking:
     def whynot(self, goal: Goal) -> Answer:
         """Why the agent is not where the goal says, and what would have to be otherwise."""
         chart = self.teller.trial.look(self.moment)
-        if chart.failure is not None:
-            return Answer((Said(f"it has stopped: {chart.failure}"),), False, goal)
+        over = chart.failure or self.teller.past.members[self.teller.agent].over
+        if over:
+            return Answer((Said(f"it has stopped: {over}"),), False, goal)
         active = self.search.active(self.moment)
         last = self.steps[-1] if self.steps else None
         if not goal.states.isdisjoint(active) or (

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from aseme_dsl.runtime.chart.following import Following, Shape
 from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.runtime.trace.records import Record, agents_of
 from aseme_dsl.runtime.trace.trace_reading import Line
 
@@ -60,6 +61,7 @@ class Past:
             "agent_message": self._sent,
             "unexpected": self._unexpected,
             "error": self._error,
+            "life": self._life,
             **dict.fromkeys(TROUBLES, self._trouble),
         }
 
@@ -180,6 +182,10 @@ class Past:
     def _trouble(self, record: Record) -> None:
         if "channel" in record:
             self.troubles[record["channel"], record.get("peer", record["agent"])] = record
+
+    def _life(self, record: Record) -> None:
+        is_down = record["what"] == "crash"
+        self.members[record["agent"]].over = f"it crashed at {shown(record['time'])}" if is_down else ""
 
     def _error(self, record: Record) -> None:
         self.members[record["agent"]].over = record["reason"]

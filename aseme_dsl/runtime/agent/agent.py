@@ -465,12 +465,14 @@ class Agent:
         if not self.over:
             self.begin_as(type(self.chart)(self.name), self.code.find, self.messages, dead=True)
             self.down = True
+            self.trace.write("life", self.driver.clock.now(), agent=self.name, what="crash")
             self.conversations.directory.disappeared(self.name)
 
     def restart(self) -> None:
         """Start afresh after a crash."""
         if self.down:
             self.down = False
+            self.trace.write("life", self.driver.clock.now(), agent=self.name, what="restart")
             self.conversations.directory.appeared(self.name, self.plan)
             self.begin()
 
