@@ -66,7 +66,8 @@ def answer(
     print_diagnostics(problems, colour)
     if problems or not files:
         return 1
-    path = files[0]
+    own = f"trace.{agent}.jsonl"  # where each agent had a process of its own
+    path = next((item for item in files if item.name.startswith(own)), files[0])
     try:
         with questions(path) as trace_asked:
             asking = trace_asked.at(agent, moment, depth)

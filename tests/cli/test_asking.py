@@ -245,3 +245,14 @@ def test_a_sender_is_asked_back(here: Here, folder: Path) -> None:
     assert here("run", "lossy.aseme", "--for", "5s", "--trace", "t.jsonl", "--quiet").code == 0
     found = asked(here, "whynot", "bob", "Go", "3s")
     assert "ann has never published it; it does in Tell, and is in Tell" in found
+
+
+def test_a_trace_that_breaks_off_in_its_header(desk: Here, folder: Path) -> None:
+    (folder / "torn.jsonl").write_bytes(_TRACE[0][:100])
+    found = desk("whynot", "ann", "Flee", "--at", "3s", "torn.jsonl")
+    assert found.code == 1 and "the trace breaks off here" in found.err
+
+
+def test_a_name_of_many_parts(desk: Here) -> None:
+    found = desk("whynot", "ann", "a." * 5000, "--at", "3s", "t.jsonl")
+    assert found.code == 2 and "has no state" in found.err

@@ -30,7 +30,7 @@ def goal_of(plan: Plan, asked: str) -> Goal:
 def _called(plan: Plan, name: str) -> list[State]:
     """The states of a name: their own, that of their activity, their label, or one behind that of a part."""
     found = [item for item in plan.states if name in (item.name, item.activity, item.label)]
-    if found or "." not in name:
+    if found or not 0 < name.count(".") <= len(plan.states):
         return found
     around, _, inner = name.rpartition(".")
     outer = _called(plan, around)

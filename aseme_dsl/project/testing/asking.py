@@ -138,6 +138,8 @@ class Questions:
             replay.line(line.record, line.number)
         chart = replay.agents[agent].chart
         model = self._known[chart.PLAN.model]
+        # A step of another version, or of another role, cannot be tried on this one.
+        steps = [item for item in steps if item.moment.saved.model == chart.PLAN.model]
         trial = Trial(model.model, model.parts, agent, chart.seed, given)
         teller = Teller(agent, model.chart, trial, past, given, back)
         return Asking(teller, Search(trial, model.conditions), Moment(chart.save(), end), steps, first)

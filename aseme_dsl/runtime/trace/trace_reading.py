@@ -123,7 +123,10 @@ class TraceReader:
 
     def header(self) -> Line:
         """The first line. Raises TraceError."""
-        return next(self._lines(None))
+        found = next(self._lines(None), None)
+        if found is None:
+            raise TraceError(self.problem)
+        return found
 
     def blocks(self) -> tuple[Block, ...]:
         """The parts of the file that can be read by themselves; none in an MCAP file, or in one that another
