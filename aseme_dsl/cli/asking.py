@@ -72,7 +72,7 @@ def answer(
         with questions(path) as trace_asked:
             asking = trace_asked.at(agent, moment, depth)
             goal = goal_of(asking.teller.plan, what)
-            found = trace_asked.why(agent, moment, goal) if is_why else asking.whynot(goal)
+            found = trace_asked.why(agent, moment, goal, depth) if is_why else asking.whynot(goal)
             where = asking.where(goal)
             now = asking.moment.now
     except NoSuchAgent as problem:
@@ -89,7 +89,8 @@ def answer(
     if as_json:
         print_json(_as_json(agent, what, now, where, found))
         return 0
-    click.echo(f"at {shown(now)} {agent} {where}")
+    end = "" if now == moment else ", the end of the trace,"
+    click.echo(f"at {shown(now)}{end} {agent} {where}")
     click.echo(title(found))
     for line in lines(found.said, 1):
         click.echo(line)

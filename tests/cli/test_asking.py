@@ -116,7 +116,7 @@ def test_a_message_that_has_not_come_its_sender_and_a_draw(desk: Here) -> None:
         "          Do has not ended: its activity runs since 0.1 s, and takes 30 s\n"
         "    `tries > 3` does not hold\n"
         "      tries is 0\n"
-        "    another branch may be drawn: this one has the weight 1 of 4\n"
+        "    another branch may be drawn: this one has the weight 1, all together 4\n"
     )
     assert "to Tell" not in asked(desk, "whynot", "ann", "Kick", "5s", "--depth", "0")
 
@@ -148,7 +148,8 @@ def test_several_stages_and_what_was_done_instead(desk: Here) -> None:
 def test_what_was_taken_at_that_moment_comes_first(desk: Here) -> None:
     found = asked(desk, "whynot", "ann", "Jab", "20.1s").splitlines()
     assert found[1] == "`Jab` did not happen; it would have, if this was otherwise:"
-    assert found[2].startswith("  at 20.1 s it went to Rest from the start of (Jab | Kick | Rest) by `else`")
+    rest = "to Rest from the start of (Jab | Kick | Rest) by `else` (desk.aseme:34:5)"
+    assert found[2] == f"  at 20.1 s it went {rest} instead"
     assert found[3:] == ["    `tries > 3` does not hold", "      tries is 0"]
 
 
@@ -162,7 +163,11 @@ def test_why_names_what_was_needed(desk: Here) -> None:
         "    `expired(pause)` held",
         "      timer pause has run out at 13 s",
     ]
-    assert "20 s had passed since Listen was entered" in asked(desk, "why", "ann", "Rest", "30s")
+    assert asked(desk, "why", "ann", "Rest", "30s").splitlines()[3:] == [
+        "    20 s had passed since Listen was entered",
+        "    `tries > 3` did not hold",
+        "      tries is 0",
+    ]
     assert "`request Job` from ann came" in asked(desk, "why", "bob", "Do", "40s")
     assert 'shop.signal.Order is {"n": 1}, 0 s old, from input' in asked(desk, "why", "bob", "Serve", "9s")
 
@@ -256,3 +261,83 @@ def test_a_trace_that_breaks_off_in_its_header(desk: Here, folder: Path) -> None
 def test_a_name_of_many_parts(desk: Here) -> None:
     found = desk("whynot", "ann", "a." * 5000, "--at", "3s", "t.jsonl")
     assert found.code == 2 and "has no state" in found.err
+
+
+GUARD = """\
+system Guards
+message Alarm { int zone }
+message Battery { double percent }
+topic env { signal Alarm from outside  state Battery from outside }
+srm guard {
+  liveness {
+    guard = (duty [> Charge)~
+    duty  = Patrol~ [> Run
+  }
+  activities { Patrol takes 3s simulated  Run takes 20s simulated  Charge takes 10s simulated }
+  control guard {
+    enter  Run    : when [env.signal.Alarm.zone == 1]
+    enter  Charge : when [env.state.Battery.percent < 20]
+    resume duty   :
+    repeat (duty [> Charge) : [env.state.Battery.percent > 80]
+  }
+}
+"""
+
+
+def test_what_was_left_is_resumed(here: Here, folder: Path) -> None:
+    (folder / "guard.aseme").write_text(GUARD)
+    (folder / "in.jsonl").write_text(
+        '{"at": "1s", "channel": "env.signal.Alarm", "message": {"zone": 1}}\n'
+        '{"at": "2s", "channel": "env.state.Battery", "message": {"percent": 10}}\n'
+        '{"at": "13s", "channel": "env.state.Battery", "message": {"percent": 90}}\n'
+    )
+    here("run", "guard.aseme", "--input", "in.jsonl", "--for", "15s", "--trace", "t.jsonl", "--quiet")
+    found = asked(here, "whynot", "guard", "Run", "6s")
+    assert "Charge has not ended" in found and "`env.state.Battery.percent > 80` does not hold" in found
+    assert "`env.state.Battery.percent < 20` holds" in found
+    assert "`env.state.Battery.percent > 80` held" in asked(here, "why", "guard", "Run", "14s")
+
+
+FAREWELL = """\
+system Farewell
+message Req { int n }
+topic t { signal Stop from outside }
+message Stop { int n }
+aip talk {
+  participant asker {
+    sends request Req, failure Req
+    receives inform Req
+    process = Ask . Hear
+  }
+  participant helper { sends inform Req  receives request Req, failure Req  process = Help . Tell }
+  control asker {
+    enter Hear : / send request Req { n = 1 } to helper
+    leave Hear : inform Req from helper
+    on abandon : / send failure Req { n = 2 } to helper
+  }
+  control helper {
+    enter Help : request Req from asker
+    on Help : failure Req from asker
+    enter Tell : / send inform Req { n = 1 } to asker
+  }
+}
+srm one {
+  plays talk.asker
+  liveness { one = (asker [> Rest) }
+  activities { Ask takes 1s simulated  Hear takes 1s simulated  Rest takes 1s simulated }
+  control one { enter Rest : when [has(t.signal.Stop)] }
+}
+srm two {
+  plays talk.helper
+  liveness { two = helper~ }
+  activities { Help takes 30s simulated  Tell takes 1s simulated }
+}
+team Two { ann : one  bob : two }
+"""
+
+
+def test_a_farewell_is_sent_where_its_part_is_left(here: Here, folder: Path) -> None:
+    (folder / "farewell.aseme").write_text(FAREWELL)
+    here("run", "farewell.aseme", "--for", "5s", "--trace", "t.jsonl", "--quiet")
+    found = asked(here, "whynot", "ann", "failure Req", "3s")
+    assert "`has(t.signal.Stop)` does not hold" in found, found

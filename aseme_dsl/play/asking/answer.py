@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
-from aseme_dsl.play.asking.changes import Change, Holding, Lacking, Made, Moment, Tried
+from aseme_dsl.play.asking.changes import Change, Holding, Lacking, Made, Moment, Tried, Waiting
 from aseme_dsl.play.asking.parts import Denied, Joined, Part, Tree
 from aseme_dsl.play.asking.search import Needed, Prevented, Search, followed
 from aseme_dsl.play.asking.telling import Said, Teller
@@ -59,7 +59,8 @@ class Asking:
         if not goal.states.isdisjoint(active) or (
             last is not None and last.moment.now == self.moment.now and self._reaching(goal, last) is not None
         ):
-            return Answer((), True, goal)
+            code = Said("the activity that sends it is active: its code decides")
+            return Answer((code,) if goal.by_code else (), not goal.by_code, goal)
         if chart.finished:
             return Answer((Said("it has finished: its END is active"),), False, goal)
         at_once = self._at_once(goal)
@@ -69,7 +70,9 @@ class Asking:
         answer = self.search.find(self.moment, goal)
         said = [self._stage(item, number, len(answer.stages)) for number, item in enumerate(answer.stages)]
         said += self._prevented(answer.prevented)
-        if not answer.stages:
+        if answer.prevented and not answer.stages:
+            said.append(Said(f"no way was found, though {len(answer.prevented)} were tried"))
+        elif not answer.stages:
             said.append(Said("no way leads there from where it is"))
         first = answer.stages[0].stage.ways[0] if answer.stages else ()
         said += self._others(goal, first)
@@ -90,8 +93,7 @@ class Asking:
     def _prevented(self, items: Sequence[Prevented]) -> Iterator[Said]:
         for item in items:
             if item.by:
-                text = f"{self.teller.way(item.way)} cannot be taken: {self._reason(item.way, item.by)}"
-                yield Said(text)
+                yield Said(f"{self.teller.way(item.way)} is not possible: it goes {self.teller.way(item.by)}")
 
     def _others(self, goal: Goal, first: tuple[int, ...]) -> Iterator[Said]:
         """The other ways that lead there at once."""
@@ -102,7 +104,7 @@ class Asking:
             if isinstance(found, Needed):
                 yield Said(title, tuple(self._needs(found)))
             elif found.by:
-                yield Said(title, (Said(self._reason(found.way, found.by)),))
+                yield Said(title, (Said(f"it goes {self.teller.way(found.by)}"),))
             else:
                 source = self.teller.plan.transitions[found.way[0]].source
                 yield Said(title, (Said(f"{self.teller.state(source)} is not complete"),))
@@ -118,8 +120,9 @@ class Asking:
             if len(stages) == 1:
                 ways = stages[0].stage.ways
                 place, missed = followed(ways, made.taken)
-                if missed is not None and place < len(made.taken):
-                    title = self._instead(made.moment, ways[missed], made.taken[place])
+                other = None if missed is None else self._other(ways[missed], made.taken[place:])
+                if missed is not None and other is not None:
+                    title = self._instead(made.moment, ways[missed], other)
                     return Answer((Said(title, tuple(self._needs(stages[0]))),), False, goal, stages)
         return None
 
@@ -127,33 +130,36 @@ class Asking:
 
     def _left(self, goal: Goal) -> tuple[Moment, Stage, tuple[int, ...]] | None:
         """The last step that left a state from which a way leads there, and what it took instead."""
-        plan = self.teller.plan
         for made in reversed(self.steps):
             for stage in self.search.ways_into(made.moment, goal):
-                source = plan.transitions[stage.ways[0][0]].source
-                for way in made.taken:
-                    scope, target, _ = self.teller.trial.shape.way(way)
-                    if target and source.startswith(f"{scope}.") and not self._leads(goal, way):
-                        return made.moment, stage, way
+                way = self._other(stage.ways[0], made.taken)
+                if way is not None and not self._leads(goal, way):
+                    return made.moment, stage, way
+        return None
+
+    def _other(self, way: tuple[int, ...], taken: Sequence[tuple[int, ...]]) -> tuple[int, ...] | None:
+        """The first of some transitions that leaves the source of a way."""
+        source = self.teller.plan.transitions[way[0]].source
+        for other in taken:
+            scope, target, _ = self.teller.trial.shape.way(other)
+            if target and source.startswith(f"{scope}."):
+                return other
         return None
 
     def _instead(self, moment: Moment, way: tuple[int, ...], other: tuple[int, ...]) -> str:
-        return f"at {shown(moment.now)} it went {self.teller.way(other)} instead: {self._reason(way, other)}"
+        first = ", which is tried first" if self._is_first(way, other) else ""
+        return f"at {shown(moment.now)} it went {self.teller.way(other)} instead{first}"
 
-    def _reason(self, way: tuple[int, ...], other: tuple[int, ...]) -> str:
-        """Why one transition comes before another one."""
+    def _is_first(self, way: tuple[int, ...], other: tuple[int, ...]) -> bool:
+        """Whether the second of two transitions is tried before the first."""
         transitions = self.teller.plan.transitions
         at = next((place for place, (one, two) in enumerate(zip(way, other, strict=False)) if one != two), 0)
         mine, theirs = transitions[way[at]], transitions[other[at]]
-        name = self.teller.way(other[at:])
-        if theirs.first and not mine.first:
-            return f"the interrupt {name} is tried before anything inside"
         if mine.source == theirs.source:
-            order = "before" if theirs.priority < mine.priority else "after"
-            return f"{name} is tried {order} it"
-        if is_in(theirs.source, mine.source):
-            return f"{name} is inside, so it is tried before it"
-        return f"{name} leaves the state around it"
+            return theirs.priority < mine.priority
+        if mine.first or theirs.first:
+            return theirs.first
+        return is_in(theirs.source, mine.source)
 
     # ---- why ---------------------------------------------------------------------------------------
 
@@ -186,18 +192,56 @@ class Asking:
 
     def _decided(self, goal: Goal, made: Made, way: tuple[int, ...]) -> Iterator[Said]:
         """What made it so: each of these was needed, or all are listed, if one would do."""
-        moment = made.moment
+        moment, transitions = made.moment, self.teller.plan.transitions
         tried = self.teller.trial.run(moment)
-        known: list[Change] = [Lacking(item) for item in moment.inputs if isinstance(item, Completed)]
+        known: list[Change] = []
         for place, taken in enumerate(made.taken[: made.taken.index(way) + 1]):
+            source = transitions[taken[0]].source
+            known += (
+                Lacking(item)
+                for item in moment.inputs
+                if isinstance(item, Completed) and is_in(item.label, source) and Lacking(item) not in known
+            )
             for number in taken:
                 known += (item for item in self.search.events(moment, number) if item not in known)
+                if transitions[number].every is not None:
+                    known.append(Waiting(source, 0))
                 tree = self.search.condition(number)
                 parts = _holding(tree, tried, place) if tree is not None else ()
                 known += (Holding(part, part.negated) for part in parts)
+                if transitions[number].otherwise:
+                    facts = {item.part.fact: item for item in self._failed(number, tried, place)}
+                    known += facts.values()
         needed = [item for item in known if not self.search.reached(goal, moment, (item,))]
         for change in needed or known:
             yield self.teller.cause(change, moment)
+        weights = (transitions[number].weight for number in way)
+        yield from (
+            Said(f"it was drawn, with the weight {weight}") for weight in weights if weight is not None
+        )
+        if goal.by_code:
+            yield Said("whether its activity sends is decided by its code")
+
+    def _failed(self, number: int, tried: Tried, place: int) -> Iterator[Holding]:
+        """The parts that did not hold of the conditions that are tried before an `else`."""
+        for other, _ in self.teller.plan.outgoing(self.teller.plan.transitions[number].source):
+            tree = self.search.condition(other)
+            for part in () if tree is None else _parts_of(tree):
+                if tried.holds(part, place) is False:
+                    yield Holding(part, not part.negated)
+
+
+def _parts_of(tree: Tree) -> Iterator[Part]:
+    match tree:
+        case Part():
+            yield tree
+        case Joined(parts=parts):
+            for item in parts:
+                yield from _parts_of(item)
+        case Denied(part=part):
+            yield from _parts_of(part)
+        case _:
+            assert_never(tree)
 
 
 def _holding(tree: Tree, tried: Tried, place: int) -> Iterator[Part]:

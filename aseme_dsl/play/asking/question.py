@@ -80,7 +80,7 @@ def _message(plan: Plan, text: str) -> Goal:
                 states.update(labels)
     if not numbers and not states:
         raise NotAsked(_unknown(plan, text))
-    return Goal(frozenset(states), frozenset(numbers))
+    return Goal(frozenset(states), frozenset(numbers), by_code=bool(states))
 
 
 def _unknown(plan: Plan, name: str) -> str:

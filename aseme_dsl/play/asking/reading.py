@@ -69,7 +69,7 @@ def _reading(value: Value, part: Part, chart: Chart, now: int, given: Mapping[st
         case Call(function=function) if function.is_of_document:
             kinds = ", ".join(str(kind) for _, kind in function.parameters)
             name = f"{function.name}({kinds})"
-            return Reading(text, given[name]) if name in given else None
+            return Reading(f"what {function.name} gave last", given[name]) if name in given else None
     return None
 
 

@@ -66,7 +66,8 @@ class Prevented:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What has to be otherwise, stage by stage; empty stages: no way leads there."""
+    """What has to be otherwise, stage by stage; empty stages: no way leads there, or (`prevented`) none that
+    was tried."""
 
     stages: tuple[Needed, ...]
     prevented: tuple[Prevented, ...] = ()
@@ -151,15 +152,16 @@ class Search:
         stages = self._map.stages(known, goal, banned, ready)
         if not stages:
             return None
-        first = stages[0]
-        found = self._stage(moment, first)
+        first, last = stages[0], goal if len(stages) == 1 else None
+        found = self._stage(moment, first, last)
         if not isinstance(found, Prevented):
             return first, *found
         passed = (number for way in first.ways[: found.before] for number in way)
         for number in [item for item in passed if item in self._conditions]:
             # What its condition needs may be in the way of what follows.
             others = self._map.stages(known, goal, {*banned, number}, ready)
-            other = self._stage(moment, others[0]) if others else found
+            last = goal if len(others) == 1 else None
+            other = self._stage(moment, others[0], last) if others else found
             if not isinstance(other, Prevented):
                 return others[0], *other
         if found.before:  # what follows needs something else than what comes before it
@@ -169,8 +171,13 @@ class Search:
 
     # ---- one stage -------------------------------------------------------------------------------
 
-    def _stage(self, moment: Moment, stage: Stage) -> tuple[tuple[Change, ...], Tried] | Prevented:
-        """The fewest things that have to be otherwise for a stage; what changes least is tried first."""
+    def _stage(
+        self, moment: Moment, stage: Stage, goal: Goal | None = None
+    ) -> tuple[tuple[Change, ...], Tried] | Prevented:
+        """The fewest things that have to be otherwise for a stage, and for a goal that it is to reach.
+
+        What changes least is tried first.
+        """
         first = (*self._endings(moment, stage), *self._event(moment, stage.ways[0]))
         heap: list[tuple[int, int, tuple[Change, ...]]] = [(len(first), 0, first)]
         known = {frozenset(first)}
@@ -181,12 +188,16 @@ class Search:
             changes = heappop(heap)[2]
             tried = self._trial.run(moment, changes)
             place, missed = followed(stage.ways, tried.taken)
-            if missed is None:
+            if missed is None and (goal is None or _reaches(goal, tried)):
                 return changes, tried
-            way = stage.ways[missed]
-            additions, by = self._additions(moment, way, tried, changes, place)
-            if missed > prevented.before or by or not trial:
-                prevented = Prevented(way, by, missed)
+            way = stage.ways[-1 if missed is None else missed]
+            if missed is None:  # what was resumed there is left at once
+                target = self._plan.transitions[way[-1]].target
+                additions, by = self._against(moment, way, target, tried, changes, place)
+            else:
+                additions, by = self._additions(moment, way, tried, changes, place)
+            if missed is None or missed > prevented.before or by or not trial:
+                prevented = Prevented(way, by, missed or 0)
             for more in additions:
                 if frozenset(more) not in known:
                     known.add(frozenset(more))
@@ -203,7 +214,19 @@ class Search:
             if tree is not None and _comes_to(tree, tried) is False:
                 found = _alternatives(tree, True, tried, forced)
                 return [(*changes, *self._holding(moment, item)) for item in found if item], ()
-        source = self._plan.transitions[way[0]].source
+        return self._against(moment, way, self._plan.transitions[way[0]].source, tried, changes, place)
+
+    def _against(
+        self,
+        moment: Moment,
+        way: tuple[int, ...],
+        source: str,
+        tried: Tried,
+        changes: tuple[Change, ...],
+        place: int,
+    ) -> tuple[list[tuple[Change, ...]], tuple[int, ...]]:
+        """What keeps the first transition that leaves a state, from some place on, from being taken."""
+        forced = _forced(changes)
         for at, other in enumerate(tried.taken[place:], place):
             first = self._plan.transitions[other[0]]
             if first.kind != "external" or not (is_in(first.source, source) or is_in(source, first.source)):

@@ -10,6 +10,7 @@ from typing import assert_never
 from aseme_dsl.amola.expression import Age, At, Mean, value_text, walk
 from aseme_dsl.amola.statechart import Statechart, transition_text
 from aseme_dsl.play.asking.changes import (
+    OUTSIDE,
     Change,
     Coming,
     Drawing,
@@ -26,7 +27,7 @@ from aseme_dsl.play.asking.parts import Part
 from aseme_dsl.play.asking.past import Past
 from aseme_dsl.play.asking.reading import Reading, readings
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Completed, Crashed, Happened, Input
-from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.chart.plan import Plan, is_in
 from aseme_dsl.runtime.time.clock import shown
 
 LONGEST = 80
@@ -85,8 +86,8 @@ class Teller:
     def cause(self, change: Change, moment: Moment) -> Said:
         """What was so; `change` is that it was not."""
         match change:
-            case Holding(part=part):
-                verb = "did not hold" if part.negated else "held"
+            case Holding(part=part, is_true=is_true):
+                verb = "did not hold" if is_true else "held"
                 return self._part(part, verb, moment)
             case Lacking(input=Completed(label=label, outcome=outcome)):
                 with_it = "" if outcome is None else f" with `{outcome}`"
@@ -146,6 +147,8 @@ class Teller:
             if not isinstance(ends, int):
                 return Said(f"{item.text} is not started")
             return Said(f"{item.text} {'has run out' if ends <= now else 'runs out'} at {shown(ends)}")
+        if item.sender == OUTSIDE[0]:
+            return Said(f"{item.text}: the message would have to come")
         if item.channel is None:
             return Said(f"{item.text} is {_short(item.value)}")
         if item.identity is None:
@@ -165,6 +168,8 @@ class Teller:
 
     def _time(self, label: str, duration: int, moment: Moment) -> str:
         chart = self.trial.look(moment)
+        if not any(is_in(leaf, label) for leaf in self.past.place(self.agent)):
+            return f"{shown(duration)} would have to pass in {self.state(label)}"
         entered = getattr(chart, chart.TIMES[label])
         return (
             f"{shown(duration)} have not passed since {self.state(label)} was entered at {shown(entered)}:"
@@ -174,7 +179,7 @@ class Teller:
     def _chance(self, transition: int) -> str:
         item = self.plan.transitions[transition]
         weights = [other.weight or 0 for _, other in self.plan.outgoing(item.source)]
-        return f"this one has the weight {item.weight} of {sum(weights)}"
+        return f"this one has the weight {item.weight}, all together {sum(weights)}"
 
     # ---- what has not come -----------------------------------------------------------------------
 
@@ -217,7 +222,7 @@ class Teller:
             everywhere = "no role of the team publishes it: it comes from outside"
             yield Said(everywhere if item.host is None else f"{item.host} does not publish it")
         outside = published.get("input")
-        if outside is not None:
+        if outside is not None and self.agent in outside.get("to", [self.agent]):
             yield Said(f"the last one from outside came at {shown(outside['time'])}")
 
     def _unpublished(self, name: str, channel: str) -> Iterator[Said]:

@@ -7,12 +7,13 @@ from dataclasses import dataclass, replace
 from heapq import heappop, heappush
 
 from aseme_dsl.play.asking.changes import Ending
-from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.chart import INACTIVE, Chart
 from aseme_dsl.runtime.chart.following import Shape
 from aseme_dsl.runtime.chart.plan import Plan, Transition
 
 Node = tuple[str, str | int]
-"""("in", label): the state is active. ("done", label): and complete. ("took", number): it was taken."""
+"""("in", label): the state is active. ("done", label): and complete. ("took", number): it was taken.
+("kept", label): it is active again when the state around it is resumed."""
 
 _STEP = 1
 """What a transition costs."""
@@ -24,10 +25,14 @@ _MAYBE = 400
 
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """What is asked for: that one of these states is entered, or one of these transitions taken."""
+    """What is asked for: that one of these states is entered, or one of these transitions taken.
+
+    `by_code`: it is a message, and the activities of the states decide whether they send it.
+    """
 
     states: frozenset[str] = frozenset()
     transitions: frozenset[int] = frozenset()
+    by_code: bool = False
 
     @property
     def nodes(self) -> Iterator[Node]:
@@ -90,14 +95,29 @@ class Map:
         for number, item in enumerate(plan.transitions):
             if item.kind == "external":
                 yield from self._taking(number, item)
+            elif item.kind == "on":
+                yield _Rule((_need(item),), (("took", number),), _cost(item), number)
+            else:
+                yield from self._leaving(number, item)
+
+    def _leaving(self, number: int, item: Transition) -> Iterator[_Rule]:
+        """What is done when a state is left: by each transition that leaves it."""
+        for other, way in enumerate(self.plan.transitions):
+            scope = self._shape.way((other,))[0]
+            if way.kind == "external" and scope and item.source.startswith(f"{scope}."):
+                needs = (_need(way), ("in", item.source))
+                yield _Rule(needs, (("took", number),), _cost(way), other)
 
     def _taking(self, number: int, item: Transition) -> Iterator[_Rule]:
-        need: Node = ("in", item.source) if _at_any_time(item) else ("done", item.source)
-        facts = bool(item.events) + (item.condition is not None)
-        cost = _STEP + _FACT * facts + _MAYBE * (item.otherwise or item.weight is not None)
+        need, cost = _need(item), _cost(item)
         entered = self._shape.entered(self._shape.way((number,))[2])
         gives: tuple[Node, ...] = (("took", number), *(("in", label) for label in entered))
         yield _Rule((need,), gives, cost, number)
+        if item.resume:
+            for state in self.plan.states:
+                if state.label.startswith(f"{item.target}."):
+                    kept: Node = ("kept", state.label)
+                    yield _Rule((("took", number), kept), (("in", state.label),), 0, None)
 
     def stages(
         self, known: Iterable[Node], goal: Goal, banned: Collection[int], ready: Collection[int]
@@ -207,13 +227,22 @@ def _endings(plan: Plan, waiting: Collection[str]) -> Iterator[tuple[str, Ending
             yield state.label, Ending(state.label, first)
 
 
+def _need(item: Transition) -> Node:
+    return ("in", item.source) if _at_any_time(item) else ("done", item.source)
+
+
+def _cost(item: Transition) -> int:
+    facts = bool(item.events) + (item.condition is not None)
+    return _STEP + _FACT * facts + _MAYBE * (item.otherwise or item.weight is not None)
+
+
 def _at_any_time(item: Transition) -> bool:
     """Whether it can be taken before its source is complete."""
     return bool(item.events) or item.when
 
 
 def known_of(plan: Plan, chart: Chart) -> Iterator[Node]:
-    """What a chart has reached: its active states, and which of them are complete."""
+    """What a chart has reached: its active states, which of them are complete, and what may be resumed."""
     leaves = chart.configuration() if chart.started else ()
     for label in dict.fromkeys(around for leaf in leaves for around in _around(leaf)):
         yield "in", label
@@ -222,6 +251,10 @@ def known_of(plan: Plan, chart: Chart) -> Iterator[Node]:
             slot, _, number = chart.RUNNING[leaf]
             if getattr(chart, slot) == number + 1:
                 yield "done", leaf
+    for place in chart.KEPT.values():
+        for region, number in (getattr(chart, place) or {}).items():
+            if number != INACTIVE:
+                yield from (("kept", label) for label in _around(chart.LEAVES[region][number]))
 
 
 def _around(label: str) -> Iterator[str]:

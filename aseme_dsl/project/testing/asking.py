@@ -87,9 +87,9 @@ class Questions:
         except NotReplayable:
             return self._at(agent, now, depth, iter(self._reader), None)
 
-    def why(self, agent: str, now: int, goal: Goal) -> Answer:
+    def why(self, agent: str, now: int, goal: Goal, depth: int = DEPTH) -> Answer:
         """Why an agent has reached a goal, when it last did until a time (ns)."""
-        asking = self.at(agent, now)
+        asking = self.at(agent, now, depth)
         answer = asking.why(goal)
         if answer.is_so or asking.first_line <= 2:
             return answer
@@ -98,7 +98,7 @@ class Questions:
             if record["kind"] == "step" and record["agent"] == agent:
                 ways = tuple(tuple(way["transitions"]) for way in record["taken"])
                 if asking.may_reach(goal, ways):
-                    found = self.at(agent, record["time"]).why(goal)
+                    found = self.at(agent, record["time"], depth).why(goal)
                     if found.is_so:
                         return found
         return answer
@@ -122,7 +122,8 @@ class Questions:
             if not depth or other == agent:
                 return ()
             asking = self.at(other, now, depth - 1)
-            return asking.whynot(goal_of(asking.teller.plan, what)).said[:1]
+            said = asking.whynot(goal_of(asking.teller.plan, what)).said[:1]
+            return tuple(replace(item, text=item.text.removeprefix("1. ")) for item in said)
 
         past = Past(self._plan, looked_up)
         replay = Replay(self._models, (agent,), earlier, before)

@@ -313,12 +313,9 @@ class Board:
     def _part(self) -> None:
         """Have messages of its own, which what was saved does not share."""
         self._known = None
-        if self._states:
-            self._states = {channel: senders.copy() for channel, senders in self._states.items()}
-        if self._data:
-            self._data = {channel: data.copy() for channel, data in self._data.items()}
-        if self._signals:
-            self._signals = {channel: waiting.copy() for channel, waiting in self._signals.items()}
+        self._states = {channel: senders.copy() for channel, senders in self._states.items()}
+        self._data = {channel: data.copy() for channel, data in self._data.items()}
+        self._signals = {channel: waiting.copy() for channel, waiting in self._signals.items()}
 
     # ---- drafts ----------------------------------------------------------------------------
 

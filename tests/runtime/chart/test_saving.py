@@ -47,6 +47,34 @@ def test_a_state_of_another_model_is_refused() -> None:
         other.load(one.save())
 
 
+@pytest.mark.parametrize("kind", ["state", "data", "signal"])
+@pytest.mark.parametrize("before", [0, 1])
+def test_what_was_saved_stays_as_it_is(kind: str, before: int) -> None:
+    made = generate(f"""
+        system One
+        message M {{ int n }}
+        topic t {{ {kind} M }}
+        srm r {{
+          liveness {{ r = A . B }}
+          activities {{ A waits }}
+          control r {{ enter B : when [t.{kind}.M.n > 9] }}
+        }}
+    """)
+    chart, other = made.chart("r"), made.chart("r")
+    samples = [Sample(f"t.{kind}.M", made.message("M", n=n), "x", n, ("x", n)) for n in range(3)]
+    chart.step(0, [])
+    other.step(0, [])
+    for sample in samples[:before]:
+        chart.step(sample.time, [sample])
+        other.step(sample.time, [sample])
+    saved = chart.save()
+    for sample in samples[before:]:
+        chart.step(sample.time, [sample])
+    chart.load(saved)
+    assert chart.save() == other.save()
+    assert chart.boards()[0].newest(f"t.{kind}.M") == other.boards()[0].newest(f"t.{kind}.M")
+
+
 def test_a_class_inside_a_generated_one_saves_all_of_it() -> None:
     """Scenarios and coverage make such classes."""
     kind = generate("system One  srm r { var n : int = 3  liveness { r = A } }").charts["r"]
