@@ -982,9 +982,7 @@ class Reference:
         if label in self.mailbox:
             # What an `exit` has started counts, too: "the part's own `after` and timers stand still".
             still = {r: self.left_with.get(r, {}) for r in still} | self.timers_of_part(label)
-            # "A timer that a part starts ends with the part."
-            for name in self.timers_started_in(label):
-                self.regions[self.region_of(label)].timers.pop(name, None)
+            self.end_timers(label, self.regions[self.region_of(label)])
             if label in self.held and not completed:
                 self.suspended[label] = (self.now, still, self.regions[self.region_of(label)])
                 self.outcome.effects.append(Suspended(label))
@@ -1008,6 +1006,7 @@ class Reference:
                     self.abandoning = (number,)
                     self.do(number, region or self.regions[self.region_of(branch)])
                     self.abandoning = ()
+            self.end_timers(branch, region or self.regions[self.region_of(branch)])
         self.mailbox[branch].clear()
         self.forget_rounds(branch)
         self.outcome.effects.append(Left(branch, completed))
@@ -1025,6 +1024,11 @@ class Reference:
         for branch in list(self.suspended):
             if branch in self.branches_in(label) - self.held - (self.branches_in(but) if but else set()):
                 self.part(branch, region=self.suspended.pop(branch)[2])
+
+    def end_timers(self, branch: str, region: Region) -> None:
+        """ "A timer that a part starts ends with the part", also one that it starts in its farewell."""
+        for name in self.timers_started_in(branch):
+            region.timers.pop(name, None)
 
     def timers_started_in(self, label: str) -> set[str]:
         ways = [way for way in self.plan.transitions if label in self.around(way.source)]
