@@ -338,7 +338,9 @@ def check_loop(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
                 related = (Related(reason, "because of this"),) if reason != item.place else ()
                 yield Diagnostic(never(repeat.name, leave.name), item.place, related)
         return
-    yield Diagnostic(LoopUndecided(repeat.name, leave.name), repeat.place, _places(alternatives))
+    always = (line.span for line in repeat.lines if line.expression.is_unconditional)
+    place = next(always, repeat.place)
+    yield Diagnostic(LoopUndecided(repeat.name, leave.name), place, _places(alternatives))
 
 
 def _endless_once(terms: Terms, lines: Lines) -> Iterator[Diagnostic]:

@@ -167,7 +167,9 @@ class LoopUndecided(Problem):
 
     @property
     def hint(self) -> str:
-        return f"write `{self.repeat} : [ … ]`, and `{self.leave} : else` or another condition"
+        body = self.repeat.removeprefix("repeat ")
+        decided = f"write `{self.repeat} : [ … ]`, and `{self.leave} : else` or another condition"
+        return f"{decided}; for a loop without an end write `{body}~`"
 
 
 class _OfProtocol(Problem):

@@ -179,6 +179,11 @@ class ChannelInfo:
     expires: int | None = None
     """The age at which an untaken signal is dropped, in ns."""
 
+    @property
+    def is_from_outside(self) -> bool:
+        """Whether its topic says that messages come from outside of the team, besides those of the team."""
+        return "outside" in self.sources
+
 
 @dataclass(frozen=True, slots=True)
 class BranchInfo:

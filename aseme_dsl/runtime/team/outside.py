@@ -75,7 +75,7 @@ def wait_for_input(
 ) -> frozenset[str]:
     """The agents of which an input from outside may meet every need, directly or through other agents.
 
-    `writers` are the agents that may publish on a channel.
+    `writers` are the agents that may publish on a channel; none where an input may come, too.
     """
     places = [(agent, number, need) for agent, own in needs.items() for number, need in enumerate(own)]
     met: set[tuple[str, int]] = set()

@@ -434,8 +434,9 @@ class Team:
 
         for agent in self.agents:
             self.driver.look(agent, partial(note, agent))
+            outside = {info.name for info in agent.plan.channels if info.is_from_outside}
             for region in agent.plan.regions:
-                for channel in region.writes:
+                for channel in set(region.writes) - outside:
                     writers.setdefault(channel, set()).add(agent.name)
         self._open = picture(waits, self.conversations, writers)
 

@@ -86,3 +86,24 @@ def test_who_is_idle(line: str, more: str, leaving: str, watch: str, idle: list[
     result = play(generate(text)).result
     assert list(result.stuck) == [agent.name for agent in result.agents], "nothing pending can wake them"
     assert [agent.name for agent in result.agents if agent.idle] == idle
+
+
+def test_what_also_comes_from_outside_may_come() -> None:
+    text = """
+        system Line
+        message Part { int to }
+        topic belt { signal Part SOURCES }
+        srm station {
+          liveness { station = (Wait . Work)~ [> Halt }
+          activities { Wait waits  Work takes 1s simulated  Halt takes 1s simulated }
+          control station {
+            enter Halt : emergency
+            enter Work : when [belt.signal.Part.to == index]
+            leave Work : / write_messages.belt.signal.Part { to = index + 1 }
+          }
+        }
+        team Line { a : station  b : station }
+    """
+    for sources, idle in (("from outside, station", True), ("from station", False)):
+        result = play(generate(text.replace("SOURCES", sources))).result
+        assert [agent.idle for agent in result.agents] == [idle, idle], sources
