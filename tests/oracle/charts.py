@@ -317,7 +317,7 @@ class Words:
                 return self._bool(depth)
             case "int":
                 match pick.weighted(
-                    member=3, arithmetic=4, least=2, function=1, sign=1, at=1, element=2, size=1
+                    member=3, arithmetic=4, least=2, function=1, sign=1, at=1, element=2, size=1, find=1
                 ):
                     case "member":
                         return self._member("int", depth)
@@ -325,6 +325,8 @@ class Words:
                         return f"{self._list(depth)}[{self.value('int', depth - 1)}]"
                     case "size":
                         return f"size({self._list(depth)})"
+                    case "find":
+                        return f"find({self._list(depth)}, {self.value('int', depth - 1)})"
                     case "arithmetic":
                         operator = pick.one_of(("+", "-", "*", "%"))
                         right = str(pick.number(0, 3)) if operator == "*" else self.value("int", depth - 1)
@@ -587,11 +589,18 @@ class Words:
             case "int":
                 read = name
                 if name in BOUNDS:
-                    lists = ("size(line)", "size(kept.many)", "notes[1].x")
+                    lists = (
+                        "size(line)",
+                        "size(kept.many)",
+                        "notes[1].x",
+                        "find(notes.inner.z, k)",
+                        "find(line, 2)",
+                    )
                     read = pick.one_of((*lists, "kept.x", "kept.inner.z"))
                 operator, number = pick.one_of(("==", ">", "!=")), pick.number(0, 3)
                 if read == "notes[1].x" and number:
-                    return "contains(notes, kept)" if operator == ">" else f"kept {operator} notes[0]"
+                    kept = "contains(notes.x, k)" if number == 3 else "contains(notes, kept)"
+                    return kept if operator == ">" else f"kept {operator} notes[0]"
                 return f"{read} {operator} {number}"
         return f"{name} {pick.one_of(('==', '!='))} {self._plain(self.variables[name], 0)}"
 
@@ -684,6 +693,9 @@ class Words:
                         "append(notes, M { x = k, ..kept })",
                         "kept = M { inner.y = size(line), ..notes[0] }",
                         "remove(notes[0])",
+                        "remove(notes[find(notes.x, k)])",
+                        "kept = notes[find(notes.x, kept.x)]",
+                        "clear(kept)",
                         f"notes[0] = M {{ inner = kept.inner, many = line, x = {value}, .. }}",
                         f"{channel} = kept",
                         f"write_messages.{channel} {{ x = kept.x, ..kept }}",

@@ -5,6 +5,7 @@ Transitions by label are added to the random texts of `charts.py`, out of the AN
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import pytest
@@ -53,9 +54,15 @@ def play(choices: Choices) -> Iterator[Game]:
         forget(made)
 
 
+_SEVERAL = re.compile(r"^    R = .*\[> \(.* \| ", re.MULTILINE)
+"""Branches that interrupt each by itself: with a line by label in their block they would be one choice."""
+
+
 def _with_ways_out(written: str, choices: Choices) -> str | None:
     """The text with one to three more lines in the control of its role; None if it has no place for any."""
     if "srm R {" not in written:
+        return None
+    if _SEVERAL.search(written):
         return None
     found = analysis(written).system
     assert found is not None

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from aseme_dsl.grammar.formulas.filling import apart
 from aseme_dsl.grammar.formulas.statement import statement_starts
+from aseme_dsl.grammar.layout.fill import STEP, WIDTH
 from aseme_dsl.grammar.layout.gaps import Gaps
 from aseme_dsl.grammar.layout.pieces import GLUED, Block, Gap, Piece, Row
 from aseme_dsl.grammar.layout.rules import (
@@ -35,6 +36,18 @@ _LIST, _BREAK = 0, 1
 _OPERATORS = frozenset(("and", "or", "&&", "||"))
 _JOINING = _OPERATORS | frozenset("leads before until within ends writes sends sets takes".split())
 """The words of a statement before which it is broken."""
+
+
+def _width(row: Row, words: Sequence[Token]) -> int:
+    """How wide a row is with the bracket with which these words begin, up to its end."""
+    width = sum(piece.blanks + len(piece.text) for piece in row.pieces) + 1
+    depth = 0
+    for word in words:
+        depth += (word == "(") - (word == ")")
+        width += len(word) + (word == ",")
+        if depth <= 0:
+            break
+    return width
 
 
 def read_blocks(source: Source, tree: ParseNode, comments: Sequence[Comment]) -> Block:
@@ -179,9 +192,12 @@ class _Reader:
         entries = top
         row: Row | None = None
         inline = 0  # braces that stay in their row
+        inside = 0  # brackets in the lines of the author, which do not end in them
         for index, word in enumerate(words):
             gap = self.gaps.between(self.end, word.start)
-            begins = row is None or (gap.newline and not inline)
+            begins = row is None or (gap.newline and not inline and inside <= 0)
+            if row is not None and word == "(" and self.last == ")" and open_ and not inline:
+                begins = begins or _width(row, words[index:]) > WIDTH - STEP * (len(open_) + 1)
             if starts is not None and not open_:
                 begins = row is None or word.start in starts
             if begins and word != "}":
@@ -191,6 +207,7 @@ class _Reader:
                         self.broken = True
                 row = self.begin("Words")
                 entries.append(row)
+            inside = 0 if row is None or not open_ else inside + (word in "([") - (word in ")]")
             following = words[index + 1] if index + 1 < len(words) else None
             if word == "{":
                 assert row is not None
