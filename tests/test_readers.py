@@ -50,6 +50,9 @@ PROVEN = "the other end has proven that it is of this team"
 LISTED: dict[str, str] = {
     "amola/as_json.py: schema: json.loads": OWN,
     "amola/as_json.py: schema: read_text": OWN,
+    "play/sight/sightings.py: _heard: json.loads": CHILD,
+    "play/sight/sightings.py: asked_of: json.loads": "the process that has started this one, over that pipe",
+    "project/playing/seen.py: record: json.loads": "the process that has started this one, over that pipe",
     "project/testing/coverage_page.py: page: read_text": OWN,
     "project/testing/coverage_page.py: _coloured: fromstring": JUST_WRITTEN,
     "project/testing/coverage.py: _document: json.loads": CAUGHT,
@@ -73,7 +76,6 @@ LISTED: dict[str, str] = {
     "project/files/write.py: create: os.fdopen": "it writes",
     "project/files/write.py: create: os.open": "it writes",
     "cli/lsp.py: command: os.fdopen": "it writes",
-    "cli/node.py: begin: readline": CHILD,
     "cli/sim.py: _plain: readline": "with a largest size",
     "cli/program.py: _ignore_output: os.open": "it writes, to nowhere",
     "codegen/proto.py: descriptor_set: FromString": "what the compiler has made",

@@ -421,10 +421,10 @@ def test_pages_have_the_size_that_is_asked_for(folder: Path, here: Here) -> None
     write(Path("t.jsonl"), header(*names), *said_by(names, 60), FINISH)
     here("sniff", "t.jsonl", "-o", "talk.svg", "--page", "a4")
     files = sorted(folder.glob("talk*.svg"))
-    assert len(files) == 6
+    assert len(files) == 9
     for file in files:
         drawn = Painted(file.read_bytes())
-        assert drawn.width <= 1320 and drawn.height <= 905
+        assert drawn.width <= 1079 and drawn.height <= 740
         assert overlaps(file.read_bytes()) == []
     assert sum(texts_of(str(file)).count("inform Note") for file in files) == 60
 
