@@ -165,7 +165,7 @@ def test_a_line_that_comes_to_a_state_has_a_head() -> None:
     assert count > 10
 
 
-@pytest.mark.parametrize("seed", range(int(os.environ.get("COMPACT_CHARTS", "8"))))
+@pytest.mark.parametrize("seed", range(int(os.environ.get("COMPACT_CHARTS", "4"))))
 def test_random_charts_are_drawn_rightly_or_with_a_reason(seed: int) -> None:
     system = compiled(text(Choices(seed)))
     for chart in system.statecharts:
@@ -374,7 +374,7 @@ def ends(item: Transition) -> dict[str, str]:
 
 @pytest.mark.parametrize("name", ["auction", "hospital", "meetings", "patrol", "robocup", "warehouse"])
 def test_an_edit_changes_no_row_and_no_column_outside_its_region(name: str) -> None:
-    step = int(os.environ.get("COMPACT_EDITS", "37"))
+    step = int(os.environ.get("COMPACT_EDITS", "149"))
     count = 0
     for chart in example(name):
         before = rows(chart, layout(chart))

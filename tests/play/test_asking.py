@@ -26,9 +26,9 @@ from tests.runtime.playing import MS, SECOND
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NAMES = sorted(path.parent.name for path in EXAMPLES.glob("*/pyproject.toml"))
-ASKED = int(os.environ.get("ASKED", "4"))
+ASKED = int(os.environ.get("ASKED", "2"))
 """So many questions are asked about each run."""
-RANDOM_CHARTS = int(os.environ.get("ASKED_CHARTS", "8"))
+RANDOM_CHARTS = int(os.environ.get("ASKED_CHARTS", "3"))
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ def run_of(trace: Path) -> tuple[list[str], int]:
 @pytest.mark.parametrize("name", NAMES)
 def test_what_is_told_is_needed_and_enough_in_examples(name: str, tmp_path: Path) -> None:
     trace = tmp_path / "trace.jsonl.gz"
-    length = "5s" if name == "robocup" else "20s"
+    length = "2s" if name == "robocup" else "10s"
     folder = tmp_path / "out"
     arguments = ("--for", length, "--seed", 3, "--trace", trace, "-o", folder, "--quiet")
     asemec("run", EXAMPLES / name, *arguments)
