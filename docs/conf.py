@@ -21,6 +21,7 @@ extensions = [
     "aseme_dsl.documents.sphinx",
     "diagnostic_codes",
     "file_names",
+    "navigation",
     "trace_lines",
 ]
 exclude_patterns = ["_build", "_ext", "_static"]
