@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from aseme_dsl.cli.run_end import watched_data, watched_lines
 from aseme_dsl.cli.shared import (
     colour_option,
     json_option,
@@ -23,9 +24,9 @@ if TYPE_CHECKING:
 @click.command(
     short_help="Make the steps of a recorded run again.",
     help="Make each step of a trace again, with the model that the trace has in it, and compare it with what"
-    " was recorded. The first difference is shown. TARGET is a trace (JSON Lines or MCAP). A file, a project"
-    " directory or an output directory stands for the traces of its last run. Default: the project in the"
-    " current directory.",
+    " was recorded. The first difference is shown. Properties and clauses are watched. TARGET is a trace"
+    " (JSON Lines or MCAP). A file, a project directory or an output directory stands for the traces of its"
+    " last run. Default: the project in the current directory.",
     epilog="Example: asemec replay out/trace.jsonl.gz --agent robot1",
 )
 @targets_argument
@@ -55,7 +56,9 @@ def command(targets: tuple[str, ...], agents: tuple[str, ...], as_json: bool, co
             say_unreadable(problem, path, colour)
             code = 1
         else:
-            code |= int(found[-1].difference is not None or found[-1].problem is not None)
+            item = found[-1]
+            is_broken = any(one.verdict == "broken" for one in item.watched)
+            code |= int(item.difference is not None or item.problem is not None or is_broken)
             if not as_json:
                 _show(found[-1], colour)
     if as_json:
@@ -72,11 +75,13 @@ def _show(item: Replayed, colour: str) -> None:
     who = f"{plural(item.steps, 'step')} of {', '.join(item.agents) or 'no agent'}"
     if found is None:
         click.echo(f"{item.path}: {who}: no difference")
-        return
-    click.echo(f"{item.path}: {who}, up to a difference")
-    click.echo(f"  {found.agent}, step {found.step} at {shown(found.time)}: {found.what}")
-    click.echo(f"    recorded: {'; '.join(found.expected) or 'none'}")
-    click.echo(f"    replayed: {'; '.join(found.got) or 'none'}")
+    else:
+        click.echo(f"{item.path}: {who}, up to a difference")
+        click.echo(f"  {found.agent}, step {found.step} at {shown(found.time)}: {found.what}")
+        click.echo(f"    recorded: {'; '.join(found.expected) or 'none'}")
+        click.echo(f"    replayed: {'; '.join(found.got) or 'none'}")
+    for line in (*watched_lines(item.watched), *([item.unwatched] if item.unwatched else [])):
+        click.echo(f"  {line}")
 
 
 def _as_json(item: Replayed) -> dict[str, object]:
@@ -97,4 +102,5 @@ def _as_json(item: Replayed) -> dict[str, object]:
         "steps": item.steps,
         "difference": difference,
         "problem": item.problem,
+        "watched": watched_data(item.watched),
     }

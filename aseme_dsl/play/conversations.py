@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from aseme_dsl.play.scenario import Condition, Expectation, InPlaces
+from aseme_dsl.play.sight.alarms import Alarms
 from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
 from aseme_dsl.runtime.trace.records import Record
@@ -25,10 +26,13 @@ class _Talk:
 
 
 class Clauses:
-    """Watches the expectations that hold in each conversation of a protocol. `broken` is the first that does
-    not, with its state."""
+    """Watches the expectations that hold in each conversation of a protocol. `broken` are those that do not,
+    with their states when they were broken first."""
 
-    def __init__(self, expectations: Sequence[Expectation], conditions: Sequence[Condition]) -> None:
+    def __init__(
+        self, expectations: Sequence[Expectation], conditions: Sequence[Condition], alarms: Alarms
+    ) -> None:
+        self._alarms = alarms
         self._clauses = {
             number: item for number, item in enumerate(expectations) if item.protocol is not None
         }
@@ -39,7 +43,7 @@ class Clauses:
         self._early: dict[Place, set[str]] = {}
         """What was entered in a branch that is in no conversation yet."""
         self._active: dict[str, frozenset[str]] = {}
-        self.broken: tuple[int, State] | None = None
+        self.broken: dict[int, State] = {}
 
     def __bool__(self) -> bool:
         return bool(self._clauses)
@@ -77,6 +81,11 @@ class Clauses:
         for talk in self._talks.values():
             self._look(talk, {}, first, last, rests=True)
 
+    def look(self, now: int) -> None:
+        """Time alone may have changed something."""
+        for talk in self._talks.values():
+            self._look(talk, {}, now, now)
+
     def is_awaited(self, number: int, moment: int) -> bool:
         """Whether something that a clause speaks of has still to come in some conversation."""
         states = (talk.states[number] for talk in self._talks.values() if number in talk.states)
@@ -108,9 +117,12 @@ class Clauses:
             self._take(talk, number, seen(self._clauses[number].rule, state, view))
 
     def _take(self, talk: _Talk, number: int, state: State) -> None:
+        if state is talk.states[number]:
+            return
         talk.states[number] = state
-        if state.verdict is Verdict.BROKEN and self.broken is None:
-            self.broken = number, state
+        self._alarms.mind((id(talk), number), self._clauses[number].rule, state)
+        if state.verdict is Verdict.BROKEN:
+            self.broken.setdefault(number, state)
 
 
 __all__ = ["Clauses"]

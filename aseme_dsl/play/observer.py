@@ -25,6 +25,7 @@ from aseme_dsl.play.scenario import (
     Says,
     Script,
 )
+from aseme_dsl.play.sight.alarms import Alarms
 from aseme_dsl.play.sight.deciding import agents_about
 from aseme_dsl.play.sight.insight import Surroundings
 from aseme_dsl.play.sight.story import Happened, content_of
@@ -93,8 +94,10 @@ _NONE: frozenset[str] = frozenset()
 class Observer:
     """Follows one run. A listener of its trace; `settled` is asked at the end of each instant."""
 
-    def __init__(self, script: Script, inputs: Mapping[str, object]) -> None:
+    def __init__(self, script: Script, inputs: Mapping[str, object], *, goes_on: bool = False) -> None:
+        """What comes after an expectation was broken is not part of the run, unless it `goes_on`."""
         self.script = script
+        self._goes_on = goes_on
         self.states = [State() for _ in script.expectations]
         self.met: set[int] = set()
         """The conditions that were met at some point."""
@@ -106,7 +109,8 @@ class Observer:
         self.waiting: dict[int, list[Callable[[int], None]]] = {}
         """Called with the moment at which a condition occurs for the first time, in the midst of a step."""
         self.assumed = Assumptions(script.assumptions)
-        self._clauses = Clauses(script.expectations, script.conditions)
+        self._alarms = Alarms(self.look)
+        self._clauses = Clauses(script.expectations, script.conditions, self._alarms)
         self._inputs = inputs
         self._agents = {name: Followed() for name, _ in script.team}
         self._last: dict[str, dict[str, tuple[int, Happened]]] = {name: {} for name, _ in script.team}
@@ -131,6 +135,9 @@ class Observer:
     def begin(self, surroundings: Surroundings) -> None:
         """The run of the team begins."""
         self._surroundings = surroundings
+        self._alarms.begin(surroundings)
+        for place, item in enumerate(self.script.expectations):
+            self._alarms.mind(place, item.rule, self.states[place])
 
     def wants(self, kind: str, what: str | None) -> bool:
         return kind in KINDS
@@ -139,7 +146,7 @@ class Observer:
         if self._is_over or record["kind"] not in KINDS:
             return
         self._pass_to(record["time"])
-        if self.broken is not None and self.states[self.broken].at < self._now:
+        if self.broken is not None and not self._goes_on and self.states[self.broken].at < self._now:
             return  # what comes later is not part of the story
         self.assumed.see(record)
         match record["kind"]:
@@ -191,6 +198,9 @@ class Observer:
         if self._surroundings is not None and not self._is_over:
             self._pass_to(self._around.now())
             self._look(_NOTHING)
+            if self._clauses:
+                self._clauses.look(self._now)
+                self._take_clauses()
 
     def end(self, moment: int) -> None:
         """The run was to end at this moment: nothing changes any more."""
@@ -277,8 +287,8 @@ class Observer:
 
     def _take_clauses(self) -> None:
         """A clause that is broken in one conversation is broken."""
-        if self._clauses.broken is not None:
-            self._take(*self._clauses.broken)
+        for place, state in self._clauses.broken.items():
+            self._take(place, state)
 
     def _wake_for_timers(self, agent: str) -> None:
         """Look again when a timer that a condition asks for runs out."""
@@ -495,9 +505,14 @@ class Observer:
                 self._take(place, seen(item.rule, self.states[place], view))
 
     def _take(self, place: int, state: State) -> None:
+        if state is self.states[place]:
+            return
         self.states[place] = state
-        is_broken = state.verdict is Verdict.BROKEN and self.script.expectations[place].share is None
-        if is_broken and self.broken is None:
+        item = self.script.expectations[place]
+        if item.protocol is None:
+            self._alarms.mind(place, item.rule, state)
+        is_broken = state.verdict is Verdict.BROKEN and item.share is None
+        if is_broken and (self.broken is None or state.at < self.states[self.broken].at):
             self.broken = place
 
 

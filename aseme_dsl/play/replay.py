@@ -32,6 +32,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Outcome,
     Sample,
 )
+from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.chart.stepping import expired_signals
 from aseme_dsl.runtime.message.as_json import from_json, to_json
 from aseme_dsl.runtime.trace.checkpoint import saved_of, state_of
@@ -139,6 +140,11 @@ class Replay:
             "swap": self._other_model,
             "select": self._other_model,
         }
+
+    @property
+    def plans(self) -> tuple[Plan, ...]:
+        """Those of all roles of the models so far."""
+        return tuple(model.kind.PLAN for model in self._known.values())
 
     def line(self, record: Record, number: int | None = None) -> Difference | None:
         """A line: the next one, or the one of this number; the difference, if one shows in it.

@@ -160,3 +160,171 @@ def test_a_function_that_is_not_there_ends_the_watching_only(
     done = here("run", "gone.aseme", "-o", "out", "--for", "600ms", *how)
     assert (done.code, 'open: property "p"' in done.out) == (0, True), done.out + done.err
     assert "are not watched from" in done.out and "no function not_there in module math" in done.out
+
+
+MANY = """\
+system NAME
+message Pulse { int number }
+topic air { signal Pulse queued }
+aip calls {
+  participant caller { process = Ring . Talk }
+  participant callee { process = Wait . Answer }
+  clause Answer@callee before Ring@caller
+  clause Wait@callee before Talk@caller
+  clause Answer@callee before Talk@caller
+}
+srm first {
+  plays calls.caller
+  liveness { first = caller }
+  activities { Ring takes 100ms  Talk takes 300ms }
+}
+srm second {
+  plays calls.callee
+  liveness { second = callee }
+  activities { Wait takes 300ms  Answer takes 100ms }
+}
+srm drummer {
+  var n : int = 0
+  liveness { drummer = Beat~ }
+  activities { Beat takes 20ms }
+  control drummer { repeat Beat : / n = n + 1 ; write_messages.air.signal.Pulse { number = n } }
+}
+srm listener {
+  liveness { listener = Hear . Rest }
+  activities { Hear takes 1ms  Rest takes 100ms }
+  control listener { enter Rest : [air.signal.Pulse.number == 6] }
+}
+team Band { ann : drummer  bob : listener  cid : first  dan : second }
+property "early" { never ann has [n > 3] }
+property "late" { never bob in Rest }
+property "in time" { every bob in Rest leads to ann has [n == 1000] within 95ms }
+property "kept" { every bob in Hear leads to bob in Rest within 1s  always some listener in listener }
+"""
+"""`early` and a clause are broken before all else; each of the others shows in states that come later."""
+
+MANY_FOUND = [
+    ('property "early"', "broken", 80),
+    ('property "late"', "broken", 120),
+    ('property "in time"', "broken", 215),
+    ('property "kept"', "kept", 0),
+    ('property "kept"', "kept", 0),
+    ("clause of calls", "broken", 0),
+    ("clause of calls", "kept", 0),
+    ("clause of calls", "broken", 100),
+]
+
+
+def found(watched: Any) -> list[tuple[str, str, int]]:
+    return [(item["of"], item["verdict"], round(item["time_ns"] / 1e6)) for item in watched]
+
+
+@pytest.fixture
+def many(folder: Path) -> Path:
+    path = folder / "many.aseme"
+    path.write_text(MANY.replace("NAME", own_name("Many")))
+    return path
+
+
+def test_what_comes_after_a_breach_is_watched_too(many: Path, here: Here) -> None:
+    done = here("run", "many.aseme", "-o", "out", "--for", "600ms", "--json", "-q")
+    assert (done.code, found(done.json["result"]["watched"])) == (1, MANY_FOUND)
+    order = [round(item["broken"] / 1e6) for item in breaches(many.parent / "out" / "trace.jsonl.gz")]
+    assert order == [0, 80, 100, 120, 215]
+    again = here("replay", "out", "--json")
+    (trace,) = again.json["traces"]
+    assert (again.code, found(trace["watched"])) == (1, MANY_FOUND)
+
+
+def test_a_strict_run_ends_with_the_first_breach(many: Path, here: Here) -> None:
+    text = many.read_text().replace("  clause Answer@callee before Ring@caller\n", "")
+    many.write_text(text.replace("n > 3", "n > 300"))
+    done = here("run", "many.aseme", "-o", "out", "--for", "600ms", "--json", "-q", "--strict")
+    result = done.json["result"]
+    assert (done.code, result["time"], [item[1] for item in found(result["watched"])].count("broken")) == (
+        1,
+        100_000_000,
+        1,
+    )
+    many.write_text(text.replace("n > 3", "n > 300").replace("clause Answer@callee before Talk@caller", ""))
+    many.write_text(
+        many.read_text().replace("never bob in Rest", "never bob in Hear and cid in Talk and fault")
+    )
+    done = here("run", "many.aseme", "-o", "out", "--for", "600ms", "--json", "-q", "--strict")
+    assert done.json["result"]["time"] == 215_000_001  # nothing else happens then
+
+
+def test_breaches_in_real_time_are_those_of_the_whole_run(many: Path, here: Here) -> None:
+    done = here("run", "many.aseme", "-o", "out", "--for", "1s", "--real", "--json", "-q")
+    assert [item[:2] for item in found(done.json["result"]["watched"])] == [item[:2] for item in MANY_FOUND]
+    again = here("replay", "out", "--json")
+    (trace,) = again.json["traces"]
+    assert found(trace["watched"]) == found(done.json["result"]["watched"])
+
+
+def test_a_scenario_fails_for_what_is_broken_first(many: Path, here: Here) -> None:
+    text = many.read_text().replace("  clause Answer@callee before Ring@caller\n", "")
+    text = text.replace("  clause Answer@callee before Talk@caller\n", "").replace("n > 3", "n > 300")
+    scenario = """
+scenario "both deadlines pass while all rest" {
+  dan : second  cid : first
+  by 900ms cid in Ring and dan in Answer
+  every cid in Talk leads to cid in Ring within 450ms
+  for 2s
+}
+"""
+    many.write_text(text + scenario)
+    done = here("test", "many.aseme", "--json")
+    (item,) = done.json["scenarios"]
+    assert (item["verdict"], item["time_ns"]) == ("failed", 550_000_000)
+
+
+TALKS = """\
+system Talks
+message Word { int n }
+aip talk {
+  participant asker {
+    sends request Word
+    receives inform Word
+    process = Ask . Listen . Think
+  }
+  participant other {
+    sends inform Word
+    receives request Word
+    process = Hear . Muse . Reply
+  }
+  clause Reply@other before Muse@other
+  clause every Hear@other leads to Think@asker within 250ms
+  clause Hear@other before Think@asker
+  control asker {
+    enter Ask    : / send request Word { n = 1 } to other
+    enter Think  : inform Word from other
+  }
+  control other {
+    enter Hear  : request Word from asker
+    enter Reply : / send inform Word { n = 2 } to asker
+  }
+}
+srm one {
+  plays talk.asker
+  liveness { one = asker }
+  activities { Ask takes 20ms  Listen takes 1ms  Think takes 50ms }
+}
+srm two {
+  plays talk.other
+  liveness { two = other }
+  activities { Hear takes 100ms  Muse takes 500ms  Reply takes 1ms }
+}
+team Pair { ann : one  bob : two }
+"""
+
+
+def test_each_conversation_has_its_clauses(here: Here, folder: Path) -> None:
+    (folder / "talks.aseme").write_text(TALKS)
+    done = here("run", "talks.aseme", "-o", "out", "--for", "3s", "--json", "-q", "--allow", "waiting")
+    assert found(done.json["result"]["watched"]) == [
+        ("clause of talk", "broken", 100),
+        ("clause of talk", "broken", 250),
+        ("clause of talk", "kept", 0),
+    ]
+    records = breaches(folder / "out" / "trace.jsonl.gz")
+    assert [record["time"] for record in records] == [100_000_000, 250_000_001]

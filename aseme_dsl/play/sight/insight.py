@@ -12,7 +12,7 @@ from typing import Protocol
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.play.scenario import Condition, Holds
-from aseme_dsl.runtime.agent.agent import Agent
+from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.team.team import Team
@@ -59,11 +59,11 @@ class Surroundings(Protocol):
 
 
 class Live:
-    """The inside of an agent as it is now."""
+    """The inside of an agent, whose statechart this is, as it is now."""
 
-    def __init__(self, agent: Agent) -> None:
-        self._chart = agent.chart
-        self.plan = agent.plan
+    def __init__(self, chart: Chart) -> None:
+        self._chart = chart
+        self.plan = chart.PLAN
 
     @property
     def index(self) -> int:
@@ -100,7 +100,7 @@ class Present:
         self._team.driver.at(moment, call, background=True)
 
     def insight(self, agent: str) -> Insight:
-        return Live(self._team.agent(agent))
+        return Live(self._team.agent(agent).chart)
 
 
 # ---- for later --------------------------------------------------------------------------------------
@@ -157,9 +157,9 @@ class Kept:
         return label in self.returned
 
 
-def kept(agent: Agent, asked: Asked) -> Kept:
+def kept(chart: Chart, asked: Asked) -> Kept:
     """The inside of an agent as it is now. To be called where no other thread steps it."""
-    live = Live(agent)
+    live = Live(chart)
     ends = ((name, live.outcome(name)) for name in asked.outcomes)
     return Kept(
         live.plan,

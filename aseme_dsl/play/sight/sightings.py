@@ -53,7 +53,7 @@ class Reporter:
         inside = None
         if record["kind"] == "step" and self._team is not None:
             # The thread that writes this line is the one that steps the agent.
-            inside = kept(self._team.agent(record["agent"]), self._asked)
+            inside = kept(self._team.agent(record["agent"]).chart, self._asked)
         self._tell(Sighting(record, inside))
 
 

@@ -11,7 +11,11 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.play.inputs import Messages
 from aseme_dsl.play.replay import Difference, Model, Models, NotReplayable, Replay
+from aseme_dsl.play.scenario import Refused
+from aseme_dsl.project.testing.watching import Watch, Watched, script_in
 from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.trace.packed import unpacked
+from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.runtime.trace.trace_reading import Line, TraceReader
 
 if TYPE_CHECKING:
@@ -29,10 +33,16 @@ class Replayed:
     difference: Difference | None = None
     problem: str | None = None
     """What is to be said of the file, if it is not whole."""
+    watched: tuple[Watched, ...] = ()
+    """What has become of properties and clauses; with a difference, those that were broken before."""
+    unwatched: str | None = None
+    """Why nothing is watched, or no more."""
 
 
 def replay(path: Path, agents: Collection[str] = ()) -> Replayed:
     """Make the steps of a trace again, up to the first difference; of these agents, or of all.
+
+    Properties and clauses are watched if all agents are followed.
 
     Raises:
         TraceError: there is no such trace, or it is none.
@@ -41,15 +51,44 @@ def replay(path: Path, agents: Collection[str] = ()) -> Replayed:
     reader = TraceReader(path)
     with ExitStack() as stack:
         replaying = Replay(lambda sources: models_of(sources, stack), agents)
-        difference = None
+        difference, watch, moment = None, None, 0
         for line in reader:
-            difference = replaying.line(line.record, line.number)
+            record = line.record
+            difference = replaying.line(record, line.number)
             if difference is not None:
                 break
-    problem = reader.problem if difference is None else None
+            if line.number == 1 and not agents:
+                watch = _watch(replaying, record)
+            moment = record["time"]
+            if isinstance(watch, Watch):
+                followed = replaying.agents.get(record.get("agent", ""))
+                watch.see(record, None if followed is None or followed.waits else followed.chart)
+    watched: tuple[Watched, ...] = ()
+    if isinstance(watch, Watch):
+        watch.finish(moment)
+        watched = tuple(item for item in watch.end() if difference is None or item.verdict == "broken")
+        watch = watch.stopped
     return Replayed(
-        reader.path, tuple(replaying.agents), replaying.steps, replaying.seconds, difference, problem
+        reader.path,
+        tuple(replaying.agents),
+        replaying.steps,
+        replaying.seconds,
+        difference,
+        reader.problem if difference is None else None,
+        watched,
+        watch,
     )
+
+
+def _watch(replaying: Replay, header: Record) -> Watch | str | None:
+    """What watches the properties and clauses of a recorded run, if its model has any; or why nothing can."""
+    from aseme_dsl.project.settings.configuration import Configuration
+
+    team = {name: agent.chart.PLAN.name for name, agent in replaying.agents.items()}
+    script = script_in(unpacked(header["sources"]), Configuration(Path()), team)
+    if isinstance(script, Refused):
+        return f"properties and clauses are not watched: {script.span}: {script.reason}"
+    return None if script is None else Watch(script, lambda text: None, False, replaying.plans)
 
 
 def replayed_to(

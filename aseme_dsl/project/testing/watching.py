@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from aseme_dsl.play.evaluate import NotEvaluated
-from aseme_dsl.play.observer import Observer
+from aseme_dsl.play.observer import KINDS, Observer
 from aseme_dsl.play.scenario import Expectation, Refused, Script
 from aseme_dsl.play.sight.deciding import decided_by
-from aseme_dsl.play.sight.insight import Asked, Present, asked_by
-from aseme_dsl.play.sight.sightings import LAG, Later, Reporter
+from aseme_dsl.play.sight.insight import Asked, Present, asked_by, kept
+from aseme_dsl.play.sight.sightings import LAG, Later, Reporter, Sighting
 from aseme_dsl.runtime.monitor.rules import Verdict
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.source import Source, Span
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from aseme_dsl.project.settings.configuration import Configuration
+    from aseme_dsl.runtime.chart.chart import Chart
     from aseme_dsl.runtime.chart.plan import Plan
     from aseme_dsl.runtime.team.team import Team
     from aseme_dsl.runtime.trace.records import Record
@@ -84,12 +85,23 @@ def script_of(
 
     They are read in the file `root`, or else in the texts from which it was generated.
     """
-    if not any(word in text for text in loaded.sources.values() for word in ("property", "clause")):
+    if root is None or not _may_say_something(loaded.sources):
+        return script_in(loaded.sources, configuration, team)
+    return script_for(root, None, configuration, team)
+
+
+def script_in(
+    sources: Mapping[str, str], configuration: Configuration, team: Mapping[str, str]
+) -> Script | Refused | None:
+    """What the properties and clauses in texts say of a team, of which the first is the root."""
+    if not _may_say_something(sources):
         return None
-    if root is not None:
-        return script_for(root, None, configuration, team)
-    first, *_ = loaded.sources
-    return script_for(Source(first, loaded.sources[first]), loaded.sources, configuration, team)
+    first, *_ = sources
+    return script_for(Source(first, sources[first]), sources, configuration, team)
+
+
+def _may_say_something(sources: Mapping[str, str]) -> bool:
+    return any(word in text for text in sources.values() for word in ("property", "clause"))
 
 
 class Watch:
@@ -107,16 +119,16 @@ class Watch:
         plans: Iterable[Plan] | None = None,
     ) -> None:
         """`tell` is given a line for each that is broken; with `is_strict` that ends the run. The `plans` of
-        the roles are given for a run in real time."""
+        the roles are given for a run in real time, and for a recorded one."""
         self._script = script
-        self._observer = Observer(script, {})
+        self._observer = Observer(script, {}, goes_on=True)
         self._tell = tell
         self._is_strict = is_strict
         self._told: set[int] = set()
         self._later = None if plans is None else Later(self._observer, plans)
         self._reporter = None if self._later is None else Reporter(self.asked, self._later.take)
-        self._stopped: str | None = None
-        """Why nothing is watched any more."""
+        self.stopped: str | None = None
+        """Since when and why nothing is watched any more."""
         self.record: Callable[[Breach], None] = lambda breach: None
         """Called for each that is broken: it writes the line of the trace."""
 
@@ -160,6 +172,21 @@ class Watch:
         assert self._later is not None
         self._later.crash(agent, moment)
 
+    # ---- of a recorded run ----------------------------------------------------------------------
+
+    def see(self, record: Record, chart: Chart | None) -> None:
+        """The next line of a trace; `chart` is that of its agent behind it, if it has been followed."""
+        assert self._later is not None
+        agent, kind = record.get("agent", ""), record["kind"]
+        if kind == "life" and record.get("what") == "crash" and agent in dict(self._script.team):
+            self._later.crash(agent, record["time"])
+        elif kind in KINDS:
+            inside = kept(chart, self.asked) if kind == "step" and chart is not None else None
+            self._later.take(Sighting(record, inside))
+        self.look(record["time"])
+
+    # ---- what is seen ---------------------------------------------------------------------------
+
     def look(self, moment: int) -> str | None:
         """The time is `moment`; why the run ends, if it does."""
         later = self._later
@@ -176,7 +203,7 @@ class Watch:
 
     def _see(self, call: Callable[[], object], moment: int) -> None:
         """Show something to the observer, unless a condition could not be evaluated."""
-        if self._stopped is not None:
+        if self.stopped is not None:
             return
         try:
             call()
@@ -184,27 +211,28 @@ class Watch:
             self._stop(moment, str(problem))
 
     def _stop(self, moment: int, why: str) -> None:
-        self._stopped = why
-        self._tell(f"properties and clauses are not watched from {shown(moment)} on: {why}")
+        self.stopped = f"properties and clauses are not watched from {shown(moment)} on: {why}"
+        self._tell(self.stopped)
 
     # ---- what is broken --------------------------------------------------------------------------
 
     def _judge(self) -> None:
-        for number, state in enumerate(self._observer.states):
-            if state.verdict is Verdict.BROKEN and number not in self._told:
-                self._told.add(number)
-                found = self._of(number, "broken")
-                self._tell(found.text)
-                self.record(found.breach)
+        states = self._observer.states
+        broken = [number for number, state in enumerate(states) if state.verdict is Verdict.BROKEN]
+        for number in sorted(set(broken) - self._told, key=lambda number: (states[number].at, number)):
+            self._told.add(number)
+            found = self._of(number, "broken")
+            self._tell(found.text)
+            self.record(found.breach)
         stranger = None if self._later is None else self._later.stranger
-        if stranger is not None and self._stopped is None:
+        if stranger is not None and self.stopped is None:
             agent, since = stranger
             self._stop(since, f"{agent} runs another version of its role")
 
     def end(self) -> tuple[Watched, ...]:
         """What has become of them in a run that has ended (see `finish`)."""
         found = []
-        is_cut = self._stopped is not None
+        is_cut = self.stopped is not None
         for number, item in enumerate(self._script.expectations):
             state = self._observer.states[number]
             if state.verdict is Verdict.BROKEN:
@@ -243,4 +271,4 @@ def _tell_all(tell: Callable[[str], None], what: str, items: Sequence[Expectatio
         tell(f"{what}: {item.of} ({item.span})")
 
 
-__all__ = ["BROKEN", "Breach", "Watch", "Watched", "script_for", "script_of", "watch_of_agent"]
+__all__ = ["BROKEN", "Breach", "Watch", "Watched", "script_in", "script_of", "watch_of_agent"]

@@ -255,6 +255,23 @@ def _leads_to(rule: LeadsTo, state: State, view: View) -> State:
     return _broken(state, state.due) if state.due is not None and view.last > state.due else state
 
 
+def deadline(rule: Rule, state: State) -> int | None:
+    """The last moment at which what a rule awaits may come, if there is one; later it is broken."""
+    if state.verdict is not Verdict.OPEN:
+        return None
+    match rule:
+        case Sometime(until=until):
+            return until
+        case At(moment=moment):
+            return moment
+        case AfterFirst() | LeadsTo():
+            return None if state.due == NEVER else state.due
+        case Always() | Never() | InOrder() | Before() | Until() | NotWithin():
+            return None
+        case _:
+            assert_never(rule)
+
+
 def ended(rule: Rule, state: State, moment: int) -> State:
     """The state of a rule at the end of the run: what is still awaited then has not come."""
     if state.verdict is not Verdict.OPEN:
@@ -287,6 +304,7 @@ __all__ = [
     "Verdict",
     "View",
     "conditions_of",
+    "deadline",
     "ended",
     "renumbered",
     "seen",
