@@ -110,6 +110,12 @@ LONG = [
         {"MUTATIONS": "20000"},
     ),
     (
+        "changed models of KSE",
+        ["-m", "pytest", "-n", "auto", "tests/interop/test_emf_charts.py"],
+        {"ASEME_CHANGED_MODELS": "5000"},
+    ),
+    ("models of KSE in ASEME_MODELS", ["-m", "pytest", "-rs", "tests/interop/test_real_models.py"], {}),
+    (
         "compact drawings of random charts",
         ["-m", "pytest", "-n", "auto", "tests/diagrams/test_compact.py"],
         {"COMPACT_CHARTS": "2000", "COMPACT_EDITS": "1"},

@@ -376,6 +376,18 @@ class MonasNotRead(Problem):
         return f"{self.path} is not read: {self.reason}"
 
 
+class ForeignNotRead(Problem):
+    """A model of the ASEME IDE or of KSE. `reason`: what is wrong with it."""
+
+    code = "E220"
+    path: str
+    reason: str
+
+    @property
+    def message(self) -> str:
+        return f"{self.path} is not imported: {self.reason}"
+
+
 # ---- W001 ---------------------------------------------------------------------------------------
 
 

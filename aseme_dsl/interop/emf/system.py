@@ -1,0 +1,145 @@
+"""System: several foreign models as one `.aseme` file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.problems.files import ForeignNotRead
+from aseme_dsl.interop.emf.charts import is_chart, read_chart
+from aseme_dsl.interop.emf.identifiers import Names, as_name
+from aseme_dsl.interop.emf.markup import Unreadable, read_markup
+from aseme_dsl.interop.emf.meaning import Known, Meaning
+from aseme_dsl.interop.emf.report import Fate, Row
+from aseme_dsl.interop.emf.roles import (
+    RolePlan,
+    plan_role,
+    read_expressions,
+    role_text,
+    scalar_variables,
+)
+from aseme_dsl.source import Source
+
+CHARTS = (".eac", ".iac", ".model", ".sct", ".stct")
+"""The endings of files with a statechart."""
+
+
+@dataclass(slots=True)
+class ForeignSystem:
+    """All models of an import. `problems` of its plans grow with what the compiler says."""
+
+    name: str
+    files: tuple[str, ...]
+    plans: list[RolePlan]
+    meaning: Meaning
+    protos: tuple[str, ...] = ()
+    modules: tuple[str, ...] = ()
+
+    @property
+    def module(self) -> str:
+        """The Python module with the functions of conditions."""
+        return f"{self.name.lower()}_functions"
+
+    def read(self) -> None:
+        """Read all expressions, but for those that are problems: what only these use is not declared."""
+        self.meaning = Meaning(self.meaning.known)
+        for plan in self.plans:
+            read_expressions(plan, self.meaning)
+        self.meaning.settle()
+
+
+@dataclass(frozen=True, slots=True)
+class SystemText:
+    """The text, before its layout. A line of a role has its plan's number, and its transition's if any."""
+
+    text: str
+    lines: Mapping[int, tuple[int, int | None]]
+    rows: tuple[Row, ...]
+    functions: str = ""
+    roles: Sequence[str] = field(default=())
+
+
+def read_system(
+    sources: Sequence[Source], known: Known, protos: tuple[str, ...] = (), modules: tuple[str, ...] = ()
+) -> tuple[ForeignSystem | None, tuple[Diagnostic, ...]]:
+    """The models of XMI files, and a diagnostic for each that is not read."""
+    found: list[Diagnostic] = []
+    plans: list[RolePlan] = []
+    names = Names()
+    variables = dict(known.variables)
+    for source in sources:
+        try:
+            document = read_markup(source)
+            if not is_chart(document):
+                raise Unreadable(
+                    f"`<{document.tag[:40]}>` is not a model of the ASEME IDE or KSE", document.place
+                )
+            chart = read_chart(document)
+        except Unreadable as problem:
+            found.append(Diagnostic(ForeignNotRead(source.path, str(problem)), problem.place))
+            continue
+        variables |= scalar_variables(chart)
+        plans.append(plan_role(chart, names.new(chart.name or chart.states[0].name, "role")))
+    if not plans:
+        return None, tuple(found)
+    first = plans[0].name
+    meaning = Meaning(Known(known.messages, known.enums, known.constants, variables))
+    name = as_name("".join(word[:1].upper() + word[1:] for word in first.split("_")), "Imported")
+    files = tuple(source.path for source in sources)
+    system = ForeignSystem(name, files, plans, meaning, protos, modules)
+    system.read()
+    return system, tuple(found)
+
+
+def system_text(system: ForeignSystem, *, with_holes: bool = True) -> SystemText:
+    """The text of a system; without holes it is for comparison only."""
+    roles = [role_text(plan, system.meaning, with_holes=with_holes) for plan in system.plans]
+    lines = [f"system {system.name}", "", *(f'import "{name}"' for name in system.protos), ""]
+    lines += system.meaning.declarations(system.module)
+    rows = list(_declared(system))
+    places: dict[int, tuple[int, int | None]] = {}
+    for number, role in enumerate(roles):
+        lines.append("")
+        text = list(role.lines)
+        if number == 0 and system.modules:
+            text[-1:-1] = [f"  {line}" for line in system.modules]
+        for index, _ in enumerate(text):
+            places[len(lines) + index + 1] = number, role.transitions.get(index)
+        lines += text
+        rows += role.rows
+    return SystemText(
+        "\n".join([*lines, ""]), places, tuple(rows), _functions(system), [role.name for role in roles]
+    )
+
+
+def _declared(system: ForeignSystem) -> Iterator[Row]:
+    meaning = system.meaning
+    for name, constants in meaning.enums.items():
+        now = f"its numbers are not in the model: {', '.join(constants)}"
+        yield Row(Fate.ADDED, f"enum {name}", None, now)
+    for name in dict.fromkeys(key[2] for key in meaning.channels):
+        if name in meaning.known.messages:
+            continue
+        fields = ", ".join(key[1] for key in meaning.fields if key[0] == name) or "no field is compared"
+        yield Row(Fate.ADDED, f"message {name}", None, f"no .proto file has it; from its uses: {fields}")
+    for topic in dict.fromkeys(key[0] for key in meaning.channels):
+        yield Row(Fate.ADDED, f"topic {topic}", None, "from its uses")
+    for name in meaning.functions:
+        yield Row(Fate.ADDED, f"function {name}", None, f"to be written in {system.module}.py")
+    for name in system.protos:
+        yield Row(Fate.ADDED, f"import {name}", None, "")
+
+
+def _functions(system: ForeignSystem) -> str:
+    """The Python module in which the functions are to be written; "" if there are none."""
+    if not system.meaning.functions:
+        return ""
+    parts = [f'"""Functions of the conditions of {system.name}: write what each answers."""\n']
+    for name, (types, _) in system.meaning.functions.items():
+        given = ", ".join(f"value{number}" for number, _ in enumerate(types, 1))
+        parts.append(f'\n\ndef {name}({given}):\n    raise NotImplementedError("{name}")\n')
+    return "".join(parts)
+
+
+__all__ = ["CHARTS", "ForeignSystem", "SystemText", "read_system", "system_text"]
