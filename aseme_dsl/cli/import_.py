@@ -20,11 +20,11 @@ from aseme_dsl.cli.shared import (
 
 @click.command(
     short_help="Convert models of the ASEME IDE, KSE and Monas.",
-    help="Write a project in DIR from statecharts of KSE and the ASEME IDE (.stct .sct .iac .eac .model) and"
-    " from Monas' agents.xml. Missing conditions become holes; import-report.md lists what became of each"
-    " element. Messages come from the .proto files beside the models, or from those in FILE; constants from"
-    " C++ headers in FILE. An existing file is never overwritten. An agents.xml alone is printed as a"
-    " `modules` block.",
+    help="Write a project in DIR from models of KSE and the ASEME IDE, and from Monas' agents.xml. FILE is a"
+    " .sag, .suc, .aip, .srm, .stct, .sct, .iac, .eac or .model file. Missing conditions become holes."
+    " import-report.md lists what became of each element. Messages come from the .proto files beside the"
+    " models, or from those in FILE; constants come from C++ headers in FILE. An existing file is never"
+    " overwritten. An agents.xml alone is printed as a `modules` block.",
     epilog="Example: asemec import models/Goalie.stct src/messages/*.proto -o goalie",
 )
 @click.argument("files", metavar="FILE...", nargs=-1, required=True, type=FilePath(path_type=Path))

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import PurePath
 
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.files import ForeignNotRead
-from aseme_dsl.interop.emf.charts import is_chart, read_chart
+from aseme_dsl.interop.emf.charts import ForeignChart, is_chart, read_chart
+from aseme_dsl.interop.emf.documents import Documents
 from aseme_dsl.interop.emf.identifiers import Names, as_name
 from aseme_dsl.interop.emf.markup import Unreadable, read_markup
 from aseme_dsl.interop.emf.meaning import Known, Meaning
 from aseme_dsl.interop.emf.report import Fate, Row
+from aseme_dsl.interop.emf.requirements import Requirements, is_requirements, read_requirements
 from aseme_dsl.interop.emf.roles import (
     RolePlan,
     plan_role,
@@ -23,6 +26,8 @@ from aseme_dsl.source import Source
 
 CHARTS = (".eac", ".iac", ".model", ".sct", ".stct")
 """The endings of files with a statechart."""
+MODELS = (*CHARTS, ".aip", ".sag", ".srm", ".suc")
+"""The endings of all models."""
 
 
 @dataclass(slots=True)
@@ -35,6 +40,7 @@ class ForeignSystem:
     meaning: Meaning
     protos: tuple[str, ...] = ()
     modules: tuple[str, ...] = ()
+    documents: Documents = field(default_factory=lambda: Documents(Requirements()))
 
     @property
     def module(self) -> str:
@@ -54,7 +60,7 @@ class SystemText:
     """The text, before its layout. A line of a role has its plan's number, and its transition's if any."""
 
     text: str
-    lines: Mapping[int, tuple[int, int | None]]
+    lines: Mapping[int, tuple[int, int | None] | str]
     rows: tuple[Row, ...]
     functions: str = ""
     roles: Sequence[str] = field(default=())
@@ -68,26 +74,38 @@ def read_system(
     plans: list[RolePlan] = []
     names = Names()
     variables = dict(known.variables)
+    charts: list[ForeignChart] = []
+    requirements = Requirements()
     for source in sources:
         try:
             document = read_markup(source)
-            if not is_chart(document):
-                raise Unreadable(
-                    f"`<{document.tag[:40]}>` is not a model of the ASEME IDE or KSE", document.place
-                )
-            chart = read_chart(document)
+            if is_requirements(document):
+                requirements += read_requirements(document)
+            elif is_chart(document):
+                charts.append(read_chart(document))
+            else:
+                said = f"`<{document.tag[:40]}>` is not a model of the ASEME IDE or KSE"
+                raise Unreadable(said, document.place)
         except Unreadable as problem:
             found.append(Diagnostic(ForeignNotRead(source.path, str(problem)), problem.place))
-            continue
-        variables |= scalar_variables(chart)
-        plans.append(plan_role(chart, names.new(chart.name or chart.states[0].name, "role")))
-    if not plans:
+    if not charts and requirements == Requirements():
         return None, tuple(found)
-    first = plans[0].name
+    documents = Documents(requirements)
+    roles = {name.lower(): name for name in documents.roles()}
+    for chart in charts:
+        variables |= scalar_variables(chart)
+        own = [name for name in (chart.name, chart.states[0].name) if name.lower() in roles]
+        title = roles.pop(own[0].lower()) if own else chart.name or chart.states[0].name
+        plan = plan_role(chart, names.new(title, "role"))
+        if own and plan.reconstructed is None:
+            plan.name = names.new(f"{plan.name}_chart")
+        plans.append(plan)
+    first = plans[0].name if plans else PurePath(sources[0].path).stem
     meaning = Meaning(Known(known.messages, known.enums, known.constants, variables))
-    name = as_name("".join(word[:1].upper() + word[1:] for word in first.split("_")), "Imported")
+    words = as_name(first, "Imported").split("_")
+    name = as_name("".join(word[:1].upper() + word[1:] for word in words), "Imported")
     files = tuple(source.path for source in sources)
-    system = ForeignSystem(name, files, plans, meaning, protos, modules)
+    system = ForeignSystem(name, files, plans, meaning, protos, modules, documents)
     system.read()
     return system, tuple(found)
 
@@ -98,14 +116,20 @@ def system_text(system: ForeignSystem, *, with_holes: bool = True) -> SystemText
     lines = [f"system {system.name}", "", *(f'import "{name}"' for name in system.protos), ""]
     lines += system.meaning.declarations(system.module)
     rows = list(_declared(system))
-    places: dict[int, tuple[int, int | None]] = {}
+    places: dict[int, tuple[int, int | None] | str] = {}
+    documents = system.documents.written(frozenset(role.name for role in roles if role.is_formula))
+    places |= {len(lines) + index + 1: key for index, key in documents.keys.items()}
+    lines += [line if with_holes else line.replace(" ? ", " . ") for line in documents.lines]
+    rows += documents.rows
     for number, role in enumerate(roles):
         lines.append("")
         text = list(role.lines)
         if number == 0 and system.modules:
             text[-1:-1] = [f"  {line}" for line in system.modules]
-        for index, _ in enumerate(text):
-            places[len(lines) + index + 1] = number, role.transitions.get(index)
+        places |= {len(lines) + i + 1: (number, role.transitions.get(i)) for i in range(len(text))}
+        more, keys = documents.inside.get(role.name, ((), {}))
+        places |= {len(lines) + len(text) + i: key for i, key in keys.items()}
+        text[-1:-1] = more
         lines += text
         rows += role.rows
     return SystemText(
@@ -142,4 +166,4 @@ def _functions(system: ForeignSystem) -> str:
     return "".join(parts)
 
 
-__all__ = ["CHARTS", "ForeignSystem", "SystemText", "read_system", "system_text"]
+__all__ = ["CHARTS", "MODELS", "ForeignSystem", "SystemText", "read_system", "system_text"]

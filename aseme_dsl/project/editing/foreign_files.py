@@ -11,7 +11,7 @@ from aseme_dsl.compiler.read.load import read_source
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.files import FileTooLarge, ForeignNotRead
 from aseme_dsl.interop.emf.meaning import Known
-from aseme_dsl.interop.emf.system import CHARTS
+from aseme_dsl.interop.emf.system import MODELS
 from aseme_dsl.interop.proto import ProtoImport, files_behind, join, read_proto
 from aseme_dsl.source import Source, Span
 
@@ -83,7 +83,7 @@ def gather(paths: Sequence[Path]) -> ForeignFiles:
         source = _read(path)
         if isinstance(source, Diagnostic):
             found.diagnostics.append(source)
-        elif ending in CHARTS:
+        elif ending in MODELS:
             found.models.append(source)
         elif ending == ".xml":
             found.monas.append(source)

@@ -14,6 +14,7 @@ from aseme_dsl.diagnostics.problems.files import ForeignNotRead
 from aseme_dsl.grammar.layout import format_source
 from aseme_dsl.interop.emf.comparison import differences
 from aseme_dsl.interop.emf.report import Row, as_markdown
+from aseme_dsl.interop.emf.requirements import Requirements
 from aseme_dsl.interop.emf.roles import RolePlan
 from aseme_dsl.interop.emf.system import ForeignSystem, SystemText, read_system, system_text
 from aseme_dsl.interop.monas_agents import modules_of
@@ -56,7 +57,7 @@ def import_models(paths: Sequence[Path]) -> ImportedProject:
     if system is None:
         return ImportedProject(diagnostics=tuple(diagnostics))
     diagnostics += _settled(system, given)
-    if not system.plans:
+    if not system.plans and system.documents.requirements == Requirements():
         return ImportedProject(diagnostics=tuple(diagnostics))
     return _project(system, given, diagnostics)
 
@@ -93,10 +94,10 @@ def _settled(system: ForeignSystem, given: ForeignFiles) -> Iterator[Diagnostic]
             place = folder / file
             place.parent.mkdir(parents=True, exist_ok=True)
             place.write_bytes(content)
-        for left in range(_ROUNDS * (len(system.plans) + 1), 0, -1):
+        for left in range(_ROUNDS * (len(system.plans) + 2), 0, -1):
             refused, changed = _round(system, folder, is_last=left == 1)
             yield from refused
-            if not changed or not system.plans:
+            if not changed:
                 return
 
 
@@ -127,6 +128,11 @@ def _round(system: ForeignSystem, folder: Path, *, is_last: bool) -> tuple[list[
         for number, plan in enumerate(system.plans)
         if number in refused
     ]
+    if -1 in refused and not system.plans:
+        first = system.files[0]
+        found.append(Diagnostic(ForeignNotRead(first, refused[-1]), None, path=first))
+    if -1 in refused:
+        system.documents.requirements = Requirements()
     system.plans = [plan for number, plan in enumerate(system.plans) if number not in refused]
     system.read()
     return found, bool(refused)
@@ -137,7 +143,11 @@ def _judged(
 ) -> bool:
     """What follows from an error of the compiler: a hole, no formulas or (`refused`) no model at all."""
     line = 0 if item.span is None or item.span.source.path.endswith(".proto") else item.span.line
-    role, transition = made.lines.get(line, (None, None))
+    at = made.lines.get(line, (None, None))
+    if isinstance(at, str):
+        system.documents.problems[at] = item.message
+        return True
+    role, transition = at
     if role is None:
         words = set(_WORD.findall(made.text.split("\n")[line - 1] if line else ""))
         speaking = [
@@ -149,7 +159,7 @@ def _judged(
         for plan, number in speaking:
             plan.problems[number] = item.message
         if not speaking or is_last:
-            refused |= dict.fromkeys(range(len(system.plans)), item.message)
+            refused |= dict.fromkeys(range(-1, len(system.plans)), item.message)
         return bool(speaking) and not is_last
     plan = system.plans[role]
     if transition is None or transition in plan.problems or is_last:
