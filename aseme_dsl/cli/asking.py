@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from aseme_dsl.cli.playing import duration_of
+from aseme_dsl.cli.replay import difference_lines
 from aseme_dsl.cli.shared import (
     CommandT,
     FilePath,
@@ -21,7 +22,14 @@ from aseme_dsl.cli.shared import (
 
 if TYPE_CHECKING:
     from aseme_dsl.play.asking.answer import Answer
-    from aseme_dsl.play.asking.telling import Said
+    from aseme_dsl.play.asking.question import Question
+    from aseme_dsl.play.asking.said import Said
+
+Title = Callable[["Question", str | None, "Answer"], str]
+"""What stands above an answer; it is given the trace as it was written."""
+
+DEPTH = 4
+"""`play.asking.question.DEPTH`, which takes long to import."""
 
 WHAT_HELP = (
     "WHAT is a state (`Kick`), a transition (`Walk -> Kick`), an agent message (`inform Done`) or a channel"
@@ -33,9 +41,11 @@ WHAT_HELP = (
 def question(command: CommandT) -> CommandT:
     """The arguments and options of a question."""
     at = "Time in the run, such as 12.5s: after all that was done by then."
-    depth = "How many times to ask back why another agent has not sent a message.  [default: 1]"
+    depth = f"How many agents to ask, one for another, why a message was not sent.  [default: {DEPTH}]"
     command = colour_option(json_option(command))
-    command = click.option("--depth", type=click.IntRange(0, 9), default=1, metavar="N", help=depth)(command)
+    command = click.option("--depth", type=click.IntRange(0, 9), default=DEPTH, metavar="N", help=depth)(
+        command
+    )
     command = click.option("--at", "moment", metavar="TIME", required=True, callback=duration_of, help=at)(
         command
     )
@@ -43,22 +53,12 @@ def question(command: CommandT) -> CommandT:
     return click.argument("agent", metavar="AGENT")(click.argument("what", metavar="WHAT")(command))
 
 
-def answer(
-    agent: str,
-    what: str,
-    trace: str | None,
-    moment: int,
-    depth: int,
-    as_json: bool,
-    colour: str,
-    is_why: bool,
-    title: Callable[[Answer], str],
-) -> int:
+def answer(asked: Question, trace: str | None, as_json: bool, colour: str, title: Title) -> int:
     """Ask, and print the answer; 1 if the trace cannot be read."""
-    from aseme_dsl.play.asking.question import NotAsked, goal_of
+    from aseme_dsl.play.asking.question import NotAsked
     from aseme_dsl.play.replay import NotReplayable
     from aseme_dsl.project.settings.target import all_traces_of
-    from aseme_dsl.project.testing.asking import NoSuchAgent, questions
+    from aseme_dsl.project.testing.asking import Differs, NoSuchAgent, questions
     from aseme_dsl.runtime.time.clock import shown
     from aseme_dsl.runtime.trace.trace_files import TraceError
 
@@ -66,32 +66,32 @@ def answer(
     print_diagnostics(problems, colour)
     if problems or not files:
         return 1
-    own = f"trace.{agent}.jsonl"  # where each agent had a process of its own
+    own = f"trace.{asked.agent}.jsonl"  # where each agent had a process of its own
     path = next((item for item in files if item.name.startswith(own)), files[0])
     try:
         with questions(path) as trace_asked:
-            asking = trace_asked.at(agent, moment, depth)
-            goal = goal_of(asking.teller.plan, what)
-            found = trace_asked.why(agent, moment, goal, depth) if is_why else asking.whynot(goal)
-            where = asking.where(goal)
-            now = asking.moment.now
+            found = trace_asked.answer(asked)
     except NoSuchAgent as problem:
-        print_diagnostics(not_in_traces([agent], problem.team, [path]), colour)
+        print_diagnostics(not_in_traces([asked.agent], problem.team, [path]), colour)
         return 1
     except NotAsked as problem:
         raise click.UsageError(f"{problem}.") from problem
     except NotReplayable as problem:
         say_unreadable(f"{path} cannot be replayed: {problem}", path, colour)
         return 1
+    except Differs as problem:
+        text = f"{path} gives no sure answer: its replay differs from what was recorded"
+        say_unreadable("\n".join((text, *difference_lines(problem.difference))), path, colour)
+        return 1
     except TraceError as problem:
         say_unreadable(problem, path, colour)
         return 1
     if as_json:
-        print_json(_as_json(agent, what, now, where, found))
+        print_json(_as_json(asked, found))
         return 0
-    end = "" if now == moment else ", the end of the trace,"
-    click.echo(f"at {shown(now)}{end} {agent} {where}")
-    click.echo(title(found))
+    end = "" if found.now == asked.at else ", the end of the trace,"
+    click.echo(f"at {shown(found.now)}{end} {asked.agent} {found.where}")
+    click.echo(title(asked, trace, found))
     for line in lines(found.said, 1):
         click.echo(line)
     return 0
@@ -104,13 +104,13 @@ def lines(said: Sequence[Said], depth: int) -> Iterator[str]:
         yield from lines(item.inside, depth + 1)
 
 
-def _as_json(agent: str, what: str, now: int, where: str, found: Answer) -> dict[str, object]:
+def _as_json(asked: Question, found: Answer) -> dict[str, object]:
     return {
         "format": 1,
-        "agent": agent,
-        "what": what,
-        "time_ns": now,
-        "where": where,
+        "agent": asked.agent,
+        "what": asked.what,
+        "time_ns": found.now,
+        "where": found.where,
         "is_so": found.is_so,
         "said": [_said(item) for item in found.said],
     }

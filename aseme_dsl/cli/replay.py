@@ -18,6 +18,7 @@ from aseme_dsl.cli.shared import (
 )
 
 if TYPE_CHECKING:
+    from aseme_dsl.play.replay import Difference
     from aseme_dsl.project.testing.replaying import Replayed
 
 
@@ -67,8 +68,6 @@ def command(targets: tuple[str, ...], agents: tuple[str, ...], as_json: bool, co
 
 
 def _show(item: Replayed, colour: str) -> None:
-    from aseme_dsl.runtime.time.clock import shown
-
     if item.problem is not None:
         say_unreadable(item.problem, item.path, colour)
     found = item.difference
@@ -77,11 +76,21 @@ def _show(item: Replayed, colour: str) -> None:
         click.echo(f"{item.path}: {who}: no difference")
     else:
         click.echo(f"{item.path}: {who}, up to a difference")
-        click.echo(f"  {found.agent}, step {found.step} at {shown(found.time)}: {found.what}")
-        click.echo(f"    recorded: {'; '.join(found.expected) or 'none'}")
-        click.echo(f"    replayed: {'; '.join(found.got) or 'none'}")
+        for line in difference_lines(found):
+            click.echo(line)
     for line in (*watched_lines(item.watched), *([item.unwatched] if item.unwatched else [])):
         click.echo(f"  {line}")
+
+
+def difference_lines(found: Difference) -> tuple[str, ...]:
+    """Where a replay differs, in words."""
+    from aseme_dsl.runtime.time.clock import shown
+
+    return (
+        f"  {found.agent}, step {found.step} at {shown(found.time)}: {found.what}",
+        f"    recorded: {'; '.join(found.expected) or 'none'}",
+        f"    replayed: {'; '.join(found.got) or 'none'}",
+    )
 
 
 def _as_json(item: Replayed) -> dict[str, object]:

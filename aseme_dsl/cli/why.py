@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import click
 
 from aseme_dsl.cli.asking import WHAT_HELP, answer, question
+
+if TYPE_CHECKING:
+    from aseme_dsl.play.asking.answer import Answer
+    from aseme_dsl.play.asking.question import Question
 
 
 @click.command(
@@ -19,14 +25,10 @@ def command(
     agent: str, what: str, trace: str | None, moment: int, depth: int, as_json: bool, colour: str
 ) -> int:
     """Answer; 1 if the trace cannot be read."""
-    return answer(
-        agent,
-        what,
-        trace,
-        moment,
-        depth,
-        as_json,
-        colour,
-        True,
-        lambda found: f"`{what}` happened:" if found.is_so else f"`{what}` did not happen:",
-    )
+    from aseme_dsl.play.asking.question import Question
+
+    return answer(Question(agent, what, moment, True, depth), trace, as_json, colour, _title)
+
+
+def _title(asked: Question, trace: str | None, found: Answer) -> str:
+    return f"`{asked.what}` happened:" if found.is_so else f"`{asked.what}` did not happen:"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from typing import TYPE_CHECKING
 
 import click
@@ -10,6 +11,7 @@ from aseme_dsl.cli.asking import WHAT_HELP, answer, question
 
 if TYPE_CHECKING:
     from aseme_dsl.play.asking.answer import Answer
+    from aseme_dsl.play.asking.question import Question
 
 
 @click.command(
@@ -25,24 +27,19 @@ def command(
     agent: str, what: str, trace: str | None, moment: int, depth: int, as_json: bool, colour: str
 ) -> int:
     """Answer; 1 if the trace cannot be read."""
+    from aseme_dsl.play.asking.question import Question
 
-    def title(found: Answer) -> str:
-        if found.is_so:
-            return f"it is so: ask `asemec why {agent} '{what}'`"
-        count = sum(len(stage.changes) for stage in found.stages)
-        if not found.stages:
-            return f"`{what}` did not happen:"
-        things = "this was" if count == 1 else f"these {count} things were"
-        return f"`{what}` did not happen; it would have, if {things} otherwise:"
+    return answer(Question(agent, what, moment, False, depth), trace, as_json, colour, _title)
 
-    return answer(
-        agent,
-        what,
-        trace,
-        moment,
-        depth,
-        as_json,
-        colour,
-        False,
-        title,
-    )
+
+def _title(asked: Question, trace: str | None, found: Answer) -> str:
+    if found.is_so:
+        from aseme_dsl.project.testing.asking import at_text
+
+        words = ["asemec", "why", asked.agent, asked.what, "--at", at_text(found.now)]
+        return f"it is so: ask `{shlex.join(words if trace is None else [*words, trace])}`"
+    count = sum(len(stage.changes) for stage in found.stages)
+    if not found.stages:
+        return f"`{asked.what}` did not happen:"
+    things = "this was" if count == 1 else f"these {count} things were"
+    return f"`{asked.what}` did not happen; it would have, if {things} otherwise:"

@@ -179,7 +179,8 @@ def test_transitions_messages_and_channels_can_be_asked_for(desk: Here) -> None:
 
 
 def test_what_is_so_and_what_never_was(desk: Here) -> None:
-    assert "it is so: ask `asemec why bob 'Serve'`" in asked(desk, "whynot", "bob", "Serve", "9s")
+    found = asked(desk, "whynot", "bob", "Serve", "9s")
+    assert "it is so: ask `asemec why bob Serve --at 9s t.jsonl`" in found
     assert "it has never been there in this trace" in asked(desk, "why", "ann", "Flee", "60s")
 
 
@@ -341,3 +342,153 @@ def test_a_farewell_is_sent_where_its_part_is_left(here: Here, folder: Path) -> 
     here("run", "farewell.aseme", "--for", "5s", "--trace", "t.jsonl", "--quiet")
     found = asked(here, "whynot", "ann", "failure Req", "3s")
     assert "`has(t.signal.Stop)` does not hold" in found, found
+
+
+SEEING = """\
+system Seeing
+message Ball { double distance }
+topic eyes { state Ball  signal Ball }
+srm seer {
+  liveness { seer = Stand }
+  activities { Stand takes 30s simulated }
+  modules { Vision every 1s as step writes eyes.state.Ball, eyes.signal.Ball }
+}
+srm kicker {
+  liveness { kicker = Walk . (Kick | Wave) }
+  activities { Walk takes 2500ms simulated  Kick takes 1s simulated  Wave takes 1s simulated }
+  control kicker { enter Kick : [eyes.signal.Ball.distance > 0]  enter Wave : [eyes.state.Ball.distance < 0] }
+}
+team Seeing { ann : seer  bob : kicker }
+"""
+
+VISION = """\
+from monas.Seeing.messages import Ball
+
+
+class Vision:
+    def execute(self, context):
+        context.publish("eyes.state.Ball", Ball(distance=1.0))
+"""
+
+
+@pytest.fixture
+def seeing(here: Here, folder: Path) -> Here:
+    """An agent sees with a module, which is Python, and another one waits for what it sees."""
+    (folder / "seeing.aseme").write_text(SEEING)
+    (folder / "activities").mkdir()
+    (folder / "activities" / "vision.py").write_text(VISION)
+    arguments = ("--activities", "activities", "--for", "5s", "--trace", "t.jsonl", "--quiet")
+    assert here("run", "seeing.aseme", *arguments).code == 0
+    return here
+
+
+def test_a_module_of_another_agent_publishes(seeing: Here) -> None:
+    assert "ann has never published it; the module Vision does, and its code decides when" in asked(
+        seeing, "whynot", "bob", "Kick", "3s"
+    )
+    for at, age in (("2800ms", "0.8 s"), ("3s", "0 s")):
+        found = asked(seeing, "whynot", "bob", "Wave", at)
+        assert f"eyes.state.Ball.distance is 1.0, {age} old, from ann" in found
+
+
+def test_a_module_is_asked_itself(seeing: Here) -> None:
+    assert asked(seeing, "whynot", "ann", "eyes.signal.Ball", "3s").splitlines()[1:] == [
+        "`eyes.signal.Ball` did not happen:",
+        "  the module Vision publishes it in any state: its code decides when",
+    ]
+    assert asked(seeing, "why", "ann", "eyes.state.Ball", "2500ms").splitlines()[1:] == [
+        "`eyes.state.Ball` happened:",
+        "  at 2 s the module Vision published it last, as its code decided",
+    ]
+
+
+def test_a_trace_whose_replay_differs_gives_no_answer(desk: Here, folder: Path) -> None:
+    lines = [json.loads(line) for line in _TRACE[0].splitlines()]
+    step = next(line for line in lines if line.get("agent") == "bob" and line["time"] == 8_000_000_000)
+    step["taken"] = []
+    (folder / "t.jsonl").write_text("".join(f"{json.dumps(line)}\n" for line in lines))
+    for command in ("why", "whynot"):
+        found = desk(command, "bob", "Pack", "--at", "20s", "t.jsonl")
+        assert found.code == 1 and found.out == ""
+        assert "its replay differs from what was recorded" in found.err
+        assert "bob, step 3 at 8 s: transitions" in found.err, found.err
+
+
+BAKERY = """\
+system Bakery
+message Order { int loaves }
+message Offer { double price }
+message Oven { bool warm }
+topic oven { state Oven }
+aip sale {
+  participant customer {
+    sends    request Order, accept_proposal Offer
+    receives propose Offer
+    process  = Choose . AwaitOffer . Decide . Agreed
+  }
+  participant baker {
+    sends    propose Offer
+    receives request Order, accept_proposal Offer
+    process  = Reckon . AwaitYes . Bake
+  }
+  control customer {
+    enter AwaitOffer : / send request Order { loaves = 3 } to baker
+    enter Decide     : propose Offer from baker
+    enter Agreed     : / send accept_proposal Offer { price = 1 } to baker
+  }
+  control baker {
+    enter Reckon   : request Order from customer
+    enter AwaitYes : / send propose Offer { price = 2 } to customer
+    enter Bake     : accept_proposal Offer from customer
+  }
+}
+srm shopper {
+  plays sale.customer
+  liveness { shopper = customer }
+  activities {
+    Choose takes 1s simulated  AwaitOffer takes 1ms simulated
+    Decide takes 1s simulated  Agreed takes 10ms simulated
+  }
+}
+srm cook {
+  plays sale.baker
+  liveness { cook = Rise . baker }
+  activities {
+    Rise takes 1s simulated  Reckon takes 500ms simulated
+    AwaitYes takes 1ms simulated  Bake takes 20s simulated
+  }
+  control cook { enter baker : [has(oven.state.Oven)] }
+}
+srm stove {
+  liveness { stove = Light . Warm~ }
+  activities { Light takes 8s simulated  Warm every 1s takes 10ms writes oven.state.Oven simulated }
+}
+team Bakery { ann : shopper  bob : cook  gas : stove }
+"""
+
+
+def test_a_message_is_followed_back_through_the_team(here: Here, folder: Path) -> None:
+    (folder / "bakery.aseme").write_text(BAKERY)
+    here("run", "bakery.aseme", "--for", "5s", "--trace", "t.jsonl", "--quiet")
+    found = asked(here, "whynot", "ann", "Agreed", "4s")
+    assert [line.strip() for line in found.splitlines()[2:]] == [
+        "1. to Decide from AwaitOffer by `propose Offer from baker` (bakery.aseme:19:5)",
+        "`propose Offer` from baker has not come, or was taken before",
+        "bob has never sent it; it does in Reckon -> AwaitYes (bakery.aseme:24:5), and is in Rise since 0 s",
+        "to baker from Rise by `[has(oven.state.Oven)]` (bakery.aseme:43:18)",
+        "`has(oven.state.Oven)` does not hold",
+        "oven.state.Oven is absent: the message is not there",
+        "gas has never published it; it does in Warm, and is in Light since 0 s",
+        "to Warm from Light (bakery.aseme:46:30)",
+        "Light has not ended: its activity runs since 0 s, and takes 8 s",
+        "and behind that: Reckon, AwaitYes",
+        "2. to Agreed from Decide by `/ send accept_proposal Offer { price = 1 } to baker`"
+        " (bakery.aseme:20:5)",
+        "Decide has not ended: its activity would run then",
+    ]
+    found = asked(here, "whynot", "bob", "Bake", "4s")
+    assert "`request Order` from customer has not come in yet" in found
+    assert "ann sent it at 1 s; it waits until bob enters baker" in found
+    assert "so bob waits for what is asked for here" not in found
+    found = asked(here, "whynot", "ann", "Agreed", "4s", "--depth", "1")
+    assert "why not, says `asemec whynot gas oven.state.Oven --at 4s`" in found

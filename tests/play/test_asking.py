@@ -8,17 +8,20 @@ import random
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from aseme_dsl.play.asking.answer import Answer, Asking
-from aseme_dsl.play.asking.question import goal_of
+from aseme_dsl.play.asking.question import NotAsked, goal_of
+from aseme_dsl.play.asking.question import Question as Asked
 from aseme_dsl.play.asking.ways import Goal
 from aseme_dsl.project.testing.asking import Questions, questions
 from aseme_dsl.runtime.chart.plan import State
 from aseme_dsl.runtime.team.faults import Crash, Faults
 from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from tests.cli.support import asemec
+from tests.faults.changing import version
 from tests.oracle import charts
 from tests.oracle.choices import Choices
 from tests.play.test_replay import recorded
@@ -123,6 +126,85 @@ def test_an_agent_that_is_down_has_crashed(tmp_path: Path) -> None:
             asking = found.at(agent, now)
             answer = asking.whynot(goal_of(asking.teller.plan, what))
             assert [said.text for said in answer.said] == [text]
-            assert asking.where(answer.goal) == f"has stopped: {text.partition(': ')[2]}"
+            assert answer.where == f"has stopped: {text.partition(': ')[2]}"
         asking = found.at("bob", 2 * SECOND)
         assert "A has not ended" in str(asking.whynot(goal_of(asking.teller.plan, "B")))
+
+
+WALK = """
+    system Walk
+    message Seen { int n }
+    topic eyes { signal Seen from outside }
+    srm robot {
+      liveness { robot = (FIRST . Walk)+ }
+      activities { FIRST takes 20ms  Walk takes 70ms }
+      control robot { leave (FIRST . Walk) : [eyes.signal.Seen.n > 900]  repeat (FIRST . Walk) : else }
+    }
+"""
+
+
+def test_what_was_done_before_a_swap_is_asked_of_the_model_of_then(tmp_path: Path) -> None:
+    def text(first: str) -> str:
+        return WALK.replace("FIRST", first)
+
+    def change(team: Any) -> None:
+        team.swap(version(text("Look")), at=210 * MS)
+
+    lines = recorded(text("Rest"), tmp_path, change, until=SECOND)
+    swapped = next(line for line in lines if line["kind"] == "swap" and line["what"] == "done")
+    with questions(tmp_path / "trace.jsonl") as found:
+        answer = found.answer(Asked("me", "Rest", 900 * MS, is_why=True))
+        assert "at 0.18 s it went to Rest from" in answer.said[0].text, swapped
+        assert answer.is_so and answer.now >= 900 * MS
+        assert found.answer(Asked("me", "Look", 900 * MS, is_why=True)).is_so
+        with pytest.raises(NotAsked, match=r"Rest: .*; until 0.2 s it ran another model that has it"):
+            found.answer(Asked("me", "Rest", 900 * MS, is_why=False))
+        then = found.answer(Asked("me", "Rest", 150 * MS, is_why=False))
+        assert "Walk has not ended" in str(then.said)
+
+
+TALK = """
+    system Talk
+    message Note { int n }
+    aip talk {
+      participant asker  { sends request Note  receives inform Note  process = Ask . Hear }
+      participant helper { sends inform Note  receives request Note  process = Help . Tell }
+      control asker  {
+        enter Hear : / send request Note { n = 1 } to helper
+        leave Hear : inform Note m from helper [m.n > 5]
+      }
+      control helper {
+        enter Help : request Note from asker
+        enter Tell : / send inform Note { n = 7 } to asker
+      }
+    }
+    srm one { plays talk.asker  liveness { one = asker . Rest }
+      activities { Ask takes 100ms  Hear takes 1ms  Rest takes 1s } }
+    srm two { plays talk.helper  liveness { two = helper }
+      activities { Help takes 500ms  Tell takes 10ms } }
+    team Two { ann : one  bob : two }
+"""
+
+
+def test_a_message_on_its_way_and_one_whose_content_does_not_do(tmp_path: Path) -> None:
+    slow = Faults(delay=300 * MS, least_delay=300 * MS)
+    recorded(TALK, tmp_path, until=2 * SECOND, faults=slow)
+    with questions(tmp_path / "trace.jsonl") as found:
+        on_its_way = str(found.answer(Asked("bob", "Help", 200 * MS, is_why=False)))
+        assert "`request Note` from asker has not come in yet" in on_its_way
+        assert "ann sent it at 0.1 s; bob has not received it yet" in on_its_way
+        assert found.answer(Asked("ann", "Rest", 2 * SECOND, is_why=True)).is_so
+    recorded(TALK.replace("n = 7", "n = 3"), tmp_path, until=2 * SECOND, file="few.jsonl")
+    with questions(tmp_path / "few.jsonl") as found:
+        few = str(found.answer(Asked("ann", "Rest", SECOND, is_why=False)))
+        assert "`m.n > 5` does not hold" in few and "m.n is 3, 0.4 s old, from bob" in few
+
+
+def test_a_long_way_is_found_and_a_longer_one_is_said_to_be_so(tmp_path: Path) -> None:
+    for count, said in ((60, "60. to S60"), (120, "no way of at most 100 steps was found")):
+        chain = " . ".join(f"S{place}" for place in range(count + 1))
+        takes = " ".join(f"S{place} takes 1s" for place in range(count + 1))
+        text = f"system Long  srm r {{ liveness {{ r = {chain} }}  activities {{ {takes} }} }}"
+        recorded(text, tmp_path, until=1 * MS, file=f"{count}.jsonl")
+        with questions(tmp_path / f"{count}.jsonl") as found:
+            assert said in str(found.answer(Asked("me", f"S{count}", 0, is_why=False)))

@@ -7,39 +7,47 @@ from dataclasses import dataclass
 from typing import assert_never
 
 from aseme_dsl.play.asking.changes import Change, Holding, Lacking, Made, Moment, Tried, Waiting
-from aseme_dsl.play.asking.parts import Denied, Joined, Part, Tree
-from aseme_dsl.play.asking.search import Needed, Prevented, Search, followed
-from aseme_dsl.play.asking.telling import Said, Teller
-from aseme_dsl.play.asking.ways import Goal, Stage
+from aseme_dsl.play.asking.parts import Denied, Joined, Part, Tree, parts_in
+from aseme_dsl.play.asking.said import Said
+from aseme_dsl.play.asking.search import STAGES, Found, Needed, Search, followed
+from aseme_dsl.play.asking.telling import Teller
+from aseme_dsl.play.asking.ways import Goal, Stage, leads
 from aseme_dsl.runtime.chart.inputs import Completed
 from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.time.clock import shown
 
 OTHERS = 6
 """So many other ways are listed."""
+_NEVER = Said("it has never been there in this trace")
 
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What is said. `stages` are what has to be otherwise: they were tried, and `goal` is reached."""
+    """What is said of an agent at a time (ns), and `where` it was, as a phrase.
+
+    `is_so`: what is asked for is so. `stages` are what has to be otherwise: they were tried, and `goal` is
+    reached.
+    """
 
     said: tuple[Said, ...]
     is_so: bool
-    """Whether what is asked for is so."""
     goal: Goal
+    now: int
+    where: str
     stages: tuple[Needed, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class Asking:
-    """An agent at a moment, with the steps in which it took transitions before it, the last one last."""
+    """An agent at a moment, with the steps in which it took transitions before it, the last one last.
+
+    All these steps are of the model that it ran at that moment.
+    """
 
     teller: Teller
     search: Search
     moment: Moment
     steps: Sequence[Made]
-    first_line: int = 0
-    """The number of the first line behind the header that was read."""
 
     def where(self, goal: Goal) -> str:
         """Where the agent is, as a phrase."""
@@ -53,33 +61,45 @@ class Asking:
         chart = self.teller.trial.look(self.moment)
         over = chart.failure or self.teller.past.members[self.teller.agent].over
         if over:
-            return Answer((Said(f"it has stopped: {over}"),), False, goal)
-        active = self.search.active(self.moment)
-        last = self.steps[-1] if self.steps else None
-        if not goal.states.isdisjoint(active) or (
-            last is not None and last.moment.now == self.moment.now and self._reaching(goal, last) is not None
-        ):
-            code = Said("the activity that sends it is active: its code decides")
-            return Answer((code,) if goal.by_code else (), not goal.by_code, goal)
+            return self._answer(goal, Said(f"it has stopped: {over}"))
+        if self._is_there(goal):
+            if goal.by_code:
+                return self._answer(goal, Said("the activity that sends it is active: its code decides"))
+            return self._answer(goal, is_so=True)
         if chart.finished:
-            return Answer((Said("it has finished: its END is active"),), False, goal)
+            return self._answer(goal, Said("it has finished: its END is active"))
+        last = tuple(item for item in (self._by_module(goal),) if item is not None)
+        modules = [
+            Said(f"{name} publishes it in any state: its code decides when", last) for name in goal.modules
+        ]
+        if goal.is_for_modules:
+            return self._answer(goal, *modules)
         at_once = self._at_once(goal)
         if at_once is not None:
             return at_once
         left = self._left(goal)
-        answer = self.search.find(self.moment, goal)
-        said = [self._stage(item, number, len(answer.stages)) for number, item in enumerate(answer.stages)]
-        said += self._prevented(answer.prevented)
-        if answer.prevented and not answer.stages:
-            said.append(Said(f"no way was found, though {len(answer.prevented)} were tried"))
-        elif not answer.stages:
-            said.append(Said("no way leads there from where it is"))
-        first = answer.stages[0].stage.ways[0] if answer.stages else ()
+        found = self.search.find(self.moment, goal)
+        said = [self._stage(item, number, len(found.stages)) for number, item in enumerate(found.stages)]
+        said += self._prevented(found)
+        first = found.stages[0].stage.ways[0] if found.stages else ()
         said += self._others(goal, first)
         if left is not None:
             moment, stage, other = left
             said.append(Said(self._instead(moment, stage.ways[0], other)))
-        return Answer(tuple(said), False, goal, answer.stages)
+        return self._answer(goal, *said, *modules, stages=found.stages)
+
+    def _answer(
+        self, goal: Goal, *said: Said, is_so: bool = False, stages: tuple[Needed, ...] = ()
+    ) -> Answer:
+        return Answer(said, is_so, goal, self.moment.now, self.where(goal), stages)
+
+    def _is_there(self, goal: Goal) -> bool:
+        """Whether the agent is where the goal says, or its last step of this very moment has led there."""
+        if not goal.states.isdisjoint(self.search.active(self.moment)):
+            return True
+        last = self.steps[-1] if self.steps else None
+        is_now = last is not None and last.moment.now == self.moment.now
+        return last is not None and is_now and self._reaching(goal, last) is not None
 
     def _stage(self, item: Needed, number: int, count: int) -> Said:
         ways = item.stage.ways
@@ -88,12 +108,22 @@ class Asking:
         return Said(f"{place}{title}", tuple(self._needs(item)))
 
     def _needs(self, item: Needed) -> Iterator[Said]:
-        return (self.teller.change(change, item.moment) for change in item.changes)
+        return (self.teller.change(change, item.moment, item.changes) for change in item.changes)
 
-    def _prevented(self, items: Sequence[Prevented]) -> Iterator[Said]:
-        for item in items:
+    def _prevented(self, found: Found) -> Iterator[Said]:
+        """Why ways were not taken, and why there is none."""
+        for item in found.prevented:
             if item.by:
                 yield Said(f"{self.teller.way(item.way)} is not possible: it goes {self.teller.way(item.by)}")
+        if found.stages:
+            return
+        if found.is_far:
+            yield Said(f"no way of at most {STAGES} steps was found, and longer ones are not tried")
+        elif found.prevented:
+            count = len(found.prevented)
+            yield Said(f"no way was found, though {count} {'was' if count == 1 else 'were'} tried")
+        else:
+            yield Said("no way leads there from where it is")
 
     def _others(self, goal: Goal, first: tuple[int, ...]) -> Iterator[Said]:
         """The other ways that lead there at once."""
@@ -123,7 +153,7 @@ class Asking:
                 other = None if missed is None else self._other(ways[missed], made.taken[place:])
                 if missed is not None and other is not None:
                     title = self._instead(made.moment, ways[missed], other)
-                    return Answer((Said(title, tuple(self._needs(stages[0]))),), False, goal, stages)
+                    return self._answer(goal, Said(title, tuple(self._needs(stages[0]))), stages=stages)
         return None
 
     # ---- what was done instead -------------------------------------------------------------------
@@ -165,56 +195,63 @@ class Asking:
 
     def why(self, goal: Goal) -> Answer:
         """What has led there: the last step that did, and what decided it."""
-        for made in reversed(self.steps):
+        published = [item for item in (self._by_module(goal),) if item is not None]
+        if goal.is_for_modules:
+            return self._answer(goal, *(published or (_NEVER,)), is_so=bool(published))
+        for place in reversed(range(len(self.steps))):
+            made = self.steps[place]
             way = self._reaching(goal, made)
             if way is not None:
-                title = f"at {shown(made.moment.now)} it went {self.teller.way(way)}"
-                return Answer((Said(title, tuple(self._decided(goal, made, way))),), True, goal)
-        return Answer((Said("it has never been there in this trace"),), False, goal)
+                again = "" if self._leads(goal, way) else self._resumed(goal, place)
+                title = f"at {shown(made.moment.now)} it went {self.teller.way(way)}{again}"
+                decided = tuple(self._decided(goal, made, way))
+                return self._answer(goal, Said(title, decided), *published, is_so=True)
+        return self._answer(goal, *(published or (_NEVER,)), is_so=bool(published))
 
-    def may_reach(self, goal: Goal, taken: Sequence[tuple[int, ...]]) -> bool:
-        """Whether transitions that a step takes may lead to a goal."""
-        transitions = self.teller.plan.transitions
-        return any(self._leads(goal, way) or transitions[way[-1]].resume for way in taken)
+    def _by_module(self, goal: Goal) -> Said | None:
+        """When a module has last published what is asked for."""
+        past, agent = self.teller.past, self.teller.agent
+        for name in goal.modules:
+            record = past.last_published(goal.channel, (agent,)).get(agent)
+            if record is not None and name == f"the module {record.get('activity')}":
+                return Said(f"at {shown(record['time'])} {name} published it last, as its code decided")
+        return None
+
+    def _resumed(self, goal: Goal, place: int) -> str:
+        """That a step resumed what is asked for, and when that was left before."""
+        state = next(iter(goal.states), "")
+        for made in reversed(self.steps[:place]):
+            left = any(
+                state.startswith(f"{scope}.")
+                for scope, target, _ in map(self.teller.trial.shape.way, made.taken)
+                if target
+            )
+            if left:
+                return f", which resumed it where it was left at {shown(made.moment.now)}"
+        return ", which resumed it where it was left before"
 
     def _leads(self, goal: Goal, way: tuple[int, ...]) -> bool:
-        shape = self.teller.trial.shape
-        path = shape.way(way)[2]
-        enters = bool(path) and not goal.states.isdisjoint(shape.entered(path))
-        return enters or not goal.transitions.isdisjoint(way)
+        return leads(self.teller.trial.shape, goal, way)
 
     def _reaching(self, goal: Goal, made: Made) -> tuple[int, ...] | None:
         """The transition of a step that has led to the goal, with the branches of choices behind it."""
         found = next((way for way in made.taken if self._leads(goal, way)), None)
-        if found is not None or not self.may_reach(goal, made.taken):
+        if found is not None:
             return found
-        return made.taken[0] if self.search.reached(goal, made.moment) else None
+        resuming = [way for way in made.taken if self.teller.plan.transitions[way[-1]].resume]
+        return resuming[0] if resuming and self.search.reached(goal, made.moment) else None
 
     def _decided(self, goal: Goal, made: Made, way: tuple[int, ...]) -> Iterator[Said]:
         """What made it so: each of these was needed, or all are listed, if one would do."""
         moment, transitions = made.moment, self.teller.plan.transitions
         tried = self.teller.trial.run(moment)
-        known: list[Change] = []
+        known: dict[Change, int] = {}
         for place, taken in enumerate(made.taken[: made.taken.index(way) + 1]):
-            source = transitions[taken[0]].source
-            known += (
-                Lacking(item)
-                for item in moment.inputs
-                if isinstance(item, Completed) and is_in(item.label, source) and Lacking(item) not in known
-            )
-            for number in taken:
-                known += (item for item in self.search.events(moment, number) if item not in known)
-                if transitions[number].every is not None:
-                    known.append(Waiting(source, 0))
-                tree = self.search.condition(number)
-                parts = _holding(tree, tried, place) if tree is not None else ()
-                known += (Holding(part, part.negated) for part in parts)
-                if transitions[number].otherwise:
-                    facts = {item.part.fact: item for item in self._failed(number, tried, place)}
-                    known += facts.values()
+            for change in self._deciding(moment, taken, tried, place):
+                known.setdefault(change, place)
         needed = [item for item in known if not self.search.reached(goal, moment, (item,))]
         for change in needed or known:
-            yield self.teller.cause(change, moment)
+            yield self.teller.cause(change, moment, known[change])
         weights = (transitions[number].weight for number in way)
         yield from (
             Said(f"it was drawn, with the weight {weight}") for weight in weights if weight is not None
@@ -222,26 +259,30 @@ class Asking:
         if goal.by_code:
             yield Said("whether its activity sends is decided by its code")
 
+    def _deciding(self, moment: Moment, taken: tuple[int, ...], tried: Tried, place: int) -> Iterator[Change]:
+        """What let a step take a transition behind so many others, each as that it was not so."""
+        transitions = self.teller.plan.transitions
+        source = transitions[taken[0]].source
+        ended = (item for item in moment.inputs if isinstance(item, Completed))
+        yield from (Lacking(item) for item in ended if is_in(item.label, source))
+        for number in taken:
+            yield from self.search.events(moment, number)
+            if transitions[number].every is not None:
+                yield Waiting(source, 0)
+            tree = self.search.condition(number)
+            if tree is not None:
+                yield from (Holding(part, part.negated) for part in _holding(tree, tried, place))
+            if transitions[number].otherwise:
+                facts = {item.part.fact: item for item in self._failed(number, tried, place)}
+                yield from facts.values()
+
     def _failed(self, number: int, tried: Tried, place: int) -> Iterator[Holding]:
         """The parts that did not hold of the conditions that are tried before an `else`."""
         for other, _ in self.teller.plan.outgoing(self.teller.plan.transitions[number].source):
             tree = self.search.condition(other)
-            for part in () if tree is None else _parts_of(tree):
+            for part in parts_in(tree):
                 if tried.holds(part, place) is False:
                     yield Holding(part, not part.negated)
-
-
-def _parts_of(tree: Tree) -> Iterator[Part]:
-    match tree:
-        case Part():
-            yield tree
-        case Joined(parts=parts):
-            for item in parts:
-                yield from _parts_of(item)
-        case Denied(part=part):
-            yield from _parts_of(part)
-        case _:
-            assert_never(tree)
 
 
 def _holding(tree: Tree, tried: Tried, place: int) -> Iterator[Part]:

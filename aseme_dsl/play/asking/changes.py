@@ -10,6 +10,7 @@ from random import Random
 from typing import assert_never, cast
 
 from aseme_dsl.play.asking.parts import Fact, Part
+from aseme_dsl.play.asking.reading import MADE_UP, Reading, readings
 from aseme_dsl.play.replay import Model
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.following import Following, Shape
@@ -28,7 +29,7 @@ from aseme_dsl.runtime.chart.inputs import (
 from aseme_dsl.runtime.chart.saving import Saved
 from aseme_dsl.runtime.chart.stepping import RECEIVE
 
-OUTSIDE: Identity = ("?", 0)
+OUTSIDE: Identity = ("?", MADE_UP)
 """Who sends what a trial makes up."""
 STEPS = 100
 """A trial makes so many steps at one instant at the most."""
@@ -162,8 +163,15 @@ class Trial:
         self._forced: dict[Fact, bool] = {}
         self._told: dict[int, dict[int, bool]] = {}
         self._taken = 0
+        self._noted: int | None = None
+        self._notes: list[tuple[int, bool, tuple[Reading, ...]]] = []
+        """What the noted part has read: behind so many transitions, and whether it held by itself."""
+        self._shown = given
 
         def probe(chart: Chart, number: int, holds: bool) -> bool:
+            if number == self._noted:
+                read = readings(parts[number], chart, chart.now, given)
+                self._notes.append((self._taken + len(chart.taken), holds, read))
             if self._forced and (wanted := self._forced.get(parts[number].fact)) is not None:
                 holds = wanted is not parts[number].negated
             self._told.setdefault(number, {})[self._taken + len(chart.taken)] = holds
@@ -197,6 +205,23 @@ class Trial:
             RECEIVE[type(item)](self.chart, item)
         self.chart.events.clear()
         return self.chart
+
+    def decided(
+        self, part: Part, moment: Moment, changes: Sequence[Change], holds: bool, place: int | None = None
+    ) -> tuple[Reading, ...]:
+        """What a part read when it was decided: behind so many transitions; if that is not given, when it
+        last came to the value that decided. As it is at the moment, where the step does not look at it."""
+        self._noted = part.number
+        self._notes.clear()
+        try:
+            self.run(moment, changes)
+        finally:
+            self._noted = None
+        notes = [item for item in self._notes if place is None or item[0] == place]
+        found = [item for item in notes if item[1] is (holds is not part.negated)] or notes
+        if found:
+            return found[-1][2]
+        return readings(part, self.look(moment), moment.now, self._shown)
 
     def run(self, moment: Moment, changes: Sequence[Change] = ()) -> Tried:
         """The steps of this instant, if something of the moment was otherwise."""
@@ -273,7 +298,7 @@ class Trial:
         """A message of a channel that says nothing in particular."""
         content = self._messages[channel.rpartition(".")[2]]()
         sender = OUTSIDE[0] if host is None else host
-        return Sample(channel, content, sender, moment.now, (sender, -1))
+        return Sample(channel, content, sender, moment.now, (sender, MADE_UP))
 
     def _message(self, coming: Coming, now: int) -> AgentMessage:
         lost = coming.performative == LOST

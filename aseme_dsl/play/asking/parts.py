@@ -6,8 +6,9 @@ its negation. All parts of a condition are evaluated each time, but for those th
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import assert_never
 
 from aseme_dsl.amola.expression import (
     Arithmetic,
@@ -17,7 +18,6 @@ from aseme_dsl.amola.expression import (
     Literal,
     Logic,
     LossReason,
-    Named,
     Not,
     Outcome,
     RoundValue,
@@ -29,12 +29,10 @@ from aseme_dsl.amola.expression import (
     walk,
 )
 from aseme_dsl.amola.meant import performers, states_meant
-from aseme_dsl.amola.messages import BOOL, INT, PROBE, Function
+from aseme_dsl.amola.messages import BOOL
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
-from aseme_dsl.source import Source, Span
-
-_PROBE = Function("probe", (("number", INT), ("holds", BOOL)), BOOL, PROBE, Span(Source("", ""), 0, 0))
+from aseme_dsl.play.conditions import around, is_probe, meant, normal_form
 
 Fact = tuple[str, ...]
 """What a part says, without its negation: the same one wherever it means the same."""
@@ -42,12 +40,18 @@ Fact = tuple[str, ...]
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A part of the condition of a transition, by the number of its probe; `value` is without a negation."""
+    """A part of the condition of a transition, by the number of its probe; `value` is without a negation.
+
+    It is evaluated in a region, and in a branch of a participant or in none (""), given by their labels.
+    """
 
     number: int
     fact: Fact
     value: Value
     negated: bool
+    transition: int
+    region: str
+    branch: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +70,22 @@ class Denied:
 
 
 Tree = Part | Joined | Denied
+
+
+def parts_in(tree: Tree | None) -> Iterator[Part]:
+    """The parts of a condition, from left to right; of none, if there is no condition."""
+    match tree:
+        case None:
+            return
+        case Part():
+            yield tree
+        case Joined(parts=parts):
+            for item in parts:
+                yield from parts_in(item)
+        case Denied(part=part):
+            yield from parts_in(part)
+        case _:
+            assert_never(tree)
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,40 +132,38 @@ class _Reader:
         self._chart = chart
         self._number = number
         self._source = chart.transitions[number].source
-        self._place = (chart.name, chart.region_of(self._source))
+        self._region = chart.region_of(self._source)
+        self._branch = chart.branch_of(self._source) or ""
         self._parts = parts
         self._known: dict[Value, tuple[Value, Tree]] = {}
 
     def condition(self, value: Value) -> tuple[Value, Tree]:
         """A condition with its probes, and its parts."""
         if value not in self._known:
-            self._known[value] = self._read(value, negated=False)
+            self._known[value] = self._read(normal_form(value))
         return self._known[value]
 
     def inside(self, value: Value) -> Value:
         """The conditions in a draw, each with its probes."""
         return replace(value, operand=self.condition(value.operand)[0]) if isinstance(value, Holds) else value
 
-    def _read(self, value: Value, *, negated: bool) -> tuple[Value, Tree]:
-        match value:
-            case Named(expression=inner) if isinstance(_meant(inner), Logic | Not | Holds):
-                return self._read(inner, negated=negated)
-            case Not(operand=operand):
-                return self._read(operand, negated=not negated)
-            case Logic(operator=word, operands=operands):
-                other = {"&&": "||", "||": "&&"}[word] if negated else word
-                read = [self._read(item, negated=negated) for item in operands]
-                parts = tuple(tree for _, tree in read)
-                inner = replace(value, operator=other, operands=tuple(item for item, _ in read))
-                return inner, Joined(other == "&&", parts)
-            case Holds(operand=operand):
-                inside, tree = self._read(operand, negated=False)
-                holds = replace(value, operand=inside)
-                return (Not(holds, value.span), Denied(tree)) if negated else (holds, tree)
-        part = Part(len(self._parts), self._fact(value), value, negated)
+    def _read(self, normal: Value) -> tuple[Value, Tree]:
+        """What is in normal form, with its probes, and its parts."""
+        if isinstance(normal, Logic):
+            read = [self._read(item) for item in normal.operands]
+            joined = replace(normal, operands=tuple(item for item, _ in read))
+            return joined, Joined(normal.operator == "&&", tuple(tree for _, tree in read))
+        negated = isinstance(normal, Not)
+        value = normal.operand if isinstance(normal, Not) else normal
+        inner = meant(value)
+        if isinstance(inner, Holds):
+            inside, tree = self._read(normal_form(inner.operand))
+            holds = replace(inner, operand=inside)
+            return (Not(holds, holds.span), Denied(tree)) if negated else (holds, tree)
+        place = (self._number, self._region, self._branch)
+        part = Part(len(self._parts), self._fact(value), value, negated, *place)
         self._parts.append(part)
-        told = Not(value, value.span) if negated else value
-        return _around(told, part.number), part
+        return around(normal, part.number), part
 
     def _fact(self, value: Value) -> Fact:
         """Where something in it depends on the transition, or on its source, that belongs to the fact."""
@@ -159,18 +177,8 @@ class _Reader:
                 case Outcome(activity=activity):
                     place += (node.label for node in performers(self._chart, self._source, activity))
                 case RoundValue():
-                    place.append(self._chart.branch_of(self._source) or "")
-        return (*self._place, value_text(rewritten(value, _meant)), *place)
-
-
-def _meant(value: Value) -> Value:
-    while isinstance(value, Named):
-        value = value.expression
-    return value
-
-
-def _around(value: Value, number: int) -> Value:
-    return Call(_PROBE, (Literal(number, INT, value.span), value), BOOL, value.span)
+                    place.append(self._branch)
+        return (self._chart.name, self._region, value_text(rewritten(value, meant)), *place)
 
 
 def _with_all(condition: Value, tree: Tree) -> Value:
@@ -178,22 +186,18 @@ def _with_all(condition: Value, tree: Tree) -> Value:
     if isinstance(tree, Part):
         return condition
     span = condition.span
-    asked = [item for item in walk(condition) if _is_probe(item) and not _may_raise(item)]
+    asked = [item for item in walk(condition) if is_probe(item) and not _may_raise(item)]
     looked_at = (Logic("||", (item, Literal(True, BOOL, span)), span) for item in asked)
     return Logic("&&", (*looked_at, condition), span)
 
 
-def _is_probe(value: Value) -> bool:
-    return isinstance(value, Call) and value.function is _PROBE
-
-
 def _may_raise(value: Value) -> bool:
     for item in walk(value):
-        if isinstance(item, Call) and item.function is not _PROBE and item.function.is_of_document:
+        if isinstance(item, Call) and item.function.is_of_document:
             return True
         if isinstance(item, Arithmetic) and item.operator in ("/", "%"):
             return True
     return False
 
 
-__all__ = ["Asked", "Denied", "Fact", "Joined", "Part", "Tree", "asked"]
+__all__ = ["Asked", "Denied", "Fact", "Joined", "Part", "Tree", "asked", "parts_in"]

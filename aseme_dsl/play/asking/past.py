@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from aseme_dsl.play.inputs import identity_of
 from aseme_dsl.runtime.chart.following import Following, Shape
+from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.runtime.trace.records import Record, agents_of
@@ -52,6 +55,10 @@ class Past:
         """The last agent message of each agent, by performative and message."""
         self.refused: dict[tuple[str, str], Record] = {}
         """The last agent message that an agent did not expect, by agent and sender."""
+        self.begin = 0
+        """The time (ns) of the first line that was shown, but for the header and changes of models."""
+        self._received: dict[str, set[Identity]] = {}
+        """The identities of what each agent has got."""
         self._kinds: Mapping[str, Callable[[Record], None]] = {
             "header": self._header,
             "step": self._step,
@@ -112,6 +119,16 @@ class Past:
                     break
         return found.get(agent)
 
+    def has_received(self, agent: str, record: Record) -> bool:
+        """Whether an agent has got a message, given by the line of its sending."""
+        identity = record["agent"], record["sequence"]
+        if identity in self._received.get(agent, ()) or record["time"] > self.begin:
+            return identity in self._received.get(agent, ())
+        text = f"[{json.dumps(identity[0], ensure_ascii=False)},{identity[1]}]"
+        return any(
+            line.record["kind"] == "step" and line.record["agent"] == agent for line in self._earlier((text,))
+        )
+
     def place(self, agent: str) -> tuple[str, ...]:
         """The active leaves of an agent."""
         member = self.members[agent]
@@ -141,6 +158,8 @@ class Past:
 
     def _step(self, record: Record) -> None:
         member = self.members[record["agent"]]
+        received = self._received.setdefault(record["agent"], set())
+        received.update(identity_of(item) for item in (*record["inputs"], *record.get("ahead", ())))
         member.configuration = tuple(record.get("configuration", member.configuration))
         following = self._followed(member)
         if following is None:

@@ -1,11 +1,32 @@
-"""Question: what is asked for in a statechart: a state, a transition or a message."""
+"""Question: what is asked of an agent, and what that means in its statechart."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from difflib import get_close_matches
 
+from aseme_dsl.play.asking.names import named
+from aseme_dsl.play.asking.sending import places, sent_of
 from aseme_dsl.play.asking.ways import Goal
 from aseme_dsl.runtime.chart.plan import Plan, State
+
+DEPTH = 4
+"""So many agents are asked one for the other why they have not sent something, if nothing else is said."""
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """Why an agent has done something by a time (ns), or why not.
+
+    `what` is a state, a transition, an agent message or a channel. Where a message of another agent has not
+    come, that agent is asked why, and so on, `depth` times.
+    """
+
+    agent: str
+    what: str
+    at: int
+    is_why: bool
+    depth: int = DEPTH
 
 
 class NotAsked(Exception):
@@ -30,6 +51,8 @@ def goal_of(plan: Plan, asked: str) -> Goal:
 def _called(plan: Plan, name: str) -> list[State]:
     """The states of a name: their own, that of their activity, their label, or one behind that of a part."""
     found = [item for item in plan.states if name in (item.name, item.activity, item.label)]
+    if not found and name.endswith(("]", ")")):
+        found = [item for item in plan.states if named(plan, item.label) == name]
     if found or not 0 < name.count(".") <= len(plan.states):
         return found
     around, _, inner = name.rpartition(".")
@@ -63,24 +86,16 @@ def _pointed(plan: Plan, name: str) -> list[State]:
 
 
 def _message(plan: Plan, text: str) -> Goal:
-    """What sends an agent message, or publishes on a channel: transitions, and the states of activities."""
-    words = text.removeprefix("send ").removeprefix("publish ").split()
-    kind = tuple(words) if len(words) == 2 else ("", text)
-    numbers = {
-        number
-        for number, item in enumerate(plan.transitions)
-        for action in item.actions
-        if action[:3] == ("send", *kind) or action == ("publish", text)
-    }
-    writers = {info.name for info in plan.activities if text in info.writes}
-    states = {item.label for item in plan.states if item.activity in writers}
-    for info in plan.branches:
-        for performative, message, labels, _ in info.moves:
-            if (performative, message) == kind:
-                states.update(labels)
-    if not numbers and not states:
+    """What sends an agent message, or publishes on a channel: transitions, states of activities, modules."""
+    sent = sent_of(text)
+    found = tuple(places(plan, sent))
+    if not found:
         raise NotAsked(_unknown(plan, text))
-    return Goal(frozenset(states), frozenset(numbers), by_code=bool(states))
+    states = frozenset(item.label for item in found if item.transition is None and not item.is_module)
+    numbers = frozenset(item.transition for item in found if item.transition is not None)
+    modules = tuple(item.called for item in found if item.is_module)
+    channel = "" if sent[0] else sent[1]
+    return Goal(states, numbers, by_code=bool(states or modules), modules=modules, channel=channel)
 
 
 def _unknown(plan: Plan, name: str) -> str:
@@ -90,4 +105,4 @@ def _unknown(plan: Plan, name: str) -> str:
     return f"{plan.name} has no state, transition or message {name}: {hint}"
 
 
-__all__ = ["NotAsked", "goal_of"]
+__all__ = ["DEPTH", "NotAsked", "Question", "goal_of"]

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
+    Bound,
     Call,
     Expired,
     Index,
+    LossReason,
     Member,
     Outcome,
     RoundValue,
+    Sender,
     Value,
     VariableValue,
     value_text,
@@ -20,16 +23,20 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.play.asking.parts import Part
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.chart.inputs import LOST, Identity
 from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.message.as_json import to_json
+
+MADE_UP = -1
+"""The number of a message that a trial makes up: it is not there."""
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
     """Something that a condition reads. `value` is as JSON has it, None if it is absent.
 
-    A message has its channel, its age in ns, its sender and its identity.
+    A message has its age in ns (an agent message only if it is known), its sender and its identity; one of a
+    topic has its channel.
     """
 
     text: str
@@ -45,8 +52,36 @@ class Reading:
 
 def readings(part: Part, chart: Chart, now: int, given: Mapping[str, object]) -> tuple[Reading, ...]:
     """What a part reads, each once; `given` is what functions of the document gave last."""
-    found = (_reading(item, part, chart, now, given) for item in walk(part.value))
-    return tuple({item.text: item for item in found if item is not None}.values())
+    found = (item for value in walk(part.value) for item in _readings(value, part, chart, now, given))
+    return tuple({(item.text, item.identity): item for item in found}.values())
+
+
+def _readings(
+    value: Value, part: Part, chart: Chart, now: int, given: Mapping[str, object]
+) -> Iterator[Reading]:
+    if isinstance(value, Bound | Sender | LossReason):
+        yield from _of_letters(value, part, chart, now)
+    elif (found := _reading(value, part, chart, now, given)) is not None:
+        yield found
+
+
+def _of_letters(value: Bound | Sender | LossReason, part: Part, chart: Chart, now: int) -> Iterator[Reading]:
+    """What each of the agent messages says that the transition of the part could take."""
+    events = (event for event in chart.PLAN.transitions[part.transition].events if len(event) > 1)
+    kinds = {(LOST, "", event[1]) if event[0] == "lost" else event[1:4] for event in events}
+    for mail in chart.mail.get(part.branch, ()):
+        kind = mail.performative, mail.message, mail.participant
+        if kind not in kinds or mail.identity[1] == MADE_UP:
+            continue
+        match value:
+            case Bound(path=path):
+                found = to_json(_inside(mail.content, path))
+            case Sender():
+                found = mail.sender
+            case LossReason():
+                found = str(mail.content)
+        age = None if mail.sent is None else now - mail.sent
+        yield Reading(value_text(value), found, age=age, sender=mail.sender, identity=mail.identity)
 
 
 def _reading(value: Value, part: Part, chart: Chart, now: int, given: Mapping[str, object]) -> Reading | None:
@@ -57,13 +92,12 @@ def _reading(value: Value, part: Part, chart: Chart, now: int, given: Mapping[st
         case VariableValue(name=name, path=path):
             return Reading(text, to_json(_inside(chart.variable(name), path)))
         case Expired(timer=timer):
-            return Reading(f"timer {timer}", _timer(chart, part.fact[1], timer), is_timer=True)
+            return Reading(f"timer {timer}", _timer(chart, part.region, timer), is_timer=True)
         case Outcome(activity=activity):
             labels = tuple(state.label for state in chart.PLAN.states if state.activity == activity)
             return Reading(text, chart.last_outcome(labels))
         case RoundValue(question=question, participant=participant):
-            branch = chart.PLAN.branch_of(part.fact[-1]) or ""
-            return Reading(text, getattr(chart, question)(branch, participant))
+            return Reading(text, getattr(chart, question)(part.branch, participant))
         case Index():
             return Reading(text, chart.index)
         case Call(function=function) if function.is_of_document:
@@ -76,9 +110,9 @@ def _reading(value: Value, part: Part, chart: Chart, now: int, given: Mapping[st
 def _message(
     text: str, channel: str, host: str | None, path: tuple[str, ...], part: Part, chart: Chart, now: int
 ) -> Reading:
-    board = board_in(chart, part.fact[1])
+    board = board_in(chart, part.region)
     item = None if board is None else board.newest(channel, host)
-    if item is None:
+    if item is None or item.identity[1] == MADE_UP:
         return Reading(text, None, channel, host)
     value = to_json(_inside(item.message, path))
     return Reading(text, value, channel, host, now - item.time, item.sender, item.identity)
@@ -103,4 +137,4 @@ def _timer(chart: Chart, region: str, timer: str) -> int | None:
     return None if board is None else board.timers.get(timer)
 
 
-__all__ = ["Reading", "board_in", "readings"]
+__all__ = ["MADE_UP", "Reading", "board_in", "readings"]

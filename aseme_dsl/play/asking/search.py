@@ -26,13 +26,13 @@ from aseme_dsl.play.asking.changes import (
     Tried,
     Waiting,
 )
-from aseme_dsl.play.asking.parts import Denied, Fact, Joined, Part, Tree
+from aseme_dsl.play.asking.parts import Denied, Fact, Joined, Part, Tree, parts_in
 from aseme_dsl.play.asking.reading import board_in
 from aseme_dsl.play.asking.ways import Goal, Map, Stage, known_of
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Completed, Crashed, Happened
 from aseme_dsl.runtime.chart.plan import Transition, is_in
 
-STAGES = 30
+STAGES = 100
 """A way has so many stages at the most."""
 TRIALS = 200
 """So much is tried for one stage."""
@@ -71,6 +71,8 @@ class Found:
 
     stages: tuple[Needed, ...]
     prevented: tuple[Prevented, ...] = ()
+    is_far: bool = False
+    """Whether the way that was tried has too many stages."""
 
 
 class Search:
@@ -89,11 +91,13 @@ class Search:
         prevented: list[Prevented] = []
         for _ in range(WAYS):
             found = self._tried(moment, goal, banned)
+            if found is None:
+                return Found((), tuple(prevented), is_far=True)
             if isinstance(found, Prevented):
                 prevented.append(found)
                 banned.update(found.way[-1:])
                 continue
-            return Found(self.least(goal, found), tuple(prevented))
+            return Found(self._least(goal, found), tuple(prevented))
         return Found((), tuple(prevented))
 
     def active(self, moment: Moment) -> frozenset[str]:
@@ -124,8 +128,8 @@ class Search:
         found = self._stage(moment, stage)
         return found if isinstance(found, Prevented) else Needed(stage, moment, found[0])
 
-    def _tried(self, moment: Moment, goal: Goal, banned: set[int]) -> tuple[Needed, ...] | Prevented:
-        """One way to the goal, or what prevents its first stage that does not work."""
+    def _tried(self, moment: Moment, goal: Goal, banned: set[int]) -> tuple[Needed, ...] | Prevented | None:
+        """One way to the goal, or what prevents its first stage that does not work; None if it is too far."""
         done: list[Needed] = []
         now = moment
         been = {moment.saved}
@@ -141,7 +145,7 @@ class Search:
                 return Prevented(stage.ways[-1])
             been.add(tried.after)
             now = Moment(tried.after, now.now)
-        return Prevented(done[0].stage.ways[-1])
+        return None
 
     def _next(
         self, moment: Moment, goal: Goal, banned: set[int]
@@ -319,7 +323,7 @@ class Search:
         activity = self._plan.by_label[ending.label].activity
         info = next(item for item in self._plan.activities if item.name == activity)
         for number in way:
-            for part in _parts(self._conditions.get(number)):
+            for part in parts_in(self._conditions.get(number)):
                 asked = [item for item in walk(part.value) if isinstance(item, Outcome)]
                 names = {getattr(item, "value", None) for item in walk(part.value)}
                 if any(item.activity == activity for item in asked):
@@ -382,14 +386,14 @@ class Search:
     def _absent(self, moment: Moment, part: Part) -> Iterable[tuple[str, str | None]]:
         """The messages that a part of a condition reads, and that are not there."""
         chart = self._trial.look(moment)
-        board = board_in(chart, part.fact[1])
+        board = board_in(chart, part.region)
         for item in dict.fromkeys(_members(part.value)):
             if board is None or board.newest(*item) is None:
                 yield item
 
     # ---- fewer -------------------------------------------------------------------------------------
 
-    def least(self, goal: Goal, stages: tuple[Needed, ...]) -> tuple[Needed, ...]:
+    def _least(self, goal: Goal, stages: tuple[Needed, ...]) -> tuple[Needed, ...]:
         """Without the changes that are not needed."""
         found = list(stages)
         for place in reversed(range(len(found))):
@@ -432,21 +436,6 @@ def _reaches(goal: Goal, tried: Tried) -> bool:
 
 def _forced(changes: Iterable[Change]) -> dict[Fact, bool]:
     return {item.part.fact: item.is_true for item in changes if isinstance(item, Holding)}
-
-
-def _parts(tree: Tree | None) -> Iterator[Part]:
-    match tree:
-        case None:
-            return
-        case Part():
-            yield tree
-        case Joined(parts=parts):
-            for item in parts:
-                yield from _parts(item)
-        case Denied(part=part):
-            yield from _parts(part)
-        case _:
-            assert_never(tree)
 
 
 def _members(value: Value) -> Iterator[tuple[str, str | None]]:

@@ -1,16 +1,15 @@
-"""Telling: what an answer says, as lines with lines inside."""
+"""Telling: what was so, and what would have to be otherwise, in words."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
 from aseme_dsl.amola.expression import Age, At, Mean, value_text, walk
 from aseme_dsl.amola.statechart import Statechart, transition_text
 from aseme_dsl.play.asking.changes import (
-    OUTSIDE,
     Change,
     Coming,
     Drawing,
@@ -23,23 +22,18 @@ from aseme_dsl.play.asking.changes import (
     Trial,
     Waiting,
 )
+from aseme_dsl.play.asking.names import named
 from aseme_dsl.play.asking.parts import Part
 from aseme_dsl.play.asking.past import Past
-from aseme_dsl.play.asking.reading import Reading, readings
-from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Completed, Crashed, Happened, Input
+from aseme_dsl.play.asking.reading import Reading
+from aseme_dsl.play.asking.said import Said, where
+from aseme_dsl.play.asking.unsent import Unsent
+from aseme_dsl.runtime.chart.inputs import AgentMessage, Completed, Crashed, Happened, Input
 from aseme_dsl.runtime.chart.plan import Plan, is_in
 from aseme_dsl.runtime.time.clock import shown
 
 LONGEST = 80
 """A value is shown with so many characters at most."""
-
-
-@dataclass(frozen=True, slots=True)
-class Said:
-    """A line of an answer, and what explains it."""
-
-    text: str
-    inside: tuple[Said, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,9 +44,7 @@ class Teller:
     chart: Statechart
     trial: Trial
     past: Past
-    given: Mapping[str, object]
-    back: Callable[[str, str], tuple[Said, ...]]
-    """Says why another agent did not publish on a channel, or send an agent message."""
+    unsent: Unsent
 
     @property
     def plan(self) -> Plan:
@@ -60,7 +52,7 @@ class Teller:
 
     def state(self, label: str) -> str:
         """What people call a state."""
-        return self.plan.called(self.plan.by_label[label])
+        return named(self.plan, label)
 
     def where(self, near: Iterable[str]) -> str:
         """Where the agent is, as a phrase, and what is active beside that."""
@@ -83,12 +75,14 @@ class Teller:
 
     # ---- what was so -----------------------------------------------------------------------------
 
-    def cause(self, change: Change, moment: Moment) -> Said:
-        """What was so; `change` is that it was not."""
+    def cause(self, change: Change, moment: Moment, place: int) -> Said:
+        """What was so behind so many transitions of a step; `change` is that it was not."""
         match change:
             case Holding(part=part, is_true=is_true):
                 verb = "did not hold" if is_true else "held"
-                return self._part(part, verb, moment)
+                return self._part(
+                    part, verb, moment, self.trial.decided(part, moment, (), not is_true, place)
+                )
             case Lacking(input=Completed(label=label, outcome=outcome)):
                 with_it = "" if outcome is None else f" with `{outcome}`"
                 return Said(f"{self.state(label)} ended{with_it}")
@@ -105,12 +99,13 @@ class Teller:
 
     # ---- what has to be otherwise ----------------------------------------------------------------
 
-    def change(self, change: Change, moment: Moment) -> Said:
-        """Why something is not as it would have to be."""
+    def change(self, change: Change, moment: Moment, changes: Sequence[Change]) -> Said:
+        """Why something is not as it would have to be; `changes` are all that a step needs."""
         match change:
             case Holding(part=part, is_true=is_true):
                 verb = "does not hold" if is_true else "holds"
-                return self._part(part, verb, moment)
+                read = self.trial.decided(part, moment, changes, not is_true)
+                return self._part(part, verb, moment, read)
             case Ending(label=label, outcome=outcome):
                 with_it = "" if outcome is None else f" with `{outcome}`"
                 return Said(f"{self.state(label)} has not ended{with_it}: {self._running(label)}")
@@ -123,7 +118,7 @@ class Teller:
             case Raising(event=event):
                 return Said(f"the event {event} is not raised")
             case Coming():
-                return self._message(change)
+                return self.unsent.message(change)
             case Lacking(input=item):
                 return Said(f"{_input_text(item, self)} is there")
             case Drawing(transition=transition):
@@ -131,12 +126,10 @@ class Teller:
             case _:
                 assert_never(change)
 
-    def _part(self, part: Part, verb: str, moment: Moment) -> Said:
-        """A part of a condition without its negation, with what it reads, and where that comes from."""
+    def _part(self, part: Part, verb: str, moment: Moment, found: Sequence[Reading]) -> Said:
+        """A part of a condition without its negation, with what it read, and where that comes from."""
         text, whole = value_text(part.value), value_text(part.value, expand=True)
         meant = f" ({whole})" if whole != text else ""
-        chart = self.trial.look(moment)
-        found = readings(part, chart, moment.now, self.given)
         is_aged = any(isinstance(item, Age | At | Mean) for item in walk(part.value))
         read = tuple(self._reading(item, moment.now, is_aged) for item in found)
         return Said(f"`{text}` {verb}{meant}", read)
@@ -147,15 +140,15 @@ class Teller:
             if not isinstance(ends, int):
                 return Said(f"{item.text} is not started")
             return Said(f"{item.text} {'has run out' if ends <= now else 'runs out'} at {shown(ends)}")
-        if item.sender == OUTSIDE[0]:
-            return Said(f"{item.text}: the message would have to come")
-        if item.channel is None:
-            return Said(f"{item.text} is {_short(item.value)}")
         if item.identity is None:
-            return Said(f"{item.text} is absent: the message is not there", tuple(self._absent(item)))
+            if item.channel is None:
+                return Said(f"{item.text} is {_short(item.value)}")
+            inside = tuple(self.unsent.absent(item))
+            return Said(f"{item.text} is absent: the message is not there", inside)
         sender = "itself" if item.sender == self.agent else item.sender
-        text = f"{item.text} is {_short(item.value)}, {shown(item.age or 0)} old, from {sender}"
-        return Said(text, tuple(self._newer(item, now, is_aged)))
+        age = "" if item.age is None else f"{shown(item.age)} old, "
+        inside = () if item.channel is None else tuple(self.unsent.newer(item, now, is_aged))
+        return Said(f"{item.text} is {_short(item.value)}, {age}from {sender}", inside)
 
     def _running(self, label: str) -> str:
         if label not in self.past.place(self.agent):
@@ -181,147 +174,6 @@ class Teller:
         weights = [other.weight or 0 for _, other in self.plan.outgoing(item.source)]
         return f"this one has the weight {item.weight}, all together {sum(weights)}"
 
-    # ---- what has not come -----------------------------------------------------------------------
-
-    def _newer(self, item: Reading, now: int, is_aged: bool) -> Iterator[Said]:
-        """Why there is no newer message of a sender, if there should be one."""
-        name, channel = item.sender or "", item.channel or ""
-        last = self.past.published.get(channel, {}).get(name)
-        if name == self.agent or name not in self.past.members:
-            return
-        if last is not None and item.age is not None and last["time"] > now - item.age:
-            yield Said(f"{name} has published another one at {shown(last['time'])}, which has not come")
-            yield from self._trouble(name, channel)
-        elif is_aged:
-            yield from self._sender(name, channel, "does so")
-
-    def _sender(self, name: str, channel: str, verb: str) -> Iterator[Said]:
-        """Where an agent publishes on a channel, and where it is."""
-        places = dict(_publishing(self.past.plan(name), channel))
-        told = ", ".join(dict.fromkeys(places.values()))
-        text = f"{name} {verb} in {told}, and {where(self.past, name, places)}"
-        yield Said(text, () if name == self.agent else self.back(name, channel))
-
-    def _trouble(self, name: str, channel: str) -> Iterator[Said]:
-        found = self.past.troubles.get((channel, self.agent)) or self.past.troubles.get((channel, name))
-        if found is not None:
-            what = found["kind"].replace("_", " ")
-            yield Said(f"{what} at {shown(found['time'])}: {found['reason']}")
-
-    def _absent(self, item: Reading) -> Iterator[Said]:
-        """Why there is no message of a channel."""
-        channel = item.channel or ""
-        senders = [name for name, plan in self.past.plans() if _publishes(plan, channel)]
-        wanted = [name for name in senders if item.host in (None, name)]
-        published = self.past.last_published(channel, (*wanted, "input"))
-        if self.agent in wanted and all(set(one.get("to", ())) <= {name} for name, one in published.items()):
-            wanted = [self.agent]  # each publishes it for itself
-        for name in wanted:
-            yield from self._unpublished(name, channel)
-        if not wanted:
-            everywhere = "no role of the team publishes it: it comes from outside"
-            yield Said(everywhere if item.host is None else f"{item.host} does not publish it")
-        outside = published.get("input")
-        if outside is not None and self.agent in outside.get("to", [self.agent]):
-            yield Said(f"the last one from outside came at {shown(outside['time'])}")
-
-    def _unpublished(self, name: str, channel: str) -> Iterator[Said]:
-        last = self.past.published.get(channel, {}).get(name)
-        if last is None:
-            yield from self._sender(name, channel, "has never published it; it does")
-        elif self.agent not in last.get("to", [self.agent]):
-            yield Said(f"{name} published it at {shown(last['time'])}, but not to {self.agent}")
-        else:
-            yield Said(f"{name} published it last at {shown(last['time'])}; it was taken, or dropped, since")
-        yield from self._trouble(name, channel)
-
-    def _message(self, coming: Coming) -> Said:
-        if coming.performative == LOST:
-            return Said(f"no {coming.participant} is lost")
-        what = f"{coming.performative} {coming.message}".strip()
-        text = f"`{what}` from {coming.participant} has not come, or was taken before"
-        return Said(text, tuple(self._unsent(coming)))
-
-    def _unsent(self, coming: Coming) -> Iterator[Said]:
-        info = next((item for item in self.plan.branches if item.label == coming.branch), None)
-        if info is None:
-            return
-        kind = coming.performative, coming.message
-        for name, plan in self.past.plans():
-            plays = any(
-                item.protocol == info.protocol
-                and item.participant == coming.participant
-                and kind in item.sends
-                for item in plan.branches
-            )
-            if name == self.agent or not plays:
-                continue
-            last = self.past.last_sent(kind, name)
-            if last is None:
-                places = dict(_sending(plan, kind))
-                told = ", ".join(dict.fromkeys(places.values()))
-                text = f"{name} has never sent it; it does in {told}, and {where(self.past, name, places)}"
-                yield Said(text, self.back(name, " ".join(kind)))
-            else:
-                to = ", ".join(last["to"]) or "no agent"
-                yield Said(f"{name} sent it last at {shown(last['time'])}, to {to}")
-            refused = self.past.refused.get((self.agent, name))
-            if refused is not None:
-                text = f"one of {name} was not taken at {shown(refused['time'])}: {refused['reason']}"
-                yield Said(text)
-
-
-def where(past: Past, agent: str, near: Iterable[str], *, beside: bool = False) -> str:
-    """In which state an agent is, of those that are active at once the nearest to others, as a phrase."""
-    member = past.members[agent]
-    if member.over:
-        return f"has stopped: {member.over}"
-    plan = past.plan(agent)
-    place = past.place(agent)
-    if plan is None or not place:
-        return "has not started"
-    wanted = tuple(near)
-    leaves = [leaf for leaf in place if plan.by_label[leaf].type != "AND"]
-    leaves.sort(key=lambda leaf: -max((_common(leaf, label) for label in wanted), default=0))
-    first, *others = leaves
-    since = past.began(agent, first)
-    told = f"is in {plan.called(plan.by_label[first])}{'' if since is None else f' since {shown(since)}'}"
-    names = [plan.called(plan.by_label[leaf]) for leaf in others if plan.by_label[leaf].type == "BASIC"]
-    return f"{told}, beside {', '.join(names)}" if names and beside else told
-
-
-def _common(one: str, other: str) -> int:
-    """How many states are around both."""
-    pairs = zip(one.split("."), other.split("."), strict=False)
-    return next((place for place, (first, second) in enumerate(pairs) if first != second), len(other))
-
-
-def _publishes(plan: Plan, channel: str) -> bool:
-    return next(_publishing(plan, channel), None) is not None
-
-
-def _publishing(plan: Plan | None, channel: str) -> Iterator[tuple[str, str]]:
-    """Where a role publishes on a channel, by label, and what that is called."""
-    if plan is None:
-        return
-    writers = {item.name for item in plan.activities if channel in item.writes}
-    yield from ((state.label, state.name) for state in plan.states if state.activity in writers)
-    yield from ((plan.states[0].label, item.name) for item in plan.modules if channel in item.writes)
-    for number, item in enumerate(plan.transitions):
-        if ("publish", channel) in item.actions:
-            yield item.source, plan.way((number,))
-
-
-def _sending(plan: Plan, kind: tuple[str, str]) -> Iterator[tuple[str, str]]:
-    """Where a role sends an agent message, by label, and what that is called."""
-    for number, item in enumerate(plan.transitions):
-        if any(action[:3] == ("send", *kind) for action in item.actions):
-            yield item.source, plan.way((number,))
-    for info in plan.branches:
-        for performative, message, states, _ in info.moves:
-            if (performative, message) == kind:
-                yield from ((label, plan.called(plan.by_label[label])) for label in states)
-
 
 def _input_text(item: Input, teller: Teller) -> str:
     match item:
@@ -342,4 +194,4 @@ def _short(value: object) -> str:
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 1]}…"
 
 
-__all__ = ["Said", "Teller", "where"]
+__all__ = ["Teller"]

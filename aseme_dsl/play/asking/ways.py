@@ -9,7 +9,7 @@ from heapq import heappop, heappush
 from aseme_dsl.play.asking.changes import Ending
 from aseme_dsl.runtime.chart.chart import INACTIVE, Chart
 from aseme_dsl.runtime.chart.following import Shape
-from aseme_dsl.runtime.chart.plan import Plan, Transition
+from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in
 
 Node = tuple[str, str | int]
 """("in", label): the state is active. ("done", label): and complete. ("took", number): it was taken.
@@ -27,12 +27,20 @@ _MAYBE = 400
 class Goal:
     """What is asked for: that one of these states is entered, or one of these transitions taken.
 
-    `by_code`: it is a message, and the activities of the states decide whether they send it.
+    `by_code`: it is a message, and the activities of the states, or `modules`, decide whether they send it.
     """
 
     states: frozenset[str] = frozenset()
     transitions: frozenset[int] = frozenset()
     by_code: bool = False
+    modules: tuple[str, ...] = ()
+    channel: str = ""
+    """What is published, if it is asked for a channel."""
+
+    @property
+    def is_for_modules(self) -> bool:
+        """Whether only modules do it, in any state."""
+        return bool(self.modules) and not self.states and not self.transitions
 
     @property
     def nodes(self) -> Iterator[Node]:
@@ -161,10 +169,7 @@ class Map:
         for number, item in enumerate(plan.transitions):
             if item.kind != "external":
                 continue
-            leads = number in goal.transitions or not goal.states.isdisjoint(
-                self._shape.entered(self._shape.way((number,))[2])
-            )
-            if leads:
+            if leads(self._shape, goal, (number,)):
                 yield from self._from_active((number,), active)
 
     def _from_active(self, way: tuple[int, ...], active: Collection[str]) -> Iterator[Stage]:
@@ -218,6 +223,27 @@ class Map:
         return stages
 
 
+def leads(shape: Shape, goal: Goal, way: tuple[int, ...]) -> bool:
+    """Whether a transition is one that is asked for, or enters such a state; resuming one does not count."""
+    path = shape.way(way)[2]
+    enters = bool(path) and not goal.states.isdisjoint(shape.entered(path))
+    return enters or not goal.transitions.isdisjoint(way)
+
+
+def may_lead(shape: Shape, goal: Goal, taken: Iterable[tuple[int, ...]]) -> bool:
+    """Whether transitions that a step takes may lead to a goal."""
+    transitions = shape.plan.transitions
+    return any(leads(shape, goal, way) or transitions[way[-1]].resume for way in taken)
+
+
+def leading(shape: Shape, goal: Goal) -> Iterator[int]:
+    """The transitions, one of which is in each step that may lead to a goal."""
+    for number, item in enumerate(shape.plan.transitions):
+        is_inside = any(is_in(item.target, label) for label in goal.states)
+        if is_inside or item.resume or leads(shape, goal, (number,)):
+            yield number
+
+
 def _endings(plan: Plan, waiting: Collection[str]) -> Iterator[tuple[str, Ending]]:
     """How the activities of states end, by label: with the first of their outcomes."""
     outcomes = {info.name: info.ends for info in plan.activities}
@@ -262,4 +288,4 @@ def _around(label: str) -> Iterator[str]:
     return (".".join(parts[:end]) for end in range(1, len(parts) + 1))
 
 
-__all__ = ["Goal", "Map", "Stage", "known_of"]
+__all__ = ["Goal", "Map", "Stage", "known_of", "leading", "leads", "may_lead"]

@@ -1,7 +1,6 @@
 """Decisions: the conditions of transitions in parts, and which parts were shown to decide (MC/DC).
 
-A condition is read in negation normal form: `!(a && b)` is `!a || !b`. Its parts are what `&&` and `||` join,
-each with its negation. A part holds, or it does not: it is false then, or absent.
+A part holds, with its negation, or it does not: it is false then, or absent.
 
 An evaluation notes for each part whether it held (`T`), did not (`F`), or was not asked (`-`), and then the
 result: `TF-F`. Two evaluations show that a part decides if their results differ, and if it is the only part
@@ -11,10 +10,11 @@ that differs of those that both have asked.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from aseme_dsl.amola.expression import Logic, Named, Not, Value, value_text
+from aseme_dsl.amola.expression import Value, value_text
 from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.play.conditions import normal_form, parts_of
 
 HELD, NOT_HELD, NOT_ASKED = "TF-"
 
@@ -41,35 +41,6 @@ def decisions_of(chart: Statechart) -> Iterator[Decision]:
             yield Decision(number, normal, tuple(parts_of(normal)))
 
 
-def normal_form(value: Value, *, negated: bool = False) -> Value:
-    """The same condition, with `!` before parts only."""
-    match value:
-        case Named(expression=inner) if isinstance(_inside(inner), Logic | Not):
-            return normal_form(inner, negated=negated)
-        case Not(operand=operand):
-            return normal_form(operand, negated=not negated)
-        case Logic(operator=word, operands=operands):
-            other = {"&&": "||", "||": "&&"}[word]
-            parts = tuple(normal_form(item, negated=negated) for item in operands)
-            return replace(value, operator=other if negated else word, operands=parts)
-    return Not(value, value.span) if negated else value
-
-
-def _inside(value: Value) -> Value:
-    while isinstance(value, Named):
-        value = value.expression
-    return value
-
-
-def parts_of(normal: Value) -> Iterator[Value]:
-    """The parts of a condition in normal form."""
-    if isinstance(normal, Logic):
-        for item in normal.operands:
-            yield from parts_of(item)
-    else:
-        yield normal
-
-
 def deciding(evaluations: Collection[str], count: int) -> frozenset[int]:
     """The numbers of those of `count` parts that these evaluations have shown to decide."""
     held = [item for item in evaluations if item[-1] == HELD]
@@ -87,13 +58,4 @@ def deciding(evaluations: Collection[str], count: int) -> frozenset[int]:
     return frozenset(found)
 
 
-__all__ = [
-    "HELD",
-    "NOT_ASKED",
-    "NOT_HELD",
-    "Decision",
-    "deciding",
-    "decisions_of",
-    "normal_form",
-    "parts_of",
-]
+__all__ = ["HELD", "NOT_ASKED", "NOT_HELD", "Decision", "deciding", "decisions_of"]

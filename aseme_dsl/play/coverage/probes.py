@@ -6,15 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import cast
 
-from aseme_dsl.amola.expression import Call, Literal, Logic, Value
-from aseme_dsl.amola.messages import BOOL, INT, PROBE, Function
+from aseme_dsl.amola.expression import Logic, Value
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
+from aseme_dsl.play.conditions import around
 from aseme_dsl.play.coverage.decisions import HELD, NOT_ASKED, NOT_HELD, Decision, decisions_of
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.source import Source, Span
-
-_PROBE = Function("probe", (("number", INT), ("holds", BOOL)), BOOL, PROBE, Span(Source("", ""), 0, 0))
 
 Evaluations = dict[tuple[str, int], set[str]]
 """The evaluations of the decisions of roles, by role and transition number."""
@@ -86,7 +83,7 @@ def _probed(chart: Statechart, probes: list[Probe]) -> Statechart:
         probes += (Probe(chart.name, decision, place) for place in range(len(decision.parts)))
         parts = iter(range(first, len(probes)))
         inside = _with_parts(decision.condition, parts)
-        condition = _around(inside, len(probes))
+        condition = around(inside, len(probes))
         probes.append(Probe(chart.name, decision, None))
         item = transitions[decision.transition]
         changed = replace(item.expression, condition=condition)
@@ -97,11 +94,7 @@ def _probed(chart: Statechart, probes: list[Probe]) -> Statechart:
 def _with_parts(normal: Value, numbers: Iterator[int]) -> Value:
     if isinstance(normal, Logic):
         return replace(normal, operands=tuple(_with_parts(item, numbers) for item in normal.operands))
-    return _around(normal, next(numbers))
-
-
-def _around(value: Value, number: int) -> Value:
-    return Call(_PROBE, (Literal(number, INT, value.span), value), BOOL, value.span)
+    return around(normal, next(numbers))
 
 
 __all__ = ["Evaluations", "Probe", "Probed", "Recorder", "probed"]

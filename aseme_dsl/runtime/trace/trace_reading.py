@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from io import BufferedReader
 from pathlib import Path
@@ -110,14 +110,17 @@ class TraceReader:
                     if line.record["time"] <= moment:
                         yield line
 
-    def before(self, number: int, texts: Collection[str]) -> Iterator[Line]:
-        """The lines before a line that hold one of some texts, the newest first; only these are decoded.
+    def before(
+        self, number: int, texts: Collection[str], wanted: Callable[[str], bool] = lambda text: True
+    ) -> Iterator[Line]:
+        """The lines before a line that hold one of some texts, the newest first.
 
-        There are none where the file has no blocks.
+        Only these are decoded, and of them only those whose text is `wanted`. There are none where the file
+        has no blocks.
         """
         for block in reversed(self.blocks()):
             if block.line < number:
-                for line in self._records_of(block, texts):
+                for line in self._records_of(block, texts, wanted):
                     if line.number < number:
                         yield line
 
@@ -220,15 +223,21 @@ class TraceReader:
     def _texts_of(self, block: Block) -> Iterable[tuple[int, str]]:
         return enumerate(self._data_of(block).decode("utf-8", "replace").split("\n")[:-1], block.line)
 
-    def _records_of(self, block: Block, texts: Collection[str] = ("",)) -> Iterator[Line]:
-        """The lines of a block that hold one of some texts, the last one first."""
+    def _records_of(
+        self,
+        block: Block,
+        texts: Collection[str] = ("",),
+        wanted: Callable[[str], bool] = lambda text: True,
+    ) -> Iterator[Line]:
+        """The lines of a block that hold one of some texts, and are wanted, the last one first."""
         data = self._data_of(block).decode("utf-8", "replace")
         if not any(text in data for text in texts):
             return
         lines = data.split("\n")
         for place in range(len(lines) - 2, -1, -1):
             found = lines[place]
-            record = record_of(found) if any(text in found for text in texts) else None
+            is_wanted = any(text in found for text in texts) and wanted(found)
+            record = record_of(found) if is_wanted else None
             if record is not None:
                 yield Line(block.line + place, found, record)
 

@@ -1,0 +1,148 @@
+"""Unsent: why a message has not come: who sends it, where that agent is, and what has become of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from aseme_dsl.play.asking.changes import Coming
+from aseme_dsl.play.asking.past import Past
+from aseme_dsl.play.asking.reading import Reading
+from aseme_dsl.play.asking.said import Back, Said, where
+from aseme_dsl.play.asking.sending import Sent, places
+from aseme_dsl.runtime.chart.inputs import LOST
+from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, is_in
+from aseme_dsl.runtime.time.clock import shown
+from aseme_dsl.runtime.trace.records import Record
+
+
+@dataclass(frozen=True, slots=True)
+class Unsent:
+    """Says why an agent lacks messages."""
+
+    agent: str
+    plan: Plan
+    past: Past
+    back: Back
+
+    # ---- channels --------------------------------------------------------------------------------
+
+    def newer(self, item: Reading, now: int, is_aged: bool) -> Iterator[Said]:
+        """Why there is no newer message of a sender, if there should be one."""
+        name, channel = item.sender or "", item.channel or ""
+        if name == self.agent or name not in self.past.members:
+            return
+        last = self.past.published.get(channel, {}).get(name)
+        if last is not None and item.age is not None and last["time"] > now - item.age:
+            yield Said(f"{name} has published another one at {shown(last['time'])}, {self._fate(last)}")
+            yield from self._trouble(name, channel)
+        elif is_aged:
+            yield from self._sender(name, ("", channel), "publishes it")
+
+    def absent(self, item: Reading) -> Iterator[Said]:
+        """Why there is no message of a channel."""
+        channel = item.channel or ""
+        sent = ("", channel)
+        senders = [name for name, plan in self.past.plans() if any(places(plan, sent))]
+        wanted = [name for name in senders if item.host in (None, name)]
+        published = self.past.last_published(channel, (*wanted, "input"))
+        if self.agent in wanted and all(set(one.get("to", ())) <= {name} for name, one in published.items()):
+            wanted = [self.agent]  # each publishes it for itself
+        for name in wanted:
+            yield from self._unpublished(name, channel)
+        if not wanted:
+            everywhere = "no role of the team publishes it: it comes from outside"
+            yield Said(everywhere if item.host is None else f"{item.host} does not publish it")
+        outside = published.get("input")
+        if outside is not None and self.agent in outside.get("to", [self.agent]):
+            yield Said(f"the last one from outside came at {shown(outside['time'])}")
+
+    def _unpublished(self, name: str, channel: str) -> Iterator[Said]:
+        last = self.past.published.get(channel, {}).get(name)
+        if last is None:
+            yield from self._sender(name, ("", channel), "has never published it")
+        elif self.agent not in last.get("to", [self.agent]):
+            yield Said(f"{name} published it at {shown(last['time'])}, but not to {self.agent}")
+        else:
+            yield Said(f"{name} published it last at {shown(last['time'])}, {self._fate(last)}")
+        yield from self._trouble(name, channel)
+
+    def _fate(self, record: Record) -> str:
+        """What has become of a message on a channel."""
+        if self.past.has_received(self.agent, record):
+            return "and it was used up, or dropped, since"
+        return f"and {self.agent} has not received it yet"
+
+    def _sender(self, name: str, sent: Sent, verb: str) -> Iterator[Said]:
+        """Where an agent sends or publishes something, where it is, and why it does not."""
+        plan = self.past.plan(name)
+        found = [] if plan is None else list(places(plan, sent))
+        modules = [item.called for item in found if item.is_module]
+        if modules:
+            yield Said(f"{name} {verb}; {' and '.join(modules)} does, and its code decides when")
+        elsewhere = {item.label: item.called for item in found if not item.is_module}
+        if elsewhere:
+            told = ", ".join(dict.fromkeys(elsewhere.values()))
+            text = f"{name} {verb}; it does in {told}, and {where(self.past, name, elsewhere)}"
+            yield Said(text, () if name == self.agent else self.back(name, " ".join(filter(None, sent))))
+
+    def _trouble(self, name: str, channel: str) -> Iterator[Said]:
+        found = self.past.troubles.get((channel, self.agent)) or self.past.troubles.get((channel, name))
+        if found is not None:
+            what = found["kind"].replace("_", " ")
+            yield Said(f"{what} at {shown(found['time'])}: {found['reason']}")
+
+    # ---- agent messages --------------------------------------------------------------------------
+
+    def message(self, coming: Coming) -> Said:
+        """Why an agent message has not come."""
+        if coming.performative == LOST:
+            return Said(f"no {coming.participant} is lost")
+        info = next((item for item in self.plan.branches if item.label == coming.branch), None)
+        what = f"`{coming.performative} {coming.message}".strip() + f"` from {coming.participant}"
+        inside = [] if info is None else list(self._senders(coming, info))
+        waits = any(is_waiting for is_waiting, _ in inside)
+        text = f"{what} has not come in yet" if waits else f"{what} has not come, or was taken before"
+        return Said(text, tuple(said for _, said in inside))
+
+    def _senders(self, coming: Coming, info: BranchInfo) -> Iterator[tuple[bool, Said]]:
+        """Why each agent that sends it has not, or whether it is still to come in."""
+        kind = coming.performative, coming.message
+        for name, plan in self.past.plans():
+            plays = any(
+                item.protocol == info.protocol
+                and item.participant == coming.participant
+                and kind in item.sends
+                for item in plan.branches
+            )
+            if name == self.agent or not plays:
+                continue
+            last = self.past.last_sent(kind, name)
+            if last is None:
+                yield from ((False, said) for said in self._sender(name, kind, "has never sent it"))
+            else:
+                yield self._sent(name, last, info)
+            refused = self.past.refused.get((self.agent, name))
+            if refused is not None:
+                told = f"{refused['performative']} {refused['message']}".strip()
+                text = f"`{told}` of {name} was refused at {shown(refused['time'])}: {refused['reason']}"
+                yield False, Said(text)
+
+    def _sent(self, name: str, record: Record, info: BranchInfo) -> tuple[bool, Said]:
+        kind = record["performative"], str(record["message"])
+        sent = f"{name} sent it at {shown(record['time'])}"
+        if self.agent not in record["to"]:
+            return False, Said(f"{name} sent it last at {shown(record['time'])}, to {_names(record['to'])}")
+        if self.past.has_received(self.agent, record):
+            return False, Said(f"{sent}, and {self.agent} has received it")
+        is_inside = any(is_in(leaf, info.label) for leaf in self.past.place(self.agent))
+        if kind in info.opens and not is_inside:
+            return True, Said(f"{sent}; it waits until {self.agent} enters {info.participant}")
+        return True, Said(f"{sent}; {self.agent} has not received it yet")
+
+
+def _names(agents: list[str]) -> str:
+    return ", ".join(agents) or "no agent"
+
+
+__all__ = ["Unsent"]
