@@ -51,9 +51,14 @@ def around(value: Value, number: int) -> Value:
     return Call(_PROBE, (Literal(number, INT, value.span), value), BOOL, value.span)
 
 
+def shown_as(value: Value, text: str) -> Value:
+    """The value, which texts show so: what has probes in it is shown as it was written."""
+    return Named(text, value, BOOL, value.span)
+
+
 def is_probe(value: Value) -> bool:
     """Whether a value is a probe, with what it is around."""
     return isinstance(value, Call) and value.function is _PROBE
 
 
-__all__ = ["around", "is_probe", "meant", "normal_form", "parts_of"]
+__all__ = ["around", "is_probe", "meant", "normal_form", "parts_of", "shown_as"]

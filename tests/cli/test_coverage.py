@@ -10,7 +10,14 @@ from xml.etree import ElementTree
 
 import pytest
 
+from aseme_dsl.play.coverage.seen import Seen
+from aseme_dsl.project.building.build import Choice
+from aseme_dsl.project.testing.coverage import model_of, read_runs
 from tests.cli.support import Here
+from tests.faults.changing import version
+from tests.play.test_replay import recorded
+from tests.runtime.playing import MS
+from tests.support.generated import generate
 from tests.support.traces import records_of, texts_of
 
 LIFT = """\
@@ -293,3 +300,54 @@ can never be reached
   use case   lift: fly: no state serves it  lift.aseme:4:96
   condition  lift: false (choice in [Travel] -> Travel): it is constant  lift.aseme:10:79
 """)
+
+
+WALKER = """\
+system Walker
+message Ball { double distance  bool seen }
+topic eyes { state Ball }
+srm r {
+  var n : int = 0
+  let near = !(eyes.state.Ball.distance > 2 || !eyes.state.Ball.seen)
+  liveness { r = Walk . (Kick | Stand) . Rest }
+  activities { Walk takes 1s  Kick takes 1s  Stand takes 1s  Rest takes 1s }
+  control r {
+    enter Kick  : [near && !(n > 3)]
+    enter Stand : else
+    enter Rest  : [!(n > 3 && n < 2) && eyes.state.Ball.distance > 4]
+  }
+}
+team T { bob : r }
+scenario "rests" {
+  at 500ms bob receives eyes.state.Ball { distance = 1  seen = true }
+  by 3s bob in Rest
+}
+"""
+
+
+def test_stories_have_conditions_as_written_also_under_coverage(here: Here, folder: Path) -> None:
+    (folder / "walker.aseme").write_text(WALKER)
+    story = here("test", "walker.aseme").out.partition("1 scenario: ")[0]
+    assert "Walk -> Kick : [near && !(n > 3)]" in story
+    assert here("test", "walker.aseme", "--coverage").out.startswith(story)
+
+
+def test_a_run_that_changes_to_the_model_is_counted_from_there_on(tmp_path: Path) -> None:
+    old = "system W  srm r { liveness { r = (A . B)+ }  activities { A takes 70ms  B takes 30ms } }"
+    new = old.replace(
+        "B takes 30ms }",
+        "B takes 30ms  C takes 10ms }  var n : int = 0\n"
+        "  control r { leave (A . C . B) : [n > 3 || n < -1]  repeat (A . C . B) : / n += 1 }",
+    )
+    new = new.replace("(A . B)", "(A . C . B)")
+    recorded(old, tmp_path, lambda team: team.swap(version(new), at=210 * MS), until=600 * MS)
+    found = {}
+    for name, text in (("old", old), ("new", new)):
+        seen, model = Seen(), model_of(generate(text).system, Choice())
+        assert read_runs(model, [tmp_path / "trace.jsonl"], seen, conditions=True) == ()
+        assert seen.evaluated == 1, seen.left_out
+        states = seen.roles["r"].entered
+        found[name] = {state.name: states[state.label] for state in model.system.iacs[0].states}
+        assert bool(seen.evaluations) is (name == "new")
+    assert (found["old"]["A"], found["old"]["B"]) == (3, 2)
+    assert found["new"]["A"] + found["old"]["A"] == 6 and found["new"]["C"] == 4

@@ -157,7 +157,7 @@ def test_what_was_done_before_a_swap_is_asked_of_the_model_of_then(tmp_path: Pat
         assert "at 0.18 s it went to Rest from" in answer.said[0].text, swapped
         assert answer.is_so and answer.now >= 900 * MS
         assert found.answer(Asked("me", "Look", 900 * MS, is_why=True)).is_so
-        with pytest.raises(NotAsked, match=r"Rest: .*; until 0.2 s it ran another model that has it"):
+        with pytest.raises(NotAsked, match=r"Rest: .*; until 0.18 s it ran another model that has it"):
             found.answer(Asked("me", "Rest", 900 * MS, is_why=False))
         then = found.answer(Asked("me", "Rest", 150 * MS, is_why=False))
         assert "Walk has not ended" in str(then.said)

@@ -206,6 +206,8 @@ class Asking:
                 title = f"at {shown(made.moment.now)} it went {self.teller.way(way)}{again}"
                 decided = tuple(self._decided(goal, made, way))
                 return self._answer(goal, Said(title, decided), *published, is_so=True)
+        if self.teller.plan.states[0].label in goal.states:
+            return self._answer(goal, Said("it is active from the begin of the role"), is_so=True)
         return self._answer(goal, *(published or (_NEVER,)), is_so=bool(published))
 
     def _by_module(self, goal: Goal) -> Said | None:

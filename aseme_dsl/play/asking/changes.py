@@ -10,7 +10,7 @@ from random import Random
 from typing import assert_never, cast
 
 from aseme_dsl.play.asking.parts import Fact, Part
-from aseme_dsl.play.asking.reading import MADE_UP, Reading, readings
+from aseme_dsl.play.asking.reading import MADE_UP, Reading, is_unknown, readings
 from aseme_dsl.play.replay import Model
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.following import Following, Shape
@@ -28,6 +28,8 @@ from aseme_dsl.runtime.chart.inputs import (
 )
 from aseme_dsl.runtime.chart.saving import Saved
 from aseme_dsl.runtime.chart.stepping import RECEIVE
+from aseme_dsl.runtime.message.as_json import from_json
+from aseme_dsl.runtime.trace.records import Record
 
 OUTSIDE: Identity = ("?", MADE_UP)
 """Who sends what a trial makes up."""
@@ -78,12 +80,16 @@ class Raising:
 
 @dataclass(frozen=True, slots=True)
 class Coming:
-    """An agent message comes for a branch; that an agent is `lost` is one, too."""
+    """An agent message comes for a branch; that an agent is `lost` is one, too.
+
+    It is one that was sent and is still `waiting`, if there is one.
+    """
 
     branch: str
     performative: str
     message: str
     participant: str
+    waiting: AgentMessage | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,6 +169,8 @@ class Trial:
         self._forced: dict[Fact, bool] = {}
         self._told: dict[int, dict[int, bool]] = {}
         self._taken = 0
+        self._makes_up = False
+        """Whether a trial has made up a message."""
         self._noted: int | None = None
         self._notes: list[tuple[int, bool, tuple[Reading, ...]]] = []
         """What the noted part has read: behind so many transitions, and whether it held by itself."""
@@ -172,6 +180,8 @@ class Trial:
             if number == self._noted:
                 read = readings(parts[number], chart, chart.now, given)
                 self._notes.append((self._taken + len(chart.taken), holds, read))
+            if self._makes_up and is_unknown(parts[number], chart):
+                holds = False
             if self._forced and (wanted := self._forced.get(parts[number].fact)) is not None:
                 holds = wanted is not parts[number].negated
             self._told.setdefault(number, {})[self._taken + len(chart.taken)] = holds
@@ -267,6 +277,7 @@ class Trial:
             match change:
                 case Holding(part=part, is_true=is_true, absent=absent):
                     self._forced[part.fact] = is_true
+                    self._makes_up |= bool(absent)
                     inputs += (self._sample(moment, *place) for place in absent)
                 case Ending(label=label, outcome=outcome):
                     inputs.append(Completed(label, self._token(label), outcome))
@@ -276,8 +287,9 @@ class Trial:
                     setattr(chart, chart.TIMES[label], moment.now - duration)
                 case Raising(event=event):
                     inputs.append(Happened(event))
-                case Coming():
-                    inputs.append(self._message(change, moment.now))
+                case Coming(waiting=waiting):
+                    self._makes_up |= waiting is None
+                    inputs.append(waiting or self._message(change, moment.now))
                 case Lacking(input=AgentMessage(branch=branch, identity=identity)):
                     chart.mail[branch] = [item for item in chart.mail[branch] if item.identity != identity]
                     inputs = [item for item in inputs if item is not change.input]
@@ -299,6 +311,22 @@ class Trial:
         content = self._messages[channel.rpartition(".")[2]]()
         sender = OUTSIDE[0] if host is None else host
         return Sample(channel, content, sender, moment.now, (sender, MADE_UP))
+
+    def waiting(self, coming: Coming, record: Record) -> AgentMessage:
+        """The agent message of a line that tells of its sending."""
+        content = from_json(self._messages[coming.message], record["content"])
+        identity = record["agent"], record["sequence"]
+        return AgentMessage(
+            coming.branch,
+            coming.performative,
+            coming.message,
+            content,
+            coming.participant,
+            record["agent"],
+            identity,
+            in_reply_to=record.get("in_reply_to", ""),
+            sent=record["time"],
+        )
 
     def _message(self, coming: Coming, now: int) -> AgentMessage:
         lost = coming.performative == LOST

@@ -11,19 +11,23 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from aseme_dsl.amola.expression import (
+    Age,
     Arithmetic,
     Bound,
     Call,
+    Has,
     Holds,
     Literal,
     Logic,
     LossReason,
+    Member,
     Not,
     Outcome,
     RoundValue,
     Sender,
     StateValue,
     Value,
+    operands,
     rewritten,
     value_text,
     walk,
@@ -52,6 +56,10 @@ class Part:
     transition: int
     region: str
     branch: str
+    said: tuple[tuple[str, str | None], ...] = ()
+    """The channels of which it asks what a message says, with their senders."""
+    asks_letter: bool = False
+    """Whether it asks what the agent message says that the transition takes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,8 +168,10 @@ class _Reader:
             inside, tree = self._read(normal_form(inner.operand))
             holds = replace(inner, operand=inside)
             return (Not(holds, holds.span), Denied(tree)) if negated else (holds, tree)
+        said = tuple(dict.fromkeys((str(item.channel), item.host) for item in _said(value)))
+        asks = any(isinstance(item, Bound | Sender | LossReason) for item in walk(value))
         place = (self._number, self._region, self._branch)
-        part = Part(len(self._parts), self._fact(value), value, negated, *place)
+        part = Part(len(self._parts), self._fact(value), value, negated, *place, said, asks)
         self._parts.append(part)
         return around(normal, part.number), part
 
@@ -179,6 +189,16 @@ class _Reader:
                 case RoundValue():
                     place.append(self._branch)
         return (self._chart.name, self._region, value_text(rewritten(value, meant)), *place)
+
+
+def _said(value: Value) -> Iterator[Member]:
+    """The messages of channels of which a value depends on what they say; that they are there is not that."""
+    if isinstance(value, Has | Age):
+        return
+    if isinstance(value, Member):
+        yield value
+    for item in operands(value):
+        yield from _said(item)
 
 
 def _with_all(condition: Value, tree: Tree) -> Value:

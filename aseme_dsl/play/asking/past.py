@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from aseme_dsl.play.asking.sending import Sent
 from aseme_dsl.play.inputs import identity_of
 from aseme_dsl.runtime.chart.following import Following, Shape
 from aseme_dsl.runtime.chart.inputs import Identity
@@ -53,8 +54,8 @@ class Past:
         """What has last gone wrong on a channel for an agent, or with it as the `peer`."""
         self.sent: dict[tuple[str, str], dict[str, Record]] = {}
         """The last agent message of each agent, by performative and message."""
-        self.refused: dict[tuple[str, str], Record] = {}
-        """The last agent message that an agent did not expect, by agent and sender."""
+        self._refused: dict[tuple[str, Identity], Record] = {}
+        """The lines of agent messages that an agent did not expect, by their identities."""
         self.begin = 0
         """The time (ns) of the first line that was shown, but for the header and changes of models."""
         self._received: dict[str, set[Identity]] = {}
@@ -119,15 +120,42 @@ class Past:
                     break
         return found.get(agent)
 
+    def refused(self, agent: str, record: Record) -> Record | None:
+        """The line that says why an agent did not take an agent message, given by that of its sending."""
+        identity = record["agent"], record["sequence"]
+        if (agent, identity) not in self._refused and record["time"] <= self.begin:
+            self._look_for(agent, identity)
+        return self._refused.get((agent, identity))
+
     def has_received(self, agent: str, record: Record) -> bool:
         """Whether an agent has got a message, given by the line of its sending."""
         identity = record["agent"], record["sequence"]
-        if identity in self._received.get(agent, ()) or record["time"] > self.begin:
-            return identity in self._received.get(agent, ())
+        received = self._received.setdefault(agent, set())
+        if identity not in received and record["time"] <= self.begin:
+            self._look_for(agent, identity)
+        return identity in received
+
+    def pending(self, agent: str, sent: Sent, name: str) -> Record | None:
+        """The last agent message of another one to an agent, if it is still under way."""
+        record = self.last_sent(sent, name)
+        if record is None or agent not in record["to"]:
+            return None
+        is_over = self.has_received(agent, record) or self.refused(agent, record) is not None
+        return None if is_over else record
+
+    def _look_for(self, agent: str, identity: Identity) -> None:
+        """Look further up for what has become of a message."""
         text = f"[{json.dumps(identity[0], ensure_ascii=False)},{identity[1]}]"
-        return any(
-            line.record["kind"] == "step" and line.record["agent"] == agent for line in self._earlier((text,))
-        )
+        for line in self._earlier((text,)):
+            record = line.record
+            if record.get("agent") != agent:
+                continue
+            if record["kind"] == "step":
+                self._received.setdefault(agent, set()).add(identity)
+                return
+            if record["kind"] == "unexpected":
+                self._refused[agent, identity] = record
+                return
 
     def place(self, agent: str) -> tuple[str, ...]:
         """The active leaves of an agent."""
@@ -196,7 +224,7 @@ class Past:
         self.sent.setdefault(kind, {})[record["agent"]] = record
 
     def _unexpected(self, record: Record) -> None:
-        self.refused[record["agent"], record["sender"]] = record
+        self._refused[record["agent"], identity_of(record["input"])] = record
 
     def _trouble(self, record: Record) -> None:
         if "channel" in record:

@@ -23,7 +23,7 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.play.asking.parts import Part
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.inputs import LOST, Identity
+from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity
 from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.message.as_json import to_json
 
@@ -65,13 +65,29 @@ def _readings(
         yield found
 
 
-def _of_letters(value: Bound | Sender | LossReason, part: Part, chart: Chart, now: int) -> Iterator[Reading]:
-    """What each of the agent messages says that the transition of the part could take."""
+def is_unknown(part: Part, chart: Chart) -> bool:
+    """Whether a part asks what a message says that a trial has made up: nothing is known of that."""
+    board = board_in(chart, part.region)
+    for channel, host in part.said:
+        item = None if board is None else board.newest(channel, host)
+        if item is not None and item.identity[1] == MADE_UP:
+            return True
+    return part.asks_letter and any(mail.identity[1] == MADE_UP for mail in _letters(part, chart))
+
+
+def _letters(part: Part, chart: Chart) -> Iterator[AgentMessage]:
+    """The agent messages that the transition of a part could take."""
     events = (event for event in chart.PLAN.transitions[part.transition].events if len(event) > 1)
     kinds = {(LOST, "", event[1]) if event[0] == "lost" else event[1:4] for event in events}
     for mail in chart.mail.get(part.branch, ()):
-        kind = mail.performative, mail.message, mail.participant
-        if kind not in kinds or mail.identity[1] == MADE_UP:
+        if (mail.performative, mail.message, mail.participant) in kinds:
+            yield mail
+
+
+def _of_letters(value: Bound | Sender | LossReason, part: Part, chart: Chart, now: int) -> Iterator[Reading]:
+    """What each of the agent messages says that the transition of the part could take."""
+    for mail in _letters(part, chart):
+        if mail.identity[1] == MADE_UP:
             continue
         match value:
             case Bound(path=path):
@@ -137,4 +153,4 @@ def _timer(chart: Chart, region: str, timer: str) -> int | None:
     return None if board is None else board.timers.get(timer)
 
 
-__all__ = ["MADE_UP", "Reading", "board_in", "readings"]
+__all__ = ["MADE_UP", "Reading", "board_in", "is_unknown", "readings"]

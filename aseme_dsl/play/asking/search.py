@@ -6,7 +6,7 @@ is found has happened in a trial, and does not happen when one of the changes is
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from heapq import heappop, heappush
 from typing import assert_never
@@ -31,6 +31,7 @@ from aseme_dsl.play.asking.reading import board_in
 from aseme_dsl.play.asking.ways import Goal, Map, Stage, known_of
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Completed, Crashed, Happened
 from aseme_dsl.runtime.chart.plan import Transition, is_in
+from aseme_dsl.runtime.trace.records import Record
 
 STAGES = 100
 """A way has so many stages at the most."""
@@ -75,11 +76,16 @@ class Found:
     """Whether the way that was tried has too many stages."""
 
 
+Pending = Callable[[Coming], Record | None]
+"""Gives the line of the sending of an agent message that is still under way."""
+
+
 class Search:
     """Looks for what has to be otherwise for one agent."""
 
-    def __init__(self, trial: Trial, conditions: Conditions) -> None:
+    def __init__(self, trial: Trial, conditions: Conditions, pending: Pending) -> None:
         self._trial = trial
+        self._pending = pending
         self._conditions = conditions
         self._plan = trial.plan
         self._waiting = [number for number, item in enumerate(self._plan.transitions) if item.events]
@@ -360,7 +366,7 @@ class Search:
             case ("raised", str(name)):
                 return Raising(name)
             case ("received", str(performative), str(message), str(participant)):
-                return Coming(self._branch(item), performative, message, participant)
+                return self._coming(Coming(self._branch(item), performative, message, participant))
             case ("lost", str(participant)):
                 return Coming(self._branch(item), LOST, "", participant)
             case ("error",):
@@ -371,6 +377,13 @@ class Search:
                 )
                 return next(map(Failing, running), None)
         return None
+
+    def _coming(self, coming: Coming) -> Coming:
+        """An agent message comes: one that is still under way, if there is one."""
+        record = self._pending(coming)
+        if record is None:
+            return coming
+        return replace(coming, waiting=self._trial.waiting(coming, record))
 
     def _branch(self, item: Transition) -> str:
         """The branch in whose conversation a transition is."""
@@ -395,6 +408,13 @@ class Search:
 
     def _least(self, goal: Goal, stages: tuple[Needed, ...]) -> tuple[Needed, ...]:
         """Without the changes that are not needed."""
+        found, before = stages, None
+        while found != before:  # without one of them another one may not be needed any more
+            before, found = found, self._fewer(goal, found)
+        return found
+
+    def _fewer(self, goal: Goal, stages: tuple[Needed, ...]) -> tuple[Needed, ...]:
+        """Without those changes that can be left out one after the other, the last one first."""
         found = list(stages)
         for place in reversed(range(len(found))):
             for change in reversed(found[place].changes):
@@ -513,4 +533,4 @@ def _joined(one: _Facts, other: _Facts) -> _Facts | None:
     return tuple(found.values())
 
 
-__all__ = ["Conditions", "Found", "Needed", "Prevented", "Search", "followed"]
+__all__ = ["Conditions", "Found", "Needed", "Pending", "Prevented", "Search", "followed"]

@@ -142,7 +142,7 @@ class Teller:
             return Said(f"{item.text} {'has run out' if ends <= now else 'runs out'} at {shown(ends)}")
         if item.identity is None:
             if item.channel is None:
-                return Said(f"{item.text} is {_short(item.value)}")
+                return Said(f"{item.text} is {'absent' if item.value is None else _short(item.value)}")
             inside = tuple(self.unsent.absent(item))
             return Said(f"{item.text} is absent: the message is not there", inside)
         sender = "itself" if item.sender == self.agent else item.sender

@@ -70,7 +70,7 @@ class Unsent:
     def _fate(self, record: Record) -> str:
         """What has become of a message on a channel."""
         if self.past.has_received(self.agent, record):
-            return "and it was used up, or dropped, since"
+            return "and it was consumed, or dropped, since"
         return f"and {self.agent} has not received it yet"
 
     def _sender(self, name: str, sent: Sent, verb: str) -> Iterator[Said]:
@@ -94,19 +94,38 @@ class Unsent:
 
     # ---- agent messages --------------------------------------------------------------------------
 
+    def pending(self, coming: Coming) -> Record | None:
+        """The message that was sent already, and is still under way, or waits to be let in."""
+        info = self._branch(coming)
+        kind = coming.performative, coming.message
+        names = () if info is None else self._senders(coming, info)
+        found = (self.past.pending(self.agent, kind, name) for name in names)
+        return next((record for record in found if record is not None), None)
+
     def message(self, coming: Coming) -> Said:
         """Why an agent message has not come."""
         if coming.performative == LOST:
             return Said(f"no {coming.participant} is lost")
-        info = next((item for item in self.plan.branches if item.label == coming.branch), None)
+        info = self._branch(coming)
         what = f"`{coming.performative} {coming.message}".strip() + f"` from {coming.participant}"
-        inside = [] if info is None else list(self._senders(coming, info))
-        waits = any(is_waiting for is_waiting, _ in inside)
-        text = f"{what} has not come in yet" if waits else f"{what} has not come, or was taken before"
-        return Said(text, tuple(said for _, said in inside))
+        pending = self.pending(coming)
+        if info is None or pending is None:
+            names = () if info is None else self._senders(coming, info)
+            inside = tuple(said for name in names for said in self._unsent(name, coming))
+            return Said(f"{what} has not come, or was taken before", inside)
+        sent = f"{pending['agent']} sent it at {shown(pending['time'])}"
+        is_inside = any(is_in(leaf, info.label) for leaf in self.past.place(self.agent))
+        if (coming.performative, coming.message) in info.opens and not is_inside:
+            waits = f"it waits until {self.agent} enters {info.participant}"
+        else:
+            waits = f"{self.agent} has not received it yet"
+        return Said(f"{what} has not come in yet", (Said(f"{sent}; {waits}"),))
 
-    def _senders(self, coming: Coming, info: BranchInfo) -> Iterator[tuple[bool, Said]]:
-        """Why each agent that sends it has not, or whether it is still to come in."""
+    def _branch(self, coming: Coming) -> BranchInfo | None:
+        return next((item for item in self.plan.branches if item.label == coming.branch), None)
+
+    def _senders(self, coming: Coming, info: BranchInfo) -> Iterator[str]:
+        """The other agents that may send an agent message."""
         kind = coming.performative, coming.message
         for name, plan in self.past.plans():
             plays = any(
@@ -115,34 +134,25 @@ class Unsent:
                 and kind in item.sends
                 for item in plan.branches
             )
-            if name == self.agent or not plays:
-                continue
-            last = self.past.last_sent(kind, name)
-            if last is None:
-                yield from ((False, said) for said in self._sender(name, kind, "has never sent it"))
-            else:
-                yield self._sent(name, last, info)
-            refused = self.past.refused.get((self.agent, name))
-            if refused is not None:
-                told = f"{refused['performative']} {refused['message']}".strip()
-                text = f"`{told}` of {name} was refused at {shown(refused['time'])}: {refused['reason']}"
-                yield False, Said(text)
+            if name != self.agent and plays:
+                yield name
 
-    def _sent(self, name: str, record: Record, info: BranchInfo) -> tuple[bool, Said]:
-        kind = record["performative"], str(record["message"])
-        sent = f"{name} sent it at {shown(record['time'])}"
-        if self.agent not in record["to"]:
-            return False, Said(f"{name} sent it last at {shown(record['time'])}, to {_names(record['to'])}")
-        if self.past.has_received(self.agent, record):
-            return False, Said(f"{sent}, and {self.agent} has received it")
-        is_inside = any(is_in(leaf, info.label) for leaf in self.past.place(self.agent))
-        if kind in info.opens and not is_inside:
-            return True, Said(f"{sent}; it waits until {self.agent} enters {info.participant}")
-        return True, Said(f"{sent}; {self.agent} has not received it yet")
-
-
-def _names(agents: list[str]) -> str:
-    return ", ".join(agents) or "no agent"
+    def _unsent(self, name: str, coming: Coming) -> Iterator[Said]:
+        """Why an agent has not sent an agent message, or what has become of it."""
+        kind = coming.performative, coming.message
+        last = self.past.last_sent(kind, name)
+        if last is None:
+            yield from self._sender(name, kind, "has never sent it")
+            return
+        sent = f"{name} sent it last at {shown(last['time'])}"
+        refused = self.past.refused(self.agent, last)
+        if self.agent not in last["to"]:
+            yield Said(f"{sent}, to {', '.join(last['to']) or 'no agent'}")
+        elif refused is None:
+            yield Said(f"{sent}, and {self.agent} has taken it")
+        else:
+            when = shown(refused["time"])
+            yield Said(f"{sent}, and {self.agent} refused it at {when}: {refused['reason']}")
 
 
 __all__ = ["Unsent"]

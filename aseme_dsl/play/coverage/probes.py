@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import cast
 
-from aseme_dsl.amola.expression import Logic, Value
+from aseme_dsl.amola.expression import Logic, Value, value_text
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
-from aseme_dsl.play.conditions import around
+from aseme_dsl.play.conditions import around, shown_as
 from aseme_dsl.play.coverage.decisions import HELD, NOT_ASKED, NOT_HELD, Decision, decisions_of
 from aseme_dsl.runtime.chart.chart import Chart
 
@@ -86,6 +86,9 @@ def _probed(chart: Statechart, probes: list[Probe]) -> Statechart:
         condition = around(inside, len(probes))
         probes.append(Probe(chart.name, decision, None))
         item = transitions[decision.transition]
+        written = item.expression.condition
+        assert written is not None  # else there is no decision
+        condition = shown_as(condition, value_text(written))
         changed = replace(item.expression, condition=condition)
         transitions[decision.transition] = replace(item, expression=changed)
     return replace(chart, transitions=tuple(transitions))

@@ -36,7 +36,7 @@ class _Walk:
 
 
 class Walks:
-    """Follows the agents of one run, also where they switch their roles."""
+    """Follows the agents of one run, also where they switch their roles, or change to these models."""
 
     def __init__(self, charts: Mapping[str, Statechart], models: Iterable[str] = ()) -> None:
         """`models` are the hashes of the models of the roles; without any, all agents run these."""
@@ -62,6 +62,7 @@ class Walks:
         name = str(record.get("agent", ""))
         walk = self._walks.get(name)
         if walk is None:
+            self._come(name, record)
             return
         match record["kind"]:
             case "step":
@@ -75,6 +76,18 @@ class Walks:
             case "swap" if record["what"] == "done" and self._is_other(record):
                 yield Move(name, walk.role, walk.at.end())
                 del self._walks[name]
+
+    def _come(self, name: str, record: Record) -> None:
+        """An agent that is not followed may change to one of these models."""
+        if self._is_other(record):
+            return
+        match record["kind"]:
+            case "select" if "reason" not in record:
+                self.begin(name, record["plan"].rpartition(".")[2])
+            case "swap" if record["what"] == "done" and self.begin(name, record["role"]):
+                walk = self._walks[name]
+                walk.begins = False
+                walk.at.stand(record["configuration"])
 
     def _is_other(self, record: Record) -> bool:
         """Whether the agent has another model from here on, which is not followed."""

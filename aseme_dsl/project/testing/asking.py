@@ -238,7 +238,9 @@ class Questions:
         trial = Trial(model.model, model.parts, agent, chart.seed, given)
         unsent = Unsent(agent, trial.plan, past, self._back(now, depth, asked))
         teller = Teller(agent, model.chart, trial, past, unsent)
-        asking = Asking(teller, Search(trial, model.conditions), Moment(chart.save(), end), mine)
+        asking = Asking(
+            teller, Search(trial, model.conditions, unsent.pending), Moment(chart.save(), end), mine
+        )
 
         def former(numbers: Collection[int]) -> Iterator[_Run]:
             yield from (run for run, _ in reversed(steps) if run.model != own)
@@ -258,7 +260,7 @@ class Questions:
 
         def back(agent: str, what: str) -> tuple[Said, ...]:
             if (agent, what) in asked.chain:
-                return (Said(f"so {agent} waits for what is asked for here, and neither goes on"),)
+                return (Said(f"so {agent} waits for what is asked for here: each waits for the other"),)
             if (agent, what) in asked.all:
                 return (Said("which is explained above"),)
             if not depth or len(asked.all) > BACK:

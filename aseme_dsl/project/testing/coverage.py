@@ -20,9 +20,10 @@ from aseme_dsl.play.replay import Model as Replayed
 from aseme_dsl.play.replay import NotReplayable, Replay
 from aseme_dsl.project.files.inputs import is_folder
 from aseme_dsl.project.settings.target import builds_in, project_here
-from aseme_dsl.project.testing.replaying import generated
+from aseme_dsl.project.testing.replaying import generated, models_of
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.trace.records import Record, agents_of
+from aseme_dsl.runtime.trace.packed import unpacked
+from aseme_dsl.runtime.trace.records import Record, TracedAgent, agents_of
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
@@ -121,8 +122,8 @@ class _Replays:
         self._stack = stack
         self._generated: tuple[Mapping[str, type[Chart]], Messages, Probed] | None = None
 
-    def replay(self, recorder: Recorder) -> Replay:
-        """A replay whose conditions tell the recorder. Raises NotReplayable."""
+    def replay(self, recorder: Recorder, header: Record) -> Replay:
+        """A replay of the trace of a header, whose conditions tell the recorder. Raises NotReplayable."""
         if self._generated is None:
             made = probed(self._model.system)
             self._generated = *generated(made.system, self._stack), made
@@ -133,44 +134,69 @@ class _Replays:
             hashes[role]: Replayed(recorder.listening(chart, hashes[role]), messages)
             for role, chart in charts.items()
         }
-        return Replay(lambda sources: kinds)
+        ours = header.get("sources") if not _others(self._model, header) else None
+
+        def models(sources: Mapping[str, str]) -> Mapping[str, Replayed]:
+            is_ours = ours is not None and sources == unpacked(ours)
+            return kinds if is_ours else {**models_of(sources, self._stack), **kinds}
+
+        return Replay(models)
 
 
 def _read_trace(
     model: Model, path: Path, seen: Seen, listeners: Sequence[Listener], replays: _Replays | None
 ) -> Iterable[Diagnostic]:
+    """Add what a trace has shown of a model, as far as agents ran it."""
     reader = TraceReader(path)
-    charts = {chart.name: chart for chart in model.system.iacs}
-    following: Following | None = None
+    others = _others(model, reader.header().record)
+    if others and (listeners or not _changes_to(model, reader)):
+        return [Diagnostic(NotOfThisModel(model.system.name, others), None, path=str(path))]
+    mine = Seen(traces=1)
+    following = Following(
+        {chart.name: chart for chart in model.system.iacs},
+        mine,
+        {a["name"]: a.get("role", "") for a in _agents(reader) if a["name"] not in others},
+        model.hashes.values(),
+    )
     recorder = Recorder(())
     replay = None
     if replays is not None:
         try:
-            replay = replays.replay(recorder)
+            replay = replays.replay(recorder, reader.header().record)
         except NotReplayable as problem:
-            seen.left_out[f"the conditions of {path} were not measured: {problem}"] += 1
+            mine.left_out[_UNMEASURED.format(path, problem)] += 1
     for line in reader:
         record = line.record
-        if following is None:
-            wrong = _others(model, record)
-            if wrong:
-                return [Diagnostic(NotOfThisModel(model.system.name, wrong), None, path=str(path))]
-            agents = {a["name"]: a.get("role", "") for a in agents_of(record)}
-            following = Following(charts, seen, agents, model.hashes.values())
-            seen.traces += 1
         following(record)
         if replay is not None and (why := _differs(replay, record)) is not None:
-            seen.left_out[f"the conditions of {path} were not measured: {why}"] += 1
+            mine.left_out[_UNMEASURED.format(path, why)] += 1
             replay = None
         for listener in listeners:
             listener(record)
         if record["kind"] in ("swap", "select") and record.get("model") not in (None, *model.hashes.values()):
-            seen.left_out["an agent changed to another model: the rest of its run was not counted"] += 1
+            mine.left_out["an agent changed to another model, whose run was not counted"] += 1
+    if others:
+        mine.left_out[f"{', '.join(others)} ran another model at first, which was not counted"] += 1
     if replay is not None:
-        seen.add(Seen(evaluations=recorder.evaluations, evaluated=1))
+        mine.add(Seen(evaluations=recorder.evaluations, evaluated=1))
+    seen.add(mine)
     if reader.problem is not None:
         return [Diagnostic(TraceNotRead(reader.problem), None, path=str(path))]
     return []
+
+
+_UNMEASURED = "the conditions of {} were not measured: {}"
+
+
+def _changes_to(model: Model, reader: TraceReader) -> bool:
+    """Whether some agent of a trace changes to this model."""
+    known = set(model.hashes.values())
+    changes = (line.record for line in reader if line.record["kind"] in ("swap", "select"))
+    return any("agent" in record and record.get("model") in known for record in changes)
+
+
+def _agents(reader: TraceReader) -> Iterable[TracedAgent]:
+    return agents_of(reader.header().record)
 
 
 def _differs(replay: Replay, record: Record) -> str | None:

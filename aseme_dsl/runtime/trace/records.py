@@ -133,6 +133,7 @@ class Record(TypedDict, total=False):
     untaken: list[InputName]
     played: str
     # changes of plan or version
+    role: str
     plan: str
     model: str
     # other processes
