@@ -11,7 +11,7 @@ from aseme_dsl.play.asking.parts import Denied, Joined, Part, Tree, parts_in
 from aseme_dsl.play.asking.said import Said
 from aseme_dsl.play.asking.search import STAGES, Found, Needed, Search, followed
 from aseme_dsl.play.asking.telling import Teller
-from aseme_dsl.play.asking.ways import Goal, Stage, leads
+from aseme_dsl.play.asking.ways import Goal, Stage, leads, narrowed
 from aseme_dsl.runtime.chart.inputs import Completed
 from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.time.clock import shown
@@ -251,7 +251,8 @@ class Asking:
         for place, taken in enumerate(made.taken[: made.taken.index(way) + 1]):
             for change in self._deciding(moment, taken, tried, place):
                 known.setdefault(change, place)
-        needed = [item for item in known if not self.search.reached(goal, moment, (item,))]
+        mine = narrowed(self.teller.trial.shape, goal, way)
+        needed = [item for item in known if not self.search.reached(mine, moment, (item,))]
         for change in needed or known:
             yield self.teller.cause(change, moment, known[change])
         weights = (transitions[number].weight for number in way)

@@ -8,7 +8,7 @@ from aseme_dsl.runtime.chart.plan import Plan, State
 def named(plan: Plan, label: str) -> str:
     """What people call a state, told apart from others: `Carry[2]` is in the second of some instances.
 
-    Where that does not do, its label stands beside it.
+    Where that does not do, the formula around it stands beside it, or else its label.
     """
     state = plan.by_label[label]
     name = plan.called(state)
@@ -18,7 +18,19 @@ def named(plan: Plan, label: str) -> str:
     own = _instance(plan, state)
     if all(_instance(plan, item) != own for item in same):
         return f"{name}{own}"
+    around = _formula(plan, label)
+    like = (item.label for item in same if _instance(plan, item) == own)
+    if around and all(_formula(plan, item) != around for item in like):
+        return f"{name}{own} in {around}"
     return f"{name}{own} ({label})"
+
+
+def _formula(plan: Plan, label: str) -> str:
+    """The name of the innermost formula around a state."""
+    around = plan.by_label[label].parent
+    while around is not None and not plan.by_label[around].name.isidentifier():
+        around = plan.by_label[around].parent
+    return "" if around is None else plan.by_label[around].name
 
 
 def _instance(plan: Plan, state: State) -> str:

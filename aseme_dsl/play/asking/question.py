@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from difflib import get_close_matches
 
 from aseme_dsl.play.asking.names import named
-from aseme_dsl.play.asking.sending import places, sent_of
+from aseme_dsl.play.asking.sending import places, published, sent_of
 from aseme_dsl.play.asking.ways import Goal
 from aseme_dsl.runtime.chart.plan import Plan, State
 
@@ -51,7 +52,7 @@ def goal_of(plan: Plan, asked: str) -> Goal:
 def _called(plan: Plan, name: str) -> list[State]:
     """The states of a name: their own, that of their activity, their label, or one behind that of a part."""
     found = [item for item in plan.states if name in (item.name, item.activity, item.label)]
-    if not found and name.endswith(("]", ")")):
+    if not found and any(mark in name for mark in ("[", " (", " in ")):
         found = [item for item in plan.states if named(plan, item.label) == name]
     if found or not 0 < name.count(".") <= len(plan.states):
         return found
@@ -100,8 +101,16 @@ def _message(plan: Plan, text: str) -> Goal:
 
 def _unknown(plan: Plan, name: str) -> str:
     names = sorted({item.name for item in plan.states if item.name.isidentifier()})
+    if " " in name or name.count(".") > 1:
+        sent = {" ".join(kind) for info in plan.branches for kind in info.sends}
+        return _listed(plan, name, "it sends", sent | set(published(plan)))
+    return _listed(plan, name, "its states are", names)
+
+
+def _listed(plan: Plan, name: str, told: str, names: Collection[str]) -> str:
     near = get_close_matches(name, names, 1)
-    hint = f"did you mean {near[0]}?" if near else f"its states are {', '.join(names)}"
+    listed = f"{told} {', '.join(sorted(names)) or 'none'}"
+    hint = f"did you mean {near[0]}?" if near else listed
     return f"{plan.name} has no state, transition or message {name}: {hint}"
 
 

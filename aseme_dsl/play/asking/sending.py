@@ -43,6 +43,14 @@ def places(plan: Plan, sent: Sent) -> Iterator[Place]:
             yield Place(item.source, plan.way((number,)), number)
 
 
+def published(plan: Plan) -> Iterator[str]:
+    """The channels on which a role publishes."""
+    for item in (*plan.activities, *plan.modules):
+        yield from item.writes
+    for way in plan.transitions:
+        yield from (str(action[1]) for action in way.actions if action[0] == "publish")
+
+
 def _in_activities(plan: Plan, sent: Sent) -> Iterator[Place]:
     performative, message = sent
     if performative:
@@ -54,4 +62,4 @@ def _in_activities(plan: Plan, sent: Sent) -> Iterator[Place]:
     yield from (Place(label, plan.called(plan.by_label[label])) for label in labels)
 
 
-__all__ = ["Place", "Sent", "places", "sent_of"]
+__all__ = ["Place", "Sent", "places", "published", "sent_of"]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from aseme_dsl.play.asking.changes import Coming
@@ -48,8 +49,7 @@ class Unsent:
         published = self.past.last_published(channel, (*wanted, "input"))
         if self.agent in wanted and all(set(one.get("to", ())) <= {name} for name, one in published.items()):
             wanted = [self.agent]  # each publishes it for itself
-        for name in wanted:
-            yield from self._unpublished(name, channel)
+        yield from _grouped((name, tuple(self._unpublished(name, channel))) for name in wanted)
         if not wanted:
             everywhere = "no role of the team publishes it: it comes from outside"
             yield Said(everywhere if item.host is None else f"{item.host} does not publish it")
@@ -111,7 +111,7 @@ class Unsent:
         pending = self.pending(coming)
         if info is None or pending is None:
             names = () if info is None else self._senders(coming, info)
-            inside = tuple(said for name in names for said in self._unsent(name, coming))
+            inside = tuple(_grouped((name, tuple(self._unsent(name, coming))) for name in names))
             return Said(f"{what} has not come, or was taken before", inside)
         sent = f"{pending['agent']} sent it at {shown(pending['time'])}"
         is_inside = any(is_in(leaf, info.label) for leaf in self.past.place(self.agent))
@@ -153,6 +153,30 @@ class Unsent:
         else:
             when = shown(refused["time"])
             yield Said(f"{sent}, and {self.agent} refused it at {when}: {refused['reason']}")
+
+
+def _grouped(told: Iterable[tuple[str, tuple[Said, ...]]]) -> Iterator[Said]:
+    """What is said of some agents; where it is the same of several, once, with the names of the others."""
+    known: dict[tuple[Said, ...], list[str]] = {}
+    for name, said in told:
+        known.setdefault(tuple(_without(item, name) for item in said), []).append(name)
+    for said, (first, *others) in known.items():
+        yield from (_with(item, first) for item in said)
+        if others:
+            yield Said(f"{', '.join(others)}: the same as {first}")
+
+
+_NAME = "\0"
+"""Stands for the name of an agent."""
+
+
+def _without(said: Said, name: str) -> Said:
+    text = re.sub(rf"\b{re.escape(name)}\b", _NAME, said.text)
+    return Said(text, tuple(_without(item, name) for item in said.inside))
+
+
+def _with(said: Said, name: str) -> Said:
+    return Said(said.text.replace(_NAME, name), tuple(_with(item, name) for item in said.inside))
 
 
 __all__ = ["Unsent"]

@@ -230,6 +230,13 @@ def leads(shape: Shape, goal: Goal, way: tuple[int, ...]) -> bool:
     return enters or not goal.transitions.isdisjoint(way)
 
 
+def narrowed(shape: Shape, goal: Goal, way: tuple[int, ...]) -> Goal:
+    """What a transition does of what is asked for; all of it, if it only resumes something."""
+    entered = frozenset(shape.entered(shape.way(way)[2])) if shape.way(way)[2] else frozenset()
+    states, numbers = goal.states & entered, goal.transitions & frozenset(way)
+    return replace(goal, states=states, transitions=numbers) if states or numbers else goal
+
+
 def may_lead(shape: Shape, goal: Goal, taken: Iterable[tuple[int, ...]]) -> bool:
     """Whether transitions that a step takes may lead to a goal."""
     transitions = shape.plan.transitions
@@ -288,4 +295,4 @@ def _around(label: str) -> Iterator[str]:
     return (".".join(parts[:end]) for end in range(1, len(parts) + 1))
 
 
-__all__ = ["Goal", "Map", "Stage", "known_of", "leading", "leads", "may_lead"]
+__all__ = ["Goal", "Map", "Stage", "known_of", "leading", "leads", "may_lead", "narrowed"]
