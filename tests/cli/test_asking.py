@@ -116,6 +116,8 @@ def test_a_message_that_has_not_come_its_sender_and_a_draw(desk: Here) -> None:
         "          Do has not ended: its activity runs since 0.1 s, and takes 30 s\n"
         "    `tries > 3` does not hold\n"
         "      tries is 0\n"
+        "      tries is set in (hire_boss . (Jab | Kick | Rest)) -> (hire_boss . (Jab | Kick | Rest))"
+        " (desk.aseme:35:5)\n"
         "    another branch may be drawn: this one has the weight 1, all together 4\n"
     )
     assert "to Tell" not in asked(desk, "whynot", "ann", "Kick", "5s", "--depth", "0")
@@ -150,7 +152,8 @@ def test_what_was_taken_at_that_moment_comes_first(desk: Here) -> None:
     assert found[1] == "`Jab` did not happen; it would have, if this was otherwise:"
     rest = "to Rest from the start of (Jab | Kick | Rest) by `else` (desk.aseme:34:5)"
     assert found[2] == f"  at 20.1 s it went {rest} instead"
-    assert found[3:] == ["    `tries > 3` does not hold", "      tries is 0"]
+    assert found[3:5] == ["    `tries > 3` does not hold", "      tries is 0"]
+    assert found[5].startswith("      tries is set in ")
 
 
 def test_why_names_what_was_needed(desk: Here) -> None:

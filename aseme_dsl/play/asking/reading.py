@@ -48,6 +48,8 @@ class Reading:
     identity: Identity | None = None
     is_timer: bool = False
     """Its value is when it runs out, in ns."""
+    variable: str = ""
+    """The variable of the role that it is."""
 
 
 def readings(part: Part, chart: Chart, now: int, given: Mapping[str, object]) -> tuple[Reading, ...]:
@@ -106,7 +108,7 @@ def _reading(value: Value, part: Part, chart: Chart, now: int, given: Mapping[st
         case Member(channel=channel, host=host, path=path):
             return _message(text, str(channel), host, path, part, chart, now)
         case VariableValue(name=name, path=path):
-            return Reading(text, to_json(_inside(chart.variable(name), path)))
+            return Reading(text, to_json(_inside(chart.variable(name), path)), variable=name)
         case Expired(timer=timer):
             return Reading(f"timer {timer}", _timer(chart, part.region, timer), is_timer=True)
         case Outcome(activity=activity):

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import assert_never
 
 from aseme_dsl.amola.expression import Age, At, Mean, value_text, walk
@@ -32,6 +32,8 @@ from aseme_dsl.runtime.chart.inputs import AgentMessage, Completed, Crashed, Hap
 from aseme_dsl.runtime.chart.plan import Plan, is_in
 from aseme_dsl.runtime.time.clock import shown
 
+SETTERS = 3
+"""So many transitions that set a variable are listed."""
 LONGEST = 80
 """A value is shown with so many characters at most."""
 
@@ -105,7 +107,8 @@ class Teller:
             case Holding(part=part, is_true=is_true):
                 verb = "does not hold" if is_true else "holds"
                 read = self.trial.decided(part, moment, changes, not is_true)
-                return self._part(part, verb, moment, read)
+                told = self._part(part, verb, moment, read)
+                return replace(told, inside=(*told.inside, *self._setters(read)))
             case Ending(label=label, outcome=outcome):
                 with_it = "" if outcome is None else f" with `{outcome}`"
                 return Said(f"{self.state(label)} has not ended{with_it}: {self._running(label)}")
@@ -133,6 +136,18 @@ class Teller:
         is_aged = any(isinstance(item, Age | At | Mean) for item in walk(part.value))
         read = tuple(self._reading(item, moment.now, is_aged) for item in found)
         return Said(f"`{text}` {verb}{meant}", read)
+
+    def _setters(self, found: Sequence[Reading]) -> Iterator[Said]:
+        """Which transitions set the variables that were read."""
+        for name in dict.fromkeys(item.variable for item in found if item.variable):
+            ways = [
+                self.plan.way((number,))
+                for number, item in enumerate(self.plan.transitions)
+                if any(action[:2] == ("assign", name) for action in item.actions)
+            ]
+            if ways:
+                more = f", and {len(ways) - SETTERS} more" if len(ways) > SETTERS else ""
+                yield Said(f"{name.partition('@')[0]} is set in {', '.join(ways[:SETTERS])}{more}")
 
     def _reading(self, item: Reading, now: int, is_aged: bool) -> Said:
         if item.is_timer:
