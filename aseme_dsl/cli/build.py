@@ -16,6 +16,7 @@ from aseme_dsl.cli.shared import (
     TARGETS_HELP,
     activities_option,
     backend_option,
+    certified,
     check_backends,
     check_choice,
     colour_option,
@@ -195,7 +196,9 @@ def _built(
             choice = replace(choice, replaces=output is None and item.configuration.output is None)
             earlier = None if workshop is None else workshop.about(path_of(item.root)).begin(item.layout)
             with progress_of(item.system.name) as told:
-                done = build(item.system, folder, choice, earlier=earlier, told=told)
+                done = build(
+                    item.system, folder, choice, earlier=earlier, told=told, certificates=item.certificates
+                )
             built.append(replace(done, notes=(*done.notes, *_left_behind(item.system.name, folder, other))))
             found += built[-1].diagnostics
     return inputs, compiled, built, found
@@ -271,7 +274,9 @@ def _lines(built: Built, stats: bool) -> list[str]:
     """What became of a system, for people; nothing where it could not be built."""
     if has_errors(built.diagnostics):
         return []
-    said = f"{built.system} -> {built.folder}: {written_summary(built.written)}"
+    said = (
+        f"{built.system} -> {built.folder}: {written_summary(built.written)}{certified(built.certificates)}"
+    )
     return [said, *(f"  {line}" for line in (count_lines(built.count) if stats else ()))]
 
 
@@ -284,4 +289,5 @@ def _json(built: Built) -> dict[str, object]:
         **written_json(built.written),
         "count": asdict(built.count) if built.count is not None else None,
         "remarks": list(built.notes),
+        "certified": [asdict(item) for item in built.certificates],
     }

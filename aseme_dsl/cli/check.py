@@ -157,12 +157,15 @@ def _tip(checked: Checked) -> str:
 
 
 def _json(checked: Checked, fixed: Fixed | None) -> dict[str, object]:
+    from dataclasses import asdict
+
     from aseme_dsl.diagnostics import render_json
     from aseme_dsl.diagnostics.render import suppressed_json
 
     result = {"files": len(checked.files), **diagnostics_json(checked.diagnostics)}
     result["unchecked_choices"] = checked.unchecked
     result["suppressed"] = suppressed_json(checked.suppressed)
+    result["certified"] = [asdict(item) for one in checked.compiled for item in one.certificates]
     if fixed is not None:
         result["mended"] = render_json(fixed.mended)
     return result

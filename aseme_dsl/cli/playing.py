@@ -182,7 +182,7 @@ def build_target(
         choice = replace(choice, backends=(*choice.backends, choice.agents.usual))
     folder = chosen or Path(OUTPUT)
     with progress_of(compiled.system.name) as told:
-        report = build(compiled.system, folder, choice, told=told)
+        report = build(compiled.system, folder, choice, told=told, certificates=compiled.certificates)
     if has_errors(report.diagnostics):
         return refuse(report.diagnostics, as_json, colour)
     if not as_json:

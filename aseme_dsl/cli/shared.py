@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from aseme_dsl.project.files.outputs import Kind
     from aseme_dsl.project.files.write import Written
     from aseme_dsl.project.spreading.cluster import Cluster
+    from aseme_dsl.proofs.certificate.certify import Certificate
 
 CommandT = TypeVar("CommandT", bound=Callable[..., object])
 OptionsT = TypeVar("OptionsT")
@@ -369,6 +370,15 @@ def written_summary(written: Written) -> str:
     ]
     said = [f"{number} {what}" for number, what in parts if number]
     return f"files: {', '.join(said)}" if said else "no files"
+
+
+def certified(certificates: Sequence[Certificate]) -> str:
+    """`; 3 statecharts certified`, and of how many a part, or all, could not be compared with a formula."""
+    if not certificates:
+        return ""
+    whole = sum(item.is_whole for item in certificates)
+    said = f"; {plural(whole, 'statechart')} certified"
+    return said if whole == len(certificates) else f"{said}, {len(certificates) - whole} not or in part"
 
 
 def target_argument(command: CommandT) -> CommandT:

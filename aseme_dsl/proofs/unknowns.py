@@ -17,7 +17,7 @@ HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "ex
 OUTCOME, STATE, INDEX = "outcome", "state", "index"
 TAKEN, SENDER, REASON = "taken", "sender", "reason"
 LIST, ELEMENT, SIZE, CONTAINS, FIND = "list", "element", "size", "contains", "find"
-NEW, SAME = "new", "same"
+NEW, SAME, CHANGED = "new", "same", "changed"
 AT, MEAN, CALL, RAISES, THERE = "at", "mean", "call", "raises", "there"
 PRESENCES = (HAS, SET, THERE)
 
@@ -122,8 +122,8 @@ def identity(value: e.Value) -> Key:
         case e.NewMessage(message=message, fills=fills, rest=rest):
             filled = tuple((item.path, identity(item.value)) for item in fills)
             return (NEW, message, filled, None if rest is None else identity(rest))
-        case e.Changed():
-            raise AssertionError("no condition changes a list")
+        case e.Changed(change=change, list=whole):
+            return (CHANGED, change.value, identity(whole), *(identity(part) for part in value.given))
         case e.Logic(operator=operator, operands=operands):
             return (operator, *(identity(operand) for operand in operands))
         case e.Compare(left=left, right=right) if is_of_messages(value):

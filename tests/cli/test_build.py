@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from aseme_dsl.compiler.chart import chart as charts_of_compiler
 from tests.cli.support import GOOD, Here, asemec, command
 
 PROTOCOL = """\
@@ -63,7 +64,7 @@ def test_everything_has_its_place(here: Here, folder: Path) -> None:
         "monas/activities/walk.py",
         "monas/activities/stand.py",
     }
-    assert done.out.splitlines()[0] == "Walker -> out: files: 16 created"
+    assert done.out.splitlines()[0] == "Walker -> out: files: 16 created; 1 statechart certified"
 
 
 def test_every_model_has_a_file_and_a_diagram(here: Here, folder: Path) -> None:
@@ -102,7 +103,9 @@ def test_a_second_build_touches_nothing(here: Here, folder: Path) -> None:
     here("build", "good.aseme", "-o", "out")
     before = state(folder / "out")
     done = here("build", "good.aseme", "-o", "out")
-    assert done.out.splitlines()[0] == "Walker -> out: files: 14 unchanged, 2 of yours kept"
+    assert done.out.splitlines()[0] == (
+        "Walker -> out: files: 14 unchanged, 2 of yours kept; 1 statechart certified"
+    )
     assert state(folder / "out") == before
 
 
@@ -636,3 +639,37 @@ def test_a_folder_of_the_user_may_be_called_as_the_library_is(folder: Path, here
     )
     done = here("build", "team.aseme", "--stats")
     assert "6 lines of .aseme" in done.out
+
+
+# ---- certificates --------------------------------------------------------------------------------
+
+CERTIFIED = "system T\nsrm R { liveness { R = A . [B] . C } }\n"
+
+
+def test_a_build_says_what_is_certified(here: Here, folder: Path) -> None:
+    (folder / "t.aseme").write_text(CERTIFIED)
+    done = here("build", "t.aseme", "-o", "out", "--only", "models")
+    assert done.out.rstrip().endswith("; 1 statechart certified")
+    assert json.loads((folder / "out/.asemec.json").read_text())["certified"] == {"iac.R": "proved"}
+    document = json.loads(here("build", "t.aseme", "-o", "out", "--json").out)
+    assert document["systems"][0]["certified"] == [
+        {"chart": "iac.R", "states": 10, "transitions": 8, "subcharts": [], "left_out": []}
+    ]
+
+
+def test_a_mistake_of_the_compiler_stops_the_build(
+    here: Here, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (folder / "t.aseme").write_text(CERTIFIED)
+    made = charts_of_compiler.transitions
+    monkeypatch.setattr(charts_of_compiler, "transitions", lambda *given: made(*given)[:-2])
+    for arguments in (("build", "t.aseme", "-o", "out"), ("check", "t.aseme")):
+        done = here(*arguments)
+        assert done.code == 70
+        assert (
+            "internal error: NotCertified: the statechart of R (IAC) is not what its source says" in done.err
+        )
+        assert "it lacks the transition of `skip B` (no line)" in done.err
+        assert ": at `choice in [B]` (0.3.2), t.aseme:2:28 reached by A . [B]: it lacks" in done.err
+        assert "This is a bug in asemec; please report it" in done.err
+    assert not (folder / "out").exists()

@@ -108,6 +108,7 @@ def test_json(here: Here, folder: Path) -> None:
     assert first["place"]["file"] == "bad.aseme"
     assert first["place"]["line"] == 8
     good = here("check", "--json", "good.aseme").json
+    assert [item["chart"] for item in good.pop("certified")] == ["iac.robot"]
     assert good == {
         "format": 1,
         "files": 1,

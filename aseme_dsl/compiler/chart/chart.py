@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from itertools import chain
 
 from aseme_dsl.amola.aip import DeclaredVariable, Plays
-from aseme_dsl.amola.expression import Assign, VariableValue
+from aseme_dsl.amola.expression import Assign, VariableValue, substituted_expression
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.messages import Type
 from aseme_dsl.amola.srm import Activity, Module
@@ -225,7 +225,8 @@ def _abandoning(outline: Outline, parts: Mapping[tuple[str, str], Part]) -> Iter
     """What the participants do when they are left before their END."""
     for label, branch in outline.branches.items():
         for line in parts[branch.protocol, branch.participant].lines.abandon:
-            expression = rename(line.expression, outline.names.get(label, SAME))
+            written = substituted_expression(line.expression, outline.instances[label])
+            expression = rename(written, outline.names.get(label, SAME))
             name, kind = f"{branch.participant}ABANDON", TransitionKind.ABANDON
             yield Transition(name, label, label, expression, 0, branch.origin, line.span, kind=kind)
 

@@ -113,8 +113,8 @@ class Outline:
     """States in document order, arrows in the template's order, and the protocol branches by label.
 
     `names` says for each branch what its names mean in the chart, `results` which variables of what is around
-    it get those of the branch when it is complete. `standing` are the states of terms: all but the points,
-    the regions and what is around them.
+    it get those of the branch when it is complete, and `instances` which instance it is in. `standing` are
+    the states of terms: all but the points, the regions and what is around them.
     """
 
     nodes: tuple[State, ...]
@@ -123,6 +123,7 @@ class Outline:
     standing: tuple[Standing, ...]
     names: Mapping[str, Renames] = field(default_factory=dict)
     results: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    instances: Mapping[str, Mapping[str, Value]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -266,6 +267,7 @@ class _Builder:
         self.branches: dict[str, Branch] = {}
         self.names: dict[str, Renames] = {}
         self.results: dict[str, dict[str, str]] = {}
+        self.instances: dict[str, Mapping[str, Value]] = {}
         self.standing: list[Standing] = []
         self._spellings: dict[tuple[Formula, int, int], str] = {}
 
@@ -277,6 +279,7 @@ class _Builder:
             tuple(self.standing),
             self.names,
             self.results,
+            self.instances,
         )
 
     def arrow(
@@ -351,6 +354,7 @@ class _Builder:
     def enter(self, label: str, branch: Branch, around: _Context) -> _Context:
         """The context of the process of a participant that stands at `label`."""
         self.branches[label] = branch
+        self.instances[label] = around.instance
         names = self.names[label] = branch.names_at(label, around)
         targets = around.names.variables
         self.results[label] = {

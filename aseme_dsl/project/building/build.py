@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from aseme_dsl.backends.backend import Artefact, Known
     from aseme_dsl.diagrams import Drawing
     from aseme_dsl.diagrams.rendering.drawn import Drawn, Result
+    from aseme_dsl.proofs.certificate.certify import Certificate
 
 _T = TypeVar("_T")
 
@@ -102,6 +103,8 @@ class Report:
     """None where no backend was asked for."""
     notes: tuple[str, ...] = ()
     diagnostics: tuple[Diagnostic, ...] = ()
+    certificates: tuple[Certificate, ...] = ()
+    """What was proved of each statechart."""
 
 
 def _silently(text: str) -> None:
@@ -119,10 +122,13 @@ def build(
     disk: Disk = DISK,
     earlier: Earlier | None = None,
     told: Callable[[str], None] = _silently,
+    certificates: tuple[Certificate, ...] = (),
 ) -> Report:
     """Write the models, diagrams, messages and code of a system into `folder`.
 
     `told` is given what long work is at: how many of the drawings and of the native modules are done.
+
+    The manifest says what was proved of each statechart (`certificates`).
 
     What `earlier` builds of it have made is taken from there, and nothing is counted; what is written is the
     same.
@@ -176,6 +182,7 @@ def build(
         parts=frozenset((*parts, *backends)),
         system=system.name,
         source=_source(system, folder),
+        certified={item.chart: item.text for item in certificates},
         force=choice.force,
         replaces=choice.replaces,
         disk=disk,
@@ -183,7 +190,7 @@ def build(
     )
     found = in_order((*problems, *choice.policy.apply(written.diagnostics)))
     count = _count(system, generated, written) if generated and earlier is None else None
-    return Report(system.name, folder, written, count, tuple(notes), found)
+    return Report(system.name, folder, written, count, tuple(notes), found, certificates)
 
 
 def _backends(system: System, choice: Choice) -> list[str]:

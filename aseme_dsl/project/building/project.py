@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from aseme_dsl.compiler import Options, analyse
+from aseme_dsl.compiler import Options
 from aseme_dsl.compiler.checks.consequences import without_told
 from aseme_dsl.compiler.formula.holes import as_notes
 from aseme_dsl.compiler.phases import inspect_files
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from aseme_dsl.compiler.read.memory import Memory
     from aseme_dsl.project.building.workshop import Workshop
     from aseme_dsl.project.code.activity_files import Required
+    from aseme_dsl.proofs.certificate.certify import Certificate
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +56,8 @@ class Compiled:
     """How many choices' conditions were not compared, because z3 is not installed."""
     depends: tuple[str, ...] = ()
     """Where all that was read or looked for really is."""
+    certificates: tuple[Certificate, ...] = ()
+    """What was proved of each statechart of the system."""
     layout: Layout = NO_PARTS
     """Where the parts lie in which the models' places are; those of diagnostics are in the files."""
 
@@ -101,6 +104,9 @@ def compile_root(
     Without activities, the code is looked for where a build would put it. Texts in `sources` (by path) are
     taken instead of the files on disk. In a `workshop`, what is known of the root from before is not found
     out again.
+
+    Raises:
+        NotCertified: a statechart is not what its source says, which is a bug of the compiler.
     """
     configuration, problems = configuration_for(Path(path_of(root)))
     if output is not None:
@@ -108,17 +114,22 @@ def compile_root(
     options = options_of(configuration, max_states)
     known = None if workshop is None else workshop.about(path_of(root))
     if workshop is None or known is None:
-        analysis, layout = analyse(root, sources, options), NO_PARTS
+        inspection, layout = inspect_files(root, sources, options), NO_PARTS
     else:
         inspection = inspect_files(root, sources, options, known.memory, workshop.read)
-        analysis, layout = inspection.analysis, inspection.loaded.layout
+        layout = inspection.loaded.layout
+    analysis = inspection.analysis
     diagnostics = in_order((*problems, *analysis.diagnostics))
     system = None if has_errors(diagnostics) else analysis.system
     if system is not None and len(configuration.files) < 2:  # else a role may be of another system
         diagnostics = in_order((*diagnostics, *unknown_roles(configuration, [c.name for c in system.iacs])))
         system = None if has_errors(diagnostics) else system
     suppressed = analysis.suppressed
+    certificates: tuple[Certificate, ...] = ()
     if system is not None:
+        from aseme_dsl.project.building.certified import certificates_of
+
+        certificates = certificates_of(inspection)
         memory, look = (None, stamp_of) if workshop is None or known is None else (known.code, workshop.look)
         problems, allowed = code_problems(system, configuration, activities, memory, look)
         problems += check_functions(system, configuration.folder, look)
@@ -139,6 +150,7 @@ def compile_root(
         suppressed,
         analysis.unchecked,
         analysis.files,
+        certificates,
         layout,
     )
 

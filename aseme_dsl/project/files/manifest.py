@@ -44,6 +44,8 @@ class Manifest:
     source: str | None = None
     files: MappingProxyType[str, Entry] = field(default_factory=lambda: MappingProxyType({}))
     started: MappingProxyType[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    certified: MappingProxyType[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    """What was proved of each statechart (`iac.player`)."""
 
 
 def seen_from_here(folder: Path, source: str) -> str:
@@ -81,12 +83,15 @@ def read_manifest(folder: Path) -> Manifest:
             path: Entry(_text(item["part"]), _text(item["hash"])) for path, item in document["files"].items()
         }
         started = {name: _text(value) for name, value in document["started"].items()}
+        proved = {name: _text(value) for name, value in document.get("certified", {}).items()}
         system, source = _text(document["system"]), _text(document["source"])
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as problem:
         raise DamagedManifest(f"it is damaged ({type(problem).__name__})") from problem
     # A user may have edited it: no path in it may lead out of the folder.
     files = {path: entry for path, entry in files.items() if is_inside(path)}
-    return Manifest(system, source, MappingProxyType(files), MappingProxyType(started))
+    return Manifest(
+        system, source, MappingProxyType(files), MappingProxyType(started), MappingProxyType(proved)
+    )
 
 
 def manifest_text(manifest: Manifest) -> str:
@@ -104,6 +109,7 @@ def manifest_text(manifest: Manifest) -> str:
         "source": "null" if manifest.source is None else _quoted(manifest.source),
         "files": _object(files, "  "),
         "started": _object({path: _quoted(value) for path, value in sorted(manifest.started.items())}, "  "),
+        "certified": _object({name: _quoted(value) for name, value in manifest.certified.items()}, "  "),
     }
     return _object(document, "") + "\n"
 

@@ -124,6 +124,7 @@ def write(
     parts: frozenset[str],
     system: str,
     source: str,
+    certified: Mapping[str, str] = MappingProxyType({}),
     force: bool = False,
     replaces: bool = False,
     disk: Disk = DISK,
@@ -135,7 +136,8 @@ def write(
     and that are no longer among `files` are removed. A file that was not written by a build, or was edited
     since, is an error (E009), or with `force` is overwritten; one that would be removed stays (W002).
     `system` and `source` (a file's name) say whose folder it is: another system's is an error, too,
-    but if it `replaces` one to which the user has added nothing.
+    but if it `replaces` one to which the user has added nothing. `certified` is what was proved of each
+    statechart.
 
     Everything is first written beside its target, then renamed. A failure on the way, or Ctrl-C, leaves what
     was there before and no temporary files; while files are being renamed, Ctrl-C waits. What was `seen` of
@@ -143,7 +145,7 @@ def write(
     """
     wanted = tuple(files)
     plan = _Plan(folder, force, seen or Seen(), replaces=replaces)
-    plan.look(wanted, parts, system, source)
+    plan.look(wanted, parts, system, source, certified)
     if plan.errors:
         return Written(diagnostics=tuple(plan.errors))
     try:
@@ -287,7 +289,14 @@ class _Plan:
     errors: list[Diagnostic] = field(default_factory=list)
     warnings: list[Diagnostic] = field(default_factory=list)
 
-    def look(self, files: Sequence[Planned], parts: frozenset[str], system: str, source: str) -> None:
+    def look(
+        self,
+        files: Sequence[Planned],
+        parts: frozenset[str],
+        system: str,
+        source: str,
+        certified: Mapping[str, str],
+    ) -> None:
         """Compare what is wanted with what is there."""
         before = self._manifest(system, source)
         if before is None:
@@ -311,7 +320,8 @@ class _Plan:
                 self._look_at_generated(file, known)
                 entries[file.path] = Entry(file.part, hash_of(file.content))
         self._look_at_stale({p: e for p, e in before.files.items() if p not in entries})
-        self.manifest = Manifest(system, source, MappingProxyType(entries), MappingProxyType(started))
+        proved = MappingProxyType(dict(certified))
+        self.manifest = Manifest(system, source, MappingProxyType(entries), MappingProxyType(started), proved)
         if self.manifest != before or self.seen.manifest is None:
             self._write(self.folder / NAME, manifest_text(self.manifest).encode(), listed=False)
 

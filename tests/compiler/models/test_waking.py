@@ -128,3 +128,11 @@ def test_what_is_reported_never_rests_and_what_is_not_does(group: int) -> None:
             assert reported is (steps == chart.ROUNDS), text
             both.add(reported)
     assert both == {True, False}
+
+
+def test_lists_that_grow_in_a_part_that_wakes_another() -> None:
+    inside = """var notes : list[3] of int  var k : int = 0
+    liveness { R = a || b  a = A~  b = B~ }
+    control a { repeat A : when [k > 0] / append(notes, k); k = k + 1 }
+    control b { repeat B : when [k < 5] / k = k + 1 }"""
+    assert found(inside) == []

@@ -1,0 +1,1 @@
+"""Certificate of the compiler: each statechart is exactly what its formula and its control lines say."""
