@@ -253,3 +253,25 @@ def test_a_story_ends_where_the_expectation_is_broken(here: Here, folder: Path) 
     assert "good.aseme:18:3: not so at 1.5 s" in done.out
     assert "      1 s  one  Stand returns" in done.out.splitlines(), done.out
     assert "2 s" not in done.out
+
+
+INTERRUPTED = """\
+system Guard
+message Stop { int n }
+topic t { signal Stop }
+srm r {
+  liveness { r = (Walk . Rest) [> Flee }
+  activities { Walk takes 5s  Rest takes 1s  Flee takes 1s }
+  control r { enter Flee : when [t.signal.Stop.n > 0] }
+}
+team T { bob : r }
+scenario "rests" { by 3s bob in Rest }
+"""
+
+
+def test_a_story_says_what_may_interrupt_a_wait(here: Here, folder: Path) -> None:
+    (folder / "guard.aseme").write_text(INTERRUPTED)
+    waits = "bob  waits for its activity Walk (guard.aseme:5) to end"
+    assert (
+        f"{waits}, or for [> when [t.signal.Stop.n > 0] (guard.aseme:7)\n" in here("test", "guard.aseme").out
+    )

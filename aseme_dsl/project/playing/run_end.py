@@ -80,12 +80,17 @@ def _member_lines(member: Member) -> list[str]:
     return [f"{who} waits {waits_text(item)}" for item in member.waits]
 
 
-def waits_text(item: Waiting) -> str:
-    """Where an agent waits and for what: `after Ask (a.aseme:4) for agree Offer from seller (a.aseme:9)`."""
-    if _runs(item):
-        # What may interrupt it, too, is in --json.
-        return f"for its activity {_cut(item.name)}{_place(item.at)} to end"
-    awaited = _few([_awaited(found) for found in item.awaits], _MOST_AWAITED, " or ")
+def waits_text(item: Waiting, *, interrupts: bool = False) -> str:
+    """Where an agent waits and for what: `after Ask (a.aseme:4) for agree Offer from seller (a.aseme:9)`.
+
+    Of an activity that runs, what may interrupt it is said only with `interrupts`; it is in --json, too.
+    """
+    is_running = _runs(item)
+    awaits = [found for found in item.awaits if not (is_running and found.kind == "activity")]
+    awaited = _few([_awaited(found) for found in awaits], _MOST_AWAITED, " or ")
+    if is_running:
+        other = f", or for {awaited}" if interrupts and awaited else ""
+        return f"for its activity {_cut(item.name)}{_place(item.at)} to end{other}"
     what = f" for {awaited}" if awaited else ""
     return f"{item.where} {_cut(item.name)}{_place(item.at)}{what}, since {item.since / 1e9:g} s"
 

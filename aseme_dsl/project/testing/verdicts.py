@@ -159,16 +159,13 @@ def _is_count(condition: Condition) -> bool:
 
 def _story(run: Played) -> tuple[Happened, ...]:
     """What happened; of where an agent stands at the end, what it waits for there."""
-    return tuple(
-        said
-        for item in run.story
-        for said in (
-            [replace(item, text=f"waits {waits_text(one)}") for one in run.waits.get(item.agent, ())]
-            if item.stands
-            else ()
-        )
-        or [item]
-    )
+    return tuple(said for item in run.story for said in (_waits(run, item) if item.stands else ()) or [item])
+
+
+def _waits(run: Played, item: Happened) -> list[Happened]:
+    """What an agent waits for where it stands at the end."""
+    texts = [waits_text(one, interrupts=True) for one in run.waits.get(item.agent, ())]
+    return [replace(item, text=f"waits {text}") for text in texts]
 
 
 def _missed_share(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played]) -> ScenarioResult | None:
