@@ -208,3 +208,32 @@ def test_a_long_way_is_found_and_a_longer_one_is_said_to_be_so(tmp_path: Path) -
         recorded(text, tmp_path, until=1 * MS, file=f"{count}.jsonl")
         with questions(tmp_path / f"{count}.jsonl") as found:
             assert said in str(found.answer(Asked("me", f"S{count}", 0, is_why=False)))
+
+
+def is_large(n: int) -> bool:
+    """A function of a document."""
+    return n > 1
+
+
+CALLS = """
+    system Calls
+    function large(int n) : bool = "tests.play.test_asking:is_large"
+    srm r {
+      var n : int = 0
+      liveness { r = (Go . (Left | Right))~ }
+      activities { Go takes 100ms  Left takes 100ms  Right takes 100ms }
+      control r {
+        enter Left  : [large(n)] / n = -5
+        enter Right : else / n += 1
+      }
+    }
+"""
+
+
+def test_why_shows_what_a_function_gave_then(tmp_path: Path) -> None:
+    recorded(CALLS, tmp_path, until=1900 * MS)
+    with questions(tmp_path / "trace.jsonl") as found:
+        answer = str(found.answer(Asked("me", "Left", 1900 * MS, is_why=True)).said)
+        assert "`large(n)` held" in answer and "what large gave last is true" in answer
+        assert "n is 2" in answer and "at 0.5 s" in answer
+        assert not any("probe" in item.text for item in found.at("me", SECOND).teller.plan.transitions)

@@ -115,11 +115,15 @@ Change = Holding | Ending | Failing | Waiting | Raising | Coming | Lacking | Dra
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """An agent between two steps: its state, the time (ns), and what its next step takes."""
+    """An agent between two steps: its state, the time (ns), and what its next step takes.
+
+    `answers` are what functions of the document gave in this step, in order, as JSON has it.
+    """
 
     saved: Saved
     now: int
     inputs: tuple[Input, ...] = ()
+    answers: tuple[tuple[str, object], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,11 +178,14 @@ class Trial:
         self._noted: int | None = None
         self._notes: list[tuple[int, bool, tuple[Reading, ...]]] = []
         """What the noted part has read: behind so many transitions, and whether it held by itself."""
-        self._shown = given
+        self._given = given
+        self._last = dict(given)
+        """What functions have given last in the trial in hand."""
+        self._answers: list[tuple[str, object]] = []
 
         def probe(chart: Chart, number: int, holds: bool) -> bool:
             if number == self._noted:
-                read = readings(parts[number], chart, chart.now, given)
+                read = readings(parts[number], chart, chart.now, self._last)
                 self._notes.append((self._taken + len(chart.taken), holds, read))
             if self._makes_up and is_unknown(parts[number], chart):
                 holds = False
@@ -194,17 +201,22 @@ class Trial:
         self.chart = kind(agent)
         self.chart.seed = seed
         self.chart.stand_in(
-            {
-                name: partial(_give, self._given(given.get(name), result))
-                for name, _, result, _ in self.plan.functions
-            }
+            {name: partial(self._answer, name, result) for name, _, result, _ in self.plan.functions}
         )
 
-    def _given(self, value: object, result: str) -> object:
-        """What a function gives: the same as last, or nothing in particular."""
+    def _answer(self, function: str, result: str, *arguments: object) -> object:
+        """What a function gives: the same as in the step, or as last, or nothing in particular."""
+        value = self._given.get(function)
+        for item in self._answers:
+            if item[0] == function:
+                self._answers.remove(item)
+                value = self._last[function] = item[1]
+                break
         kind = TYPES[result][-1] if result in TYPES else self._messages.get(result)
-        if value is not None or kind is None:
+        if kind is None:
             return value
+        if value is not None:
+            return from_json(kind, value)
         return next(iter(kind)) if issubclass(kind, Enum) else kind()
 
     def look(self, moment: Moment) -> Chart:
@@ -231,7 +243,7 @@ class Trial:
         found = [item for item in notes if item[1] is (holds is not part.negated)] or notes
         if found:
             return found[-1][2]
-        return readings(part, self.look(moment), moment.now, self._shown)
+        return readings(part, self.look(moment), moment.now, self._last)
 
     def run(self, moment: Moment, changes: Sequence[Change] = ()) -> Tried:
         """The steps of this instant, if something of the moment was otherwise."""
@@ -240,6 +252,8 @@ class Trial:
         self._told.clear()
         self._taken = 0
         self._forced.clear()
+        self._answers = list(moment.answers)
+        self._last = dict(self._given)
         inputs = self._prepared(moment, changes)
         following = Following(self.shape)
         if chart.started:
@@ -341,10 +355,6 @@ class Trial:
             OUTSIDE,
             sent=now,
         )
-
-
-def _give(value: object, *arguments: object) -> object:
-    return value
 
 
 _LAST = 1 - 2**-53

@@ -36,7 +36,7 @@ from aseme_dsl.amola.meant import performers, states_meant
 from aseme_dsl.amola.messages import BOOL
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
-from aseme_dsl.play.conditions import around, is_probe, meant, normal_form
+from aseme_dsl.play.conditions import around, is_probe, meant, normal_form, shown_as
 
 Fact = tuple[str, ...]
 """What a part says, without its negation: the same one wherever it means the same."""
@@ -125,7 +125,8 @@ def asked(system: System) -> Asked:
             elif written.condition is not None:
                 condition, tree = reader.condition(written.condition)
                 conditions[chart.name, number] = tree
-                changed = replace(written, condition=_with_all(condition, tree))
+                looked_at = _with_all(condition, tree)
+                changed = replace(written, condition=shown_as(looked_at, value_text(written.condition)))
             else:
                 continue
             transitions[number] = replace(item, expression=changed)

@@ -205,7 +205,8 @@ class Questions:
         def before(name: str, chart: Chart, record: Record, inputs: Sequence[Input]) -> None:
             if record["taken"]:
                 ways = _ways(record)
-                made = Made(Moment(chart.save(), record["time"], tuple(inputs)), ways)
+                answers = tuple((call["function"], call["value"]) for call in record.get("functions", ()))
+                made = Made(Moment(chart.save(), record["time"], tuple(inputs), answers), ways)
                 steps.append((_Run(number, record["time"], chart.PLAN.model, ways), made))
             for call in record.get("functions", ()):
                 given[call["function"]] = call["value"]
