@@ -105,6 +105,11 @@ LONG = [
     ),
     ("whether scenarios notice mistakes", ["-m", "benchmarks.mutants"], {}),
     (
+        "certificates of random charts, and of charts with planted faults",
+        ["-m", "pytest", "-n", "auto", "tests/proofs/test_certificate.py"],
+        {"CERTIFIED_CHARTS": "1000", "CERTIFIED_FAULTS": "400"},
+    ),
+    (
         "mutations of all examples",
         ["-m", "pytest", "-n", "auto", "tests/cli/test_mutations.py"],
         {"MUTATIONS": "20000"},
