@@ -113,8 +113,8 @@ class Outline:
     """States in document order, arrows in the template's order, and the protocol branches by label.
 
     `names` says for each branch what its names mean in the chart, `results` which variables of what is around
-    it get those of the branch when it is complete, and `instances` which instance it is in. `standing` are
-    the states of terms: all but the points, the regions and what is around them.
+    it get those of the branch when it is complete. `instances` says in which instance each branch is.
+    `standing` are the states of terms: all but the points, the regions and what is around them.
     """
 
     nodes: tuple[State, ...]

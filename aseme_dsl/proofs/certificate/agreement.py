@@ -557,7 +557,7 @@ class Comparison:
         for label in self.reactive.keys() | found.keys():
             state, there = self.chart.node(label), found.get(label, [])
             if label not in self.reactive:
-                self._fail(state, "it is no branch of a reactive choice", None)
+                self._fail(state, "it is not a branch of a reactive choice", None)
             problem = reactive_problem(self.reactive[label], label, there)
             if problem is not None:
                 self._fail(state, problem, None)

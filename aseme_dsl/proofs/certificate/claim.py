@@ -41,7 +41,7 @@ class LabelLine:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Play:
-    """A participant that formulas name, with what whoever plays it supplies."""
+    """A participant that formulas name, with what its player supplies."""
 
     process: Process
     bindings: Mapping[str, str] = field(default_factory=dict)

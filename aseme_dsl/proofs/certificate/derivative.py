@@ -1,7 +1,7 @@
 """Derivative: what a formula lets happen next, found without any statechart.
 
-The words of a formula are made of steps: an edge (which verb of which term) and what is reached by it (a
-term, a choice, an AND or the end). What remains of a formula after some steps is a list of items; its
+The words of a formula are made of steps. A step is an edge (which verb of which term) and what is reached by
+it (a term, a choice, an AND or the end). What remains of a formula after some steps is a list of items; its
 derivatives by all steps are `after(rest)`. Every occurrence in the source is a step of its own: no two
 derivatives of one rest have the same step, and there are only finitely many rests.
 """

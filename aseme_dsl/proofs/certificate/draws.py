@@ -1,4 +1,4 @@
-"""Draws: by chance, each open branch of a choice with weights is taken as often as its weight says."""
+"""Draws: each open branch of a choice with weights is taken as often as its weight says."""
 
 from __future__ import annotations
 

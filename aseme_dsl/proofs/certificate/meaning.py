@@ -34,8 +34,8 @@ from aseme_dsl.source import Span
 class Context:
     """Whose formula it is, with what the parameters stand for (`values`).
 
-    In a participant, `label` is that of its subchart, `play` says what is bound, `outer` is who plays it and
-    `inputs` is what it is given, in terms of the chart.
+    In a participant, `label` is that of its subchart, and `play` says what is bound. `outer` is who plays it,
+    and `inputs` is what it is given, in terms of the chart.
     """
 
     process: Process
