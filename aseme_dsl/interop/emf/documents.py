@@ -75,7 +75,10 @@ class _Writer:
         if self.found.roles or self.found.usecases:
             self._suc()
         for protocol in _merged(self.found.protocols):
-            self._aip(protocol)
+            if self.name(protocol.name) in self.charts:
+                self._charted(protocol)
+            else:
+                self._aip(protocol)
         for role in self.found.srm_roles:
             name = self.name(role.name)
             if name in self.charts:
@@ -142,6 +145,12 @@ class _Writer:
         self._row("role", role.name, role.place, f"role{kind}" if kind else "role; its type is not known")
 
     # ---- protocols ---------------------------------------------------------------------------
+
+    def _charted(self, protocol: ForeignProtocol) -> None:
+        """A protocol whose statechart says all but the rules and outcomes."""
+        for member in protocol.participants:
+            now = f"participant of {self.name(protocol.name)}; the formulas of its statechart count"
+            self.rows.append(Row(Fate.CHANGED, f"participant {member.name}", member.place, now))
 
     def _aip(self, protocol: ForeignProtocol) -> None:
         name = self.name(protocol.name)

@@ -118,10 +118,12 @@ def read_expressions(plan: RolePlan, meaning: Meaning) -> None:
 
 def role_text(plan: RolePlan, meaning: Meaning, *, with_holes: bool = True) -> RoleText:
     """The text of a role. Without holes it is for comparison only: each is a condition that holds."""
-    return _Writer(plan, meaning, with_holes).written()
+    return RoleWriter(plan, meaning, with_holes).written()
 
 
-class _Writer:
+class RoleWriter:
+    """Writes a role: the lines, which of them are transitions, and what became of each element."""
+
     def __init__(self, plan: RolePlan, meaning: Meaning, with_holes: bool) -> None:
         self.plan = plan
         self.chart = plan.chart
@@ -135,6 +137,7 @@ class _Writer:
         self.said = {number: self._line(number) for number in range(len(self.chart.transitions))}
 
     def written(self) -> RoleText:
+        """The whole role."""
         plan = self.plan
         self._head()
         if plan.reconstructed is not None:
@@ -215,11 +218,12 @@ class _Writer:
         )
         self.lines.append(f"{kind} {plan.name} {{")
         for item in chart.variables:
-            self._variable(item)
+            self.variable(item)
         for name, place in chart.lost:
             self.rows.append(Row(Fate.LEFT_OUT, f"element <{name}>", place, "the format does not have it"))
 
-    def _variable(self, item: ForeignVariable) -> None:
+    def variable(self, item: ForeignVariable) -> None:
+        """A variable of the role."""
         channel = channel_of(item)
         if _is_scalar(item):
             kind = str(_SCALARS[item.type])
@@ -239,10 +243,14 @@ class _Writer:
         self.lines.append("  }")
         stale = {state.label for state in found.renamed}
         for state in self.chart.states:
-            self._state(
+            self.state(
                 state, "a term that the name is not of any more" if state.label in stale else "liveness"
             )
         self._activities()
+        self.control(found)
+
+    def control(self, found: Reconstructed) -> None:
+        """The `control` blocks of the formulas."""
         for name in found.formulas:
             lines = [
                 (number, way)
@@ -272,7 +280,7 @@ class _Writer:
             if state.type is not StateType.BASIC and name and not is_name(name):
                 name = '"' + name.replace("\\", "\\\\").replace('"', '\\"') + '"'
             self.lines.append(f"  state {state.label} {state.type} {name}".rstrip())
-            self._state(state, f"state {state.label}")
+            self.state(state, f"state {state.label}")
         for state in self.chart.states:
             for number in self._in_order(state.label):
                 source, target = self._edge(number)
@@ -281,7 +289,8 @@ class _Writer:
 
     # ---- states ------------------------------------------------------------------------------
 
-    def _state(self, state: ForeignState, now: str) -> None:
+    def state(self, state: ForeignState, now: str) -> None:
+        """The row of a state."""
         other = self.others.get(state.label)
         fate = Fate.KEPT
         if state.was:
@@ -324,6 +333,7 @@ class _Writer:
 __all__ = [
     "RolePlan",
     "RoleText",
+    "RoleWriter",
     "channel_of",
     "plan_role",
     "read_expressions",

@@ -10,11 +10,18 @@ from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.files import ForeignNotRead
 from aseme_dsl.interop.emf.charts import ForeignChart, is_chart, read_chart
 from aseme_dsl.interop.emf.documents import Documents
+from aseme_dsl.interop.emf.formulas import NoFormula
 from aseme_dsl.interop.emf.identifiers import Names, as_name
 from aseme_dsl.interop.emf.markup import Unreadable, read_markup
 from aseme_dsl.interop.emf.meaning import Known, Meaning
+from aseme_dsl.interop.emf.protocols import ProtocolPlan, plan_protocol, protocol_text
 from aseme_dsl.interop.emf.report import Fate, Row
-from aseme_dsl.interop.emf.requirements import Requirements, is_requirements, read_requirements
+from aseme_dsl.interop.emf.requirements import (
+    ForeignProtocol,
+    Requirements,
+    is_requirements,
+    read_requirements,
+)
 from aseme_dsl.interop.emf.roles import (
     RolePlan,
     plan_role,
@@ -41,6 +48,7 @@ class ForeignSystem:
     protos: tuple[str, ...] = ()
     modules: tuple[str, ...] = ()
     documents: Documents = field(default_factory=lambda: Documents(Requirements()))
+    protocols: list[ProtocolPlan] = field(default_factory=list)
 
     @property
     def module(self) -> str:
@@ -50,9 +58,26 @@ class ForeignSystem:
     def read(self) -> None:
         """Read all expressions, but for those that are problems: what only these use is not declared."""
         self.meaning = Meaning(self.meaning.known)
+        problems = self.documents.problems
+        for protocol in [item for item in self.protocols if _key(item) in problems]:
+            self.protocols.remove(protocol)
+            plan = plan_role(protocol.chart, f"{protocol.name}_chart" if protocol.said else protocol.name)
+            plan.why_not = plan.why_not or problems[_key(protocol)]
+            self.plans.append(plan)
+        for protocol in self.protocols:
+            for number, part in enumerate(protocol.parts):
+                for at in range(len(part.chart.transitions)):
+                    if (key := f"{_key(protocol)}.{number}.{at}") in problems:
+                        part.problems[at] = problems[key]
+                read_expressions(part, self.meaning)
         for plan in self.plans:
             read_expressions(plan, self.meaning)
         self.meaning.settle()
+
+
+def _key(protocol: ProtocolPlan) -> str:
+    """The key of every line of a protocol that has a statechart."""
+    return f"eac.{protocol.name}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,22 +117,45 @@ def read_system(
         return None, tuple(found)
     documents = Documents(requirements)
     roles = {name.lower(): name for name in documents.roles()}
+    protocols: list[ProtocolPlan] = []
+    described = {item.name.lower(): item for item in requirements.protocols}
     for chart in charts:
         variables |= scalar_variables(chart)
+        protocol = _protocol(chart, described, documents)
+        if protocol is not None:
+            names.taken.add(protocol.name)
+            protocols.append(protocol)
+            continue
         own = [name for name in (chart.name, chart.states[0].name) if name.lower() in roles]
         title = roles.pop(own[0].lower()) if own else chart.name or chart.states[0].name
         plan = plan_role(chart, names.new(title, "role"))
         if own and plan.reconstructed is None:
             plan.name = names.new(f"{plan.name}_chart")
         plans.append(plan)
-    first = plans[0].name if plans else PurePath(sources[0].path).stem
+    first = plans[0].name if plans else protocols[0].name if protocols else PurePath(sources[0].path).stem
     meaning = Meaning(Known(known.messages, known.enums, known.constants, variables))
     words = as_name(first, "Imported").split("_")
     name = as_name("".join(word[:1].upper() + word[1:] for word in words), "Imported")
     files = tuple(source.path for source in sources)
-    system = ForeignSystem(name, files, plans, meaning, protos, modules, documents)
+    system = ForeignSystem(name, files, plans, meaning, protos, modules, documents, protocols)
     system.read()
     return system, tuple(found)
+
+
+def _protocol(
+    chart: ForeignChart, said: Mapping[str, ForeignProtocol], documents: Documents
+) -> ProtocolPlan | None:
+    """A chart as that of a protocol: of an .eac file, or of a protocol that an .aip describes."""
+    known = said.get(chart.name.lower()) or said.get(chart.states[0].name.lower())
+    if known is None and not chart.place.source.path.lower().endswith(".eac"):
+        return None
+    name = documents.name(known.name if known is not None else chart.name or chart.states[0].name)
+    try:
+        found = plan_protocol(chart, name)
+    except NoFormula:
+        return None
+    found.said = known
+    return found
 
 
 def system_text(system: ForeignSystem, *, with_holes: bool = True) -> SystemText:
@@ -117,10 +165,19 @@ def system_text(system: ForeignSystem, *, with_holes: bool = True) -> SystemText
     lines += system.meaning.declarations(system.module)
     rows = list(_declared(system))
     places: dict[int, tuple[int, int | None] | str] = {}
-    documents = system.documents.written(frozenset(role.name for role in roles if role.is_formula))
+    charts = {role.name for role in roles if role.is_formula} | {item.name for item in system.protocols}
+    documents = system.documents.written(frozenset(charts))
     places |= {len(lines) + index + 1: key for index, key in documents.keys.items()}
     lines += [line if with_holes else line.replace(" ? ", " . ") for line in documents.lines]
     rows += documents.rows
+    for protocol in system.protocols:
+        made = protocol_text(protocol, system.meaning, with_holes=with_holes)
+        for index in range(len(made.lines)):
+            at = made.transitions.get(index)
+            key = _key(protocol)
+            places[len(lines) + index + 1] = key if at is None else f"{key}.{at[0]}.{at[1]}"
+        lines += made.lines
+        rows += made.rows
     for number, role in enumerate(roles):
         lines.append("")
         text = list(role.lines)

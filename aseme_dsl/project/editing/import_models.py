@@ -57,7 +57,7 @@ def import_models(paths: Sequence[Path]) -> ImportedProject:
     if system is None:
         return ImportedProject(diagnostics=tuple(diagnostics))
     diagnostics += _settled(system, given)
-    if not system.plans and system.documents.requirements == Requirements():
+    if not (system.plans or system.protocols) and system.documents.requirements == Requirements():
         return ImportedProject(diagnostics=tuple(diagnostics))
     return _project(system, given, diagnostics)
 
@@ -120,6 +120,13 @@ def _round(system: ForeignSystem, folder: Path, *, is_last: bool) -> tuple[list[
             other = "it has no statechart" if chart is None else next(differences(chart, plan.chart), None)
             if other is not None:
                 changed |= _doubted(plan, number, other, refused)
+        for protocol in system.protocols:
+            chart = analysis.system.eac(protocol.name)
+            other = (
+                "it has no statechart" if chart is None else next(differences(chart, protocol.chart), None)
+            )
+            if other is not None:
+                system.documents.problems[f"eac.{protocol.name}"], changed = other, True
     if changed:
         system.read()
         return [], True
@@ -128,7 +135,7 @@ def _round(system: ForeignSystem, folder: Path, *, is_last: bool) -> tuple[list[
         for number, plan in enumerate(system.plans)
         if number in refused
     ]
-    if -1 in refused and not system.plans:
+    if -1 in refused and not refused.keys() - {-1}:
         first = system.files[0]
         found.append(Diagnostic(ForeignNotRead(first, refused[-1]), None, path=first))
     if -1 in refused:
@@ -145,6 +152,8 @@ def _judged(
     line = 0 if item.span is None or item.span.source.path.endswith(".proto") else item.span.line
     at = made.lines.get(line, (None, None))
     if isinstance(at, str):
+        if at in system.documents.problems and at.startswith("eac."):
+            at = ".".join(at.split(".")[:2])  # not what a transition says: the protocol as a whole
         system.documents.problems[at] = item.message
         return True
     role, transition = at
@@ -152,7 +161,7 @@ def _judged(
         words = set(_WORD.findall(made.text.split("\n")[line - 1] if line else ""))
         speaking = [
             (plan, number)
-            for plan in system.plans
+            for plan in (*system.plans, *(part for item in system.protocols for part in item.parts))
             for number, move in enumerate(plan.chart.transitions)
             if number not in plan.problems and words & set(_WORD.findall(move.expression)) - _COMMON
         ]
