@@ -299,7 +299,9 @@ def test_what_was_left_is_resumed(here: Here, folder: Path) -> None:
     found = asked(here, "whynot", "guard", "Run", "6s")
     assert "Charge has not ended" in found and "`env.state.Battery.percent > 80` does not hold" in found
     assert "`env.state.Battery.percent < 20` holds" in found
-    assert "`env.state.Battery.percent > 80` held" in asked(here, "why", "guard", "Run", "14s")
+    found = asked(here, "why", "guard", "Run", "14s")
+    assert "`env.state.Battery.percent > 80` held" in found
+    assert "(guard.aseme:14:5), which resumed it where it was left at 2 s" in found
 
 
 FAREWELL = """\

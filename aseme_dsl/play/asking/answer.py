@@ -221,14 +221,8 @@ class Asking:
 
     def _resumed(self, goal: Goal, place: int) -> str:
         """That a step resumed what is asked for, and when that was left before."""
-        state = next(iter(goal.states), "")
         for made in reversed(self.steps[:place]):
-            left = any(
-                state.startswith(f"{scope}.")
-                for scope, target, _ in map(self.teller.trial.shape.way, made.taken)
-                if target
-            )
-            if left:
+            if not goal.states.isdisjoint(self.search.active(made.moment)):
                 return f", which resumed it where it was left at {shown(made.moment.now)}"
         return ", which resumed it where it was left before"
 
