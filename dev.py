@@ -119,6 +119,11 @@ LONG = [
         ["-m", "pytest", "-n", "auto", "tests/interop/test_emf_charts.py"],
         {"ASEME_CHANGED_MODELS": "5000"},
     ),
+    (
+        "exported charts on engines of others",
+        ["-m", "pytest", "-n", "auto", "tests/interop/exports"],
+        {"EXPORTED_CHARTS": "300", "EXPORTED_DRAWINGS": "1"},
+    ),
     ("models of KSE in ASEME_MODELS", ["-m", "pytest", "-rs", "tests/interop/test_real_models.py"], {}),
     (
         "compact drawings of random charts",

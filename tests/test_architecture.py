@@ -55,7 +55,7 @@ SUBPACKAGES = {
     "codegen": "place seen program code step plain batch",
     "diagrams": "look compact models sequence rendering",
     "editor": "reading files answers typing changes",
-    "interop": "emf",
+    "interop": "emf export",
     "grammar": "text formulas parsing layout syntax",
     "project": "files settings code building editing spreading playing studying testing stepping",
     "runtime": (

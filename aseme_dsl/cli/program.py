@@ -52,6 +52,7 @@ COMMANDS = (
     "sniff",
     "scaffold",
     "import",
+    "export",
     "doctor",
     "completion",
 )
@@ -169,7 +170,7 @@ def _stopping_on_termination() -> Iterator[None]:
         signal.signal(signal.SIGTERM, before if before is not None else signal.SIG_DFL)
 
 
-_COMPILING = frozenset("build check diagram fmt scaffold".split())
+_COMPILING = frozenset("build check diagram export fmt scaffold".split())
 """Commands that make models, and then end."""
 
 

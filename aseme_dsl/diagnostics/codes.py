@@ -120,6 +120,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E320": ("error", "feature not supported by backend `plain`"),
     "E321": ("error", "feature not supported by backend `batch`"),
     "E322": ("error", "native compilation failed"),
+    "E323": ("error", "construct not expressible in an export format"),
     "W300": ("warning", "mixed operators without parentheses"),
     "W301": ("warning", "unreachable transition"),
     # Control (E4xx)

@@ -1,0 +1,60 @@
+"""Exports: what the format of another tool cannot express (E323)."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from aseme_dsl.diagnostics.problem import Problem
+
+
+class Foreign(Enum):
+    """What a format may lack; the value is what it is called."""
+
+    ABANDONING = "`on abandon`"
+    ACTIONS_INSIDE = "`on`, `exit` and `on abandon`"
+    AGENT_MESSAGES = "agent messages, which wait in a conversation"
+    BOUNDS = "a variable with bounds"
+    BRANCHING = "a random choice"
+    COUNTING = "`count(T)`, which counts entries"
+    CROSSING = "a transition between states inside different composites"
+    DEADLINES = "the deadline of an activity"
+    DIVISION = "division by a value that may be zero"
+    DRAFTS = "a member that a later transition publishes"
+    EVENT_OR_ELSE = "a choice between an event and `else`"
+    ERRORS = "`error`, which follows a failed activity outwards"
+    FUNCTIONS = "a function of what the chart itself changes"
+    GIVEN = "what an activity is given, where it may be absent"
+    GUARDED_EVENTS = "an event with a condition"
+    INSIDE = "`in(T)` or `done(T)` about a state of a concurrent region"
+    INSIDE_VALUE = "`in(T)` or `done(T)` inside a computed value"
+    LEAVING = "a transition out of an AND from a region that is not its first"
+    LISTS = "lists"
+    MESSAGES = "a variable that holds a message or an agent"
+    OUTCOMES = "`outcome(A)` where several states perform A"
+    OWN_MESSAGES = "a condition on a message that the chart itself publishes"
+    PACES = "`every`"
+    RANDOM = "`random()`"
+    READING = "`read_messages`"
+    RESUMING = "`resume`"
+    SHARING = "a variable that one region changes and another one uses"
+    SIGNALS = "a condition on a signal, which is consumed when it is read"
+    STAYING = "`on` without an event"
+    STAYING_AROUND = "`on` of a state with concurrent regions"
+    TIMED_STAYING = "`on` with `after`"
+
+
+class NotExpressible(Problem):
+    """A construct of `chart` that `format` has no means for."""
+
+    code = "E323"
+    chart: str
+    format: str
+    feature: Foreign
+    hint = "see the table of constructs and formats in the documentation of `asemec export`"
+
+    @property
+    def message(self) -> str:
+        return f"{self.format} cannot express this of `{self.chart}`: {self.feature.value}"
+
+
+__all__ = ["Foreign", "NotExpressible"]

@@ -1,0 +1,167 @@
+"""SCXML 1.0 (W3C, 2015): the data model is ECMAScript's or Python's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Literal, assert_never
+from xml.sax.saxutils import escape
+
+from aseme_dsl.amola.expression import duration_text
+from aseme_dsl.interop.export.machine import (
+    ALWAYS,
+    NEVER,
+    Act,
+    Const,
+    Datum,
+    Emit,
+    Handler,
+    If,
+    Machine,
+    Move,
+    Raise,
+    Schedule,
+    Set,
+    Shape,
+    Term,
+    Unschedule,
+    Vertex,
+)
+from aseme_dsl.interop.export.script import EcmaScript, Python, Script
+
+DataModel = Literal["ecmascript", "python"]
+NAMESPACE = "http://www.w3.org/2005/07/scxml"
+OWN = "urn:asemec:amola"
+"""The namespace of the attributes that say which state of the `.aseme` file one is."""
+FINISHED = "asemec_finished"
+
+_ELEMENT = {Shape.COMPOUND: "state", Shape.PARALLEL: "parallel", Shape.ATOMIC: "state", Shape.FINAL: "final"}
+
+
+def scxml(machine: Machine, datamodel: DataModel = "ecmascript") -> str:
+    """The document of a machine."""
+    script: Script = EcmaScript() if datamodel == "ecmascript" else Python()
+    return "\n".join([*_document(machine, datamodel, script), ""])
+
+
+def _attribute(text: str) -> str:
+    """A text between double quotes; what XML has no character for is left out."""
+    kept = "".join(c if c.isprintable() or c in "\t\n" else "\N{REPLACEMENT CHARACTER}" for c in text)
+    return escape(kept, {'"': "&quot;", "\n": "&#10;", "\t": "&#9;"})
+
+
+def _comment(text: str) -> str:
+    return _attribute(text).replace("--", "- -").rstrip("-")
+
+
+def _document(machine: Machine, datamodel: DataModel, script: Script) -> Iterator[str]:
+    root = machine.root
+    yield '<?xml version="1.0" encoding="UTF-8"?>'
+    yield f"<!-- asemec export scxml: {_comment(machine.name)} of {_comment(machine.source)} -->"
+    yield (
+        f'<scxml xmlns="{NAMESPACE}" xmlns:amola="{OWN}" version="1.0" datamodel="{datamodel}"'
+        f' name="{_attribute(machine.name)}" initial="{root.id}">'
+    )
+    yield "  <datamodel>"
+    for item in machine.data or (Datum("asemec", True, "SCION refuses a chart without data"),):
+        yield f"    <!-- {_comment(item.text)} -->"
+        yield f'    <data id="{item.name}" expr="{_attribute(script.constant(item.initial))}"/>'
+    yield "  </datamodel>"
+    yield from _state(machine, root, script, "  ")
+    yield f'  <final id="{FINISHED}"/>'
+    yield "</scxml>"
+
+
+def _state(machine: Machine, vertex: Vertex, script: Script, indent: str) -> Iterator[str]:
+    element = _ELEMENT[vertex.shape]
+    initial = f' initial="{vertex.children[0].id}"' if vertex.shape is Shape.COMPOUND else ""
+    activity = f' amola:activity="{_attribute(vertex.activity)}"' if vertex.activity else ""
+    own = f' amola:label="{vertex.label}" amola:name="{_attribute(vertex.title)}"{activity}'
+    inner = [*_inner(machine, vertex, script, indent + "  ")]
+    if not inner:
+        yield f'{indent}<{element} id="{vertex.id}"{initial}{own}/>'
+        return
+    yield f'{indent}<{element} id="{vertex.id}"{initial}{own}>'
+    yield from inner
+    yield f"{indent}</{element}>"
+
+
+def _inner(machine: Machine, vertex: Vertex, script: Script, indent: str) -> Iterator[str]:
+    yield from _block("onentry", "", vertex.entry, script, indent)
+    yield from _block("onexit", "", vertex.exit, script, indent)
+    for move in vertex.moves:
+        yield from _transition(move, script, indent)
+    if vertex is machine.root:
+        if machine.ended != NEVER:
+            ended = _attribute(script.condition(machine.ended))
+            yield f'{indent}<transition cond="{ended}" target="{FINISHED}"/>'
+        for handler in machine.handlers:
+            yield from _handler(handler, script, indent)
+    for child in vertex.children:
+        yield from _state(machine, child, script, indent)
+
+
+def _transition(move: Move, script: Script, indent: str) -> Iterator[str]:
+    said = f"{move.place} {move.text}".strip()
+    yield f"{indent}<!-- {_comment(said)} -->"
+    target = f' target="{move.target}"' if move.target is not None else ""
+    condition = f' cond="{_attribute(script.condition(move.condition))}"' if move.condition != ALWAYS else ""
+    yield from _block("transition", condition + target, move.acts, script, indent, always=True)
+
+
+def _handler(handler: Handler, script: Script, indent: str) -> Iterator[str]:
+    yield f"{indent}<!-- {_comment(handler.text)} -->"
+    yield from _block("transition", f' event="{handler.event}"', handler.acts, script, indent, always=True)
+
+
+def _block(
+    element: str, attributes: str, acts: Iterable[Act], script: Script, indent: str, *, always: bool = False
+) -> Iterator[str]:
+    lines = [*_acts(acts, script, indent + "  ")]
+    if lines:
+        yield f"{indent}<{element}{attributes}>"
+        yield from lines
+        yield f"{indent}</{element}>"
+    elif always:
+        yield f"{indent}<{element}{attributes}/>"
+
+
+def _acts(acts: Iterable[Act], script: Script, indent: str) -> Iterator[str]:
+    for act in acts:
+        match act:
+            case Set(name=name, value=value):
+                yield f'{indent}<assign location="{name}" expr="{_attribute(script.term(value))}"/>'
+            case If(condition=condition, then=then, otherwise=otherwise):
+                yield f'{indent}<if cond="{_attribute(script.condition(condition))}">'
+                yield from _acts(then, script, indent + "  ")
+                if otherwise:
+                    yield f"{indent}  <else/>"
+                    yield from _acts(otherwise, script, indent + "  ")
+                yield f"{indent}</if>"
+            case Raise(event=event):
+                yield f'{indent}<raise event="{event}"/>'
+            case Schedule(event=event, delay=delay):
+                yield f'{indent}<cancel sendid="{event}"/>'
+                yield f'{indent}<send event="{event}" id="{event}" {_delay(delay, script)}/>'
+            case Unschedule(event=event):
+                yield f'{indent}<cancel sendid="{event}"/>'
+            case Emit(event=event, parameters=parameters):
+                yield f'{indent}<send event="{event}">'
+                for name, term in parameters:
+                    said = _attribute(script.term(term))
+                    yield f'{indent}  <param name="{_attribute(name)}" expr="{said}"/>'
+                yield f"{indent}</send>"
+            case _:
+                assert_never(act)
+
+
+def _delay(delay: Term, script: Script) -> str:
+    if isinstance(delay, Const) and isinstance(delay.value, int):
+        return (
+            f'delay="{duration_text(delay.value)}"'
+            if delay.value % 60_000_000_000
+            else (f'delay="{delay.value // 1_000_000_000}s"')
+        )
+    return f'delayexpr="{_attribute(script.milliseconds(delay))}"'
+
+
+__all__ = ["DataModel", "scxml"]

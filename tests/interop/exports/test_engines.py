@@ -1,0 +1,126 @@
+"""Engines that others wrote do, step by step, what our runtime does with the same chart.
+
+Random charts with random inputs are recorded and repeated; `EXPORTED_CHARTS=300 pytest
+tests/interop/exports/test_engines.py` repeats more of them.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.diagnostics.problems.exporting import Foreign
+from aseme_dsl.runtime.chart import chart
+from tests.interop.exports.engines import differences, job, on_node, python_statemachine, sismic_engine
+from tests.interop.exports.playing import Recorder, Recording
+from tests.interop.exports.taming import tamed
+from tests.oracle import interpreter
+from tests.oracle.charts import text
+from tests.oracle.choices import Choices
+from tests.oracle.examples import ROUNDS, forget
+from tests.support.generated import generate, imported, system_of
+
+CHARTS = int(os.environ.get("EXPORTED_CHARTS", "30"))
+FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
+ROOT = Path(__file__).parents[3]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def bound() -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(chart, "ROUNDS", ROUNDS)
+        patch.setattr(interpreter, "ROUNDS", ROUNDS)
+        yield
+
+
+@cache
+def random_charts() -> tuple[tuple[str, Recording], ...]:
+    """Games with random charts, each of 25 steps at most."""
+    found: list[tuple[str, Recording]] = []
+    seed = FIRST
+    while len(found) < CHARTS:
+        choices = Choices(seed)
+        made = imported(tamed(system_of(text(choices))))
+        recorder = Recorder(made)
+        recording = None if recorder.refused else recorder.record(choices)
+        forget(made)
+        if recording is not None:
+            found.append((f"seed {seed}", recording))
+        seed += 1
+        assert seed - FIRST < 2 * CHARTS + 20, "too many random charts are refused"
+    return tuple(found)
+
+
+FILES = {
+    "tests/acceptance/testbehavior.aseme": ("TestBehavior",),
+    "tests/acceptance/kouretes.aseme": ("goalie",),
+}
+"""Files with the roles that have nothing which engines cannot do."""
+
+
+@cache
+def charts_of_files() -> tuple[tuple[str, Recording], ...]:
+    found = []
+    for path, roles in FILES.items():
+        made = generate((ROOT / path).read_text("utf-8"))
+        for role in roles:
+            for seed in range(5):
+                recorder = Recorder(made, role, waits=(0, 50_000_000, 100_000_000, 200_000_000))
+                assert not recorder.refused
+                recording = recorder.record(Choices(f"{role} {seed}"))
+                assert recording is not None
+                found.append((f"{path} {role} {seed}", recording))
+        forget(made)
+    return tuple(found)
+
+
+def compare(played: list[list[tuple[str, ...]]], recorded: tuple[tuple[str, Recording], ...]) -> None:
+    wrong = [
+        f"{name}: {difference}"
+        for (name, recording), one in zip(recorded, played, strict=True)
+        for difference in differences(recording, one)[:1]
+    ]
+    assert wrong == []
+    assert sum(len(recording.steps) for _, recording in recorded) > 5 * len(recorded)
+
+
+Recorded = Callable[[], tuple[tuple[str, Recording], ...]]
+RECORDED = pytest.mark.parametrize("recorded", (random_charts, charts_of_files), ids=("random", "files"))
+
+
+@RECORDED
+def test_python_statemachine_does_the_same(recorded: Recorded) -> None:
+    pytest.importorskip("statemachine", reason="NOT TRIED, for there is no python-statemachine here")
+    compare([python_statemachine(recording) for _, recording in recorded()], recorded())
+
+
+@RECORDED
+@pytest.mark.parametrize("engine", ("scion", "xstate"))
+def test_engines_in_javascript_do_the_same(engine: str, recorded: Recorded) -> None:
+    compare(on_node([job(engine, recording) for _, recording in recorded()]), recorded())
+
+
+@RECORDED
+def test_sismic_does_the_same(recorded: Recorded) -> None:
+    pytest.importorskip("sismic", reason="NOT TRIED, for there is no sismic here")
+    compare([sismic_engine(recording) for _, recording in recorded()], recorded())
+
+
+def test_a_chart_that_means_something_else_is_noticed() -> None:
+    """Completion as an event would be lost: a machine without its flags does otherwise."""
+    pytest.importorskip("statemachine", reason="NOT TRIED, for there is no python-statemachine here")
+    (_, recording), *_ = charts_of_files()
+    forgetful = replace(recording, steps=tuple(replace(step, data={}) for step in recording.steps))
+    assert differences(recording, python_statemachine(forgetful)) != []
+
+
+def test_what_the_acceptance_files_have_that_engines_lack() -> None:
+    made = generate((ROOT / "tests/acceptance/kouretes.aseme").read_text("utf-8"))
+    refused = {refusal.feature for refusal in Recorder(made, "player").refused}
+    forget(made)
+    assert refused == {Foreign.SIGNALS}
