@@ -11,7 +11,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from aseme_dsl.amola.expression import After, Assign, Changed, Failed, Value, VariableValue, walk
+from aseme_dsl.amola.expression import (
+    After,
+    Assign,
+    Changed,
+    Failed,
+    Random,
+    Value,
+    VariableValue,
+    walk,
+)
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.compiler.formula.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -232,6 +241,8 @@ class _Regions:
         """What a value is now. Raises _Unknown where that is not known."""
         known: dict[tuple[object, ...], object] = {}
         for part in walk(value):
+            if isinstance(part, Changed | Random):
+                raise _Unknown
             if isinstance(part, VariableValue):
                 known[VARIABLE, part.name] = self._of(self.seen[region], part.name)
         found = value_of(value, known, self.vocabulary)

@@ -49,6 +49,13 @@ def test_three_parts_in_a_ring_beside_one_that_has_nothing_to_do_with_it() -> No
     assert len(found(inside)) == 1
 
 
+@pytest.mark.parametrize("action", ["append(seen, 1)", "clear(seen)", "chance = random()"])
+def test_what_no_condition_can_know_is_written_on_the_way(action: str) -> None:
+    variables = "var seen : list[3] of int  var chance : double = 0.5\n"
+    text = variables + LAMP.replace("lamp = true", f"lamp = true; {action}")
+    assert found(text + "control off { repeat Off : when [lamp] / lamp = false }") == []
+
+
 COMES_TO_REST = {
     "one of them waits for completion": "control off { repeat Off : [lamp] / lamp = false }",
     "one of them takes time": "control off { repeat Off every 1s : when [lamp] / lamp = false }",
