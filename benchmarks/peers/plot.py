@@ -41,6 +41,18 @@ SHORT = {
 }
 COLOURS = {"hand": "#444444", "ours": "#1b7f5c", "peer": "#8fa3b8"}
 HALO = 'stroke="#ffffff" stroke-width="3" paint-order="stroke"'
+NIGHT = (
+    ("rect", "fill:#11151a"),
+    ("text", "fill:#e6edf3"),
+    ("text[fill]", "fill:#a3adb8"),
+    ("text[stroke]", "stroke:#11151a"),
+    ('[stroke="#dddddd"]', "stroke:#2b333c"),
+    (f'[stroke="{COLOURS["hand"]}"]', "stroke:#c3cad1"),
+    (f'[fill="{COLOURS["hand"]}"]', "fill:#c3cad1"),
+    (f'[stroke="{COLOURS["ours"]}"]', "stroke:#3fbf90"),
+    (f'[fill="{COLOURS["ours"]}"]', "fill:#3fbf90"),
+)
+"""The colours for readers who prefer dark ones."""
 COLUMNS = 2
 WIDTH, LABELS, BAR, ROW, HEAD, GAP = 470, 150, 215, 17, 30, 24
 """Pixels: a field, what stands left of the points, the axis, a row, the head, between fields."""
@@ -59,10 +71,13 @@ def plot_of(results: Results, titles: Mapping[str, str] = TITLES, beside: str = 
     total_width = max(WIDTH + 200, columns * WIDTH + (columns - 1) * GAP + 20)
     field_rows = math.ceil(len(behaviours) / columns)
     total_height = 40 + field_rows * (height + GAP)
+    night = "".join(f".aseme-plot {what}{{{rule}}}" for what, rule in NIGHT)
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{total_width}" height="{total_height}" '
-        f'viewBox="0 0 {total_width} {total_height}" font-family="Helvetica, sans-serif" font-size="11">',
+        f'viewBox="0 0 {total_width} {total_height}" class="aseme-plot" '
+        'font-family="Helvetica, sans-serif" font-size="11">',
         "<title>Time of a step, by behaviour and contender</title>",
+        f"<style>@media (prefers-color-scheme:dark){{{night}}}</style>",
         f'<rect width="{total_width}" height="{total_height}" fill="#ffffff"/>',
         '<text x="10" y="22" font-size="14" font-weight="bold">CPU time of a step (logarithmic), '
         f"and how many times as long as {escape(beside)}</text>",

@@ -33,6 +33,16 @@ STRIP = 25
 """The characters of the field in a line of progress."""
 
 _COLOURS = ("#1f4fd8", "#d8321f")
+
+_NIGHT = (
+    ("rect", "#11151a"),
+    ("text", "#e6edf3"),
+    ('[fill="#555555"]', "#a3adb8"),
+    (f'[fill="{_COLOURS[0]}"]', "#7aa5ff"),
+    (f'[fill="{_COLOURS[1]}"]', "#ff8a7a"),
+)
+"""What stands around the field, in colours for readers who prefer dark ones."""
+
 _HEADER = 90
 _LINE = 26
 
@@ -60,10 +70,12 @@ def svg(match: Match) -> str:
     width = 2 * (HALF_LENGTH + BORDER)
     height = 2 * (HALF_WIDTH + BORDER)
     below = max(len(result.goals), 1) * _LINE + 30
+    night = "".join(f".aseme-match>{what}{{fill:{colour}}}" for what, colour in _NIGHT)
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {_HEADER + height + below:.0f}"'
-        ' font-family="sans-serif">',
+        ' class="aseme-match" font-family="sans-serif">',
         f"<title>{escape(str(result))}</title>",
+        f"<style>@media (prefers-color-scheme:dark){{{night}}}</style>",
         f'<rect width="{width:.0f}" height="{_HEADER + height + below:.0f}" fill="#ffffff"/>',
         *_heading(match, width),
         f'<g transform="translate({width / 2:.0f} {_HEADER + height / 2:.0f}) scale(1 -1)">',
