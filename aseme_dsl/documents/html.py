@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from html import escape
 from xml.etree import ElementTree
 
@@ -16,12 +17,17 @@ COMPACT_CLASS = "aseme-compact"
 _STYLE = "max-width:100%;height:auto"
 """Never wider than the page."""
 
+_SMALLEST = 0.75
+"""A drawing with small text is not made smaller than this: a page that has less room scrolls it."""
 
-def inline(svg: bytes, alt: str, prefix: str) -> str:
+
+def inline(svg: bytes, alt: str, prefix: str, links: Mapping[str, str] | None = None) -> str:
     """The SVG as an element of an HTML page.
 
-    Its ids get a prefix, since a page may have several pictures. What Graphviz writes as a link that leads
-    nowhere, to hold a tip, becomes a group with a title: a page shows links in its own way.
+    Its ids get a prefix, since a page may have several pictures. A link to a file of the `links` leads to the
+    picture with that prefix. A wide compact drawing is scrolled rather than made too small. What Graphviz
+    writes as a link that leads nowhere, to hold a tip, becomes a group with a title: a page shows links in
+    its own way.
     """
     ElementTree.register_namespace("", SVG)
     ElementTree.register_namespace("xlink", XLINK)
@@ -35,14 +41,22 @@ def inline(svg: bytes, alt: str, prefix: str) -> str:
             element.remove(title)  # a name of Graphviz' own, such as cluster_n0
     for link in list(root.iter(f"{{{SVG}}}a")):
         tip = link.attrib.pop(f"{{{XLINK}}}title", None)
-        if f"{{{XLINK}}}href" not in link.attrib:
+        picture = (links or {}).get(link.attrib.pop("href", ""))
+        if picture is not None:
+            link.set("href", f"#{picture}")
+        elif f"{{{XLINK}}}href" not in link.attrib:
             link.tag = f"{{{SVG}}}g"
         if tip is not None:
             title = ElementTree.Element(f"{{{SVG}}}title")
             title.text = tip
             link.insert(0, title)
-    root.attrib |= {"id": prefix, "role": "img", "aria-label": alt, "style": _STYLE}
-    return ElementTree.tostring(root, encoding="unicode")
+    root.attrib |= {"id": prefix, "aria-label": alt, "style": _STYLE}
+    if not ours:
+        root.set("role", "img")
+        return ElementTree.tostring(root, encoding="unicode")
+    least = float(root.get("width", "0")) * _SMALLEST
+    root.set("style", f"{_STYLE};min-width:{least:.0f}px")
+    return f'<div style="overflow-x:auto">{ElementTree.tostring(root, encoding="unicode")}</div>'
 
 
 def image(address: str, alt: str) -> str:

@@ -104,11 +104,12 @@ class AsemePlugin(BasePlugin[AsemeConfig]):  # type: ignore[no-untyped-call]
             for item in figures.problems:
                 place.warn(item.text, item.line)
             return html.problem(figures.report)
+        ids = {f"{item.name}.svg": f"{prefix}-{number}" for number, item in enumerate(figures.pictures, 1)}
         pictures = "\n".join(
             _beside(picture, place.page, config, files)
             if request.beside
-            else html.inline(picture.svg, picture.alt, f"{prefix}-{number}")
-            for number, picture in enumerate(figures.pictures, 1)
+            else html.inline(picture.svg, picture.alt, ids[f"{picture.name}.svg"], ids)
+            for picture in figures.pictures
         )
         return html.figure(pictures, request.caption)
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from aseme_dsl.diagnostics import closest
-from aseme_dsl.diagrams import Expressions, Layout, Options
+from aseme_dsl.diagrams import Expressions, Layout, Options, PageSize
 from aseme_dsl.runtime.message.by_name import made
 
 _LAYOUTS = {**{str(item): (item,) for item in Layout}, "both": (Layout.NESTED, Layout.TREE)}
@@ -22,8 +22,9 @@ class Request:
     """What a page asks for.
 
     `models` are names as `asemec diagram` takes them, all if there are none. `expressions` and `labels` None
-    mean what the project says. `source`: show the text above the drawing. `beside`: the picture is a file
-    beside the page instead of a part of it.
+    mean what the project says. With a `size`, a statechart is divided into pictures of at most that.
+    `source`: show the text above the drawing. `beside`: the picture is a file beside the page instead of a
+    part of it.
     """
 
     models: tuple[str, ...] = ()
@@ -31,6 +32,7 @@ class Request:
     at: str | None = None
     depth: int | None = None
     layouts: tuple[Layout, ...] = (Layout.COMPACT,)
+    size: PageSize | None = None
     labels: str | None = None
     caption: str = ""
     alt: str = ""
@@ -40,7 +42,7 @@ class Request:
     def options(self, expressions: str) -> tuple[Options, ...]:
         """What to draw, where `expressions` is what holds unless the page says something else."""
         shown = Expressions(self.expressions or expressions)
-        return tuple(Options(shown, self.at, self.depth, layout) for layout in self.layouts)
+        return tuple(Options(shown, self.at, self.depth, layout, self.size) for layout in self.layouts)
 
 
 def request_of(options: Mapping[str, str]) -> Request:
@@ -62,10 +64,24 @@ def request_of(options: Mapping[str, str]) -> Request:
         raise WrongOption(
             "'expressions' is for the layouts nested, tree and both: add one of them as 'layout'"
         )
+    if request.size and (request.layouts != (Layout.COMPACT,) or request.depth):
+        raise WrongOption("'page' is for the layout compact, without 'depth'")
     return request
 
 
-OPTIONS = ("model", "at", "depth", "layout", "expressions", "labels", "caption", "alt", "source", "embed")
+OPTIONS = (
+    "model",
+    "at",
+    "depth",
+    "layout",
+    "page",
+    "expressions",
+    "labels",
+    "caption",
+    "alt",
+    "source",
+    "embed",
+)
 """The names of all options."""
 
 
@@ -81,8 +97,10 @@ def _text(name: str, text: str) -> str:
 
 
 def _label(name: str, text: str) -> str:
-    if not re.fullmatch(r"\d+(\.\d+)*", text):
-        raise WrongOption(f"{name!r} is the label of a state, such as 0.2.1, and not {text!r}")
+    if not re.fullmatch(r"\d+(\.\d+)*|[^\W\d]\w*", text):
+        raise WrongOption(
+            f"{name!r} is the name of a formula or the label of a state, such as 0.2.1, and not {text!r}"
+        )
     return text
 
 
@@ -94,6 +112,10 @@ def _depth(name: str, text: str) -> int:
 
 def _layout(name: str, text: str) -> tuple[Layout, ...]:
     return _LAYOUTS[_one_of(*_LAYOUTS)(name, text)]
+
+
+def _page(name: str, text: str) -> PageSize:
+    return PageSize(_one_of(*map(str, PageSize))(name, text))
 
 
 def _one_of(*values: str) -> Callable[[str, str], str]:
@@ -118,6 +140,7 @@ _READERS: dict[str, tuple[str, Callable[[str, str], object]]] = {
     "at": ("at", _label),
     "depth": ("depth", _depth),
     "layout": ("layouts", _layout),
+    "page": ("size", _page),
     "expressions": ("expressions", _one_of("numbered", "inline", "none")),
     "labels": ("labels", _one_of("plain", "original")),
     "caption": ("caption", _text),

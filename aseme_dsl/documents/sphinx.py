@@ -118,9 +118,9 @@ class AsemeDiagram(SphinxDirective):
         figure = nodes.figure("", classes=[html.FIGURE_CLASS, *self.options.get("class", ())])
         if "align" in self.options:
             figure["align"] = self.options["align"]
+        ids = {f"{item.name}.svg": f"aseme-{self.env.new_serialno(_FOLDER)}" for item in figures.pictures}
         for picture in figures.pictures:
-            number = self.env.new_serialno(_FOLDER)
-            figure += _node(picture, f"aseme-{number}", request.beside)
+            figure += _node(picture, ids, request.beside)
         if request.caption:
             inline, messages = self.parse_inline(request.caption)
             caption = nodes.caption(request.caption, "", *inline, *messages)
@@ -131,13 +131,14 @@ class AsemeDiagram(SphinxDirective):
         return figure
 
 
-def _node(picture: Picture, prefix: str, beside: bool) -> aseme_picture:
-    """The picture with all that any builder needs of it."""
+def _node(picture: Picture, ids: dict[str, str], beside: bool) -> aseme_picture:
+    """The picture with all that any builder needs of it, and the ids of those that its links lead to."""
     return aseme_picture(
         alt=picture.alt,
         svg=picture.svg.decode(),
         dot=picture.dot,
-        prefix=prefix,
+        prefix=ids[f"{picture.name}.svg"],
+        links=ids,
         beside=beside,
         file=f"{picture.name}-{picture.key[:12]}",
     )
@@ -158,7 +159,7 @@ def _html(translator: HTML5Translator, node: aseme_picture) -> None:
         _write(Path(builder.outdir) / builder.imagedir / name, node["svg"].encode())
         translator.body.append(html.image(f"{builder.imgpath}/{name}", node["alt"]))
     else:
-        translator.body.append(html.inline(node["svg"].encode(), node["alt"], node["prefix"]))
+        translator.body.append(html.inline(node["svg"].encode(), node["alt"], node["prefix"], node["links"]))
     raise nodes.SkipNode
 
 

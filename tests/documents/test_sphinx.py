@@ -17,7 +17,7 @@ from aseme_dsl.diagrams.rendering import store
 from aseme_dsl.documents import figures
 from aseme_dsl.project.building.project import Compiled
 from aseme_dsl.source import Source
-from tests.documents.pages import BROKEN, SMALL, WALKER, ids, svgs, texts
+from tests.documents.pages import BROKEN, SMALL, SVG, WALKER, ids, svgs, texts
 
 CONF = """\
 extensions = ["aseme_dsl.documents.sphinx", "myst_parser"]
@@ -79,7 +79,7 @@ def test_a_model_of_a_file_is_drawn_inside_the_page(site: Site) -> None:
     )
     assert site.build(strict=True) == (0, "")
     (svg,) = svgs(site.page())
-    assert svg.get("role") == "img"
+    assert svg.get("role") == "graphics-document document", "its states and lines are read"
     assert svg.get("aria-label") == "Statechart of the role robot: 9 states; activities Walk and Stand"
     assert {"Walk", "Stand", "[Seen.home]"} <= set(texts(svg))
     assert re.search(r"<figure [^>]*id=\"walks\"", site.page())
@@ -163,7 +163,10 @@ def test_what_cannot_be_drawn(site: Site) -> None:
         ("", "", "nowhere.aseme", "nowhere.aseme"),
         (":model: iac.robt", "", "walker.aseme", "did you mean iac.robot?"),
         (":at: 0.9", "", "walker.aseme", "0.9"),
-        (":at: here", "", "walker.aseme", "the label of a state"),
+        (":at: here", "", "walker.aseme", "has a state here"),
+        (":at: 0..1", "", "walker.aseme", "the label of a state"),
+        (":page: a5", "", "walker.aseme", "a4 or screen"),
+        (":page: a4\n:layout: tree", "", "walker.aseme", "is for the layout compact"),
         (":depth: 0", "", "walker.aseme", "at least 1"),
         (":layout: square", "", "walker.aseme", "compact, nested, tree or both"),
         (":expressions: none", "", "walker.aseme", "add one of them as 'layout'"),
@@ -251,3 +254,46 @@ def test_other_builders(site: Site) -> None:
     (picture,) = (built / "latex").glob(f"iac-robot-*.{form}")
     assert picture.read_bytes().startswith(begin)
     assert f"{{{picture.name}}}" in next((built / "latex").glob("*.tex")).read_text()
+
+
+def long(name: str) -> str:
+    return " . ".join(f"{name}Something{number}" for number in range(60))
+
+
+LARGE = f"""\
+   system Large
+   srm robot {{
+     liveness {{
+       robot = first || second
+       first = ({long("Do")})~
+       second = ({long("Undo")})~
+     }}
+   }}
+"""
+
+
+def test_a_large_chart_becomes_pictures_that_lead_to_each_other(site: Site) -> None:
+    site.write("index.rst", "Title\n=====\n\n.. aseme-diagram::\n   :model: iac.robot\n   :page: a4\n\n" + LARGE)
+    assert site.build(strict=True) == (0, "")
+    first, *others = svgs(site.page())
+    assert others
+    leads = {item.get("href", "") for item in first.iter(f"{SVG}a")}
+    assert leads == {f"#{item.get('id')}" for item in others}
+    for other in others:
+        assert f"#{first.get('id')}" in {item.get("href") for item in other.iter(f"{SVG}a")}
+
+
+def test_a_wide_chart_is_scrolled_and_not_made_too_small(site: Site) -> None:
+    site.write("index.rst", "Title\n=====\n\n.. aseme-diagram::\n   :model: iac.robot\n\n" + LARGE)
+    assert site.build(strict=True) == (0, "")
+    (svg,) = svgs(site.page())
+    found = re.search(r"min-width:(\d+)px", svg.get("style", ""))
+    assert found is not None and int(found[1]) > 600
+    assert '<div style="overflow-x:auto"><svg' in site.page()
+
+
+def test_a_formula_is_drawn_by_its_name(site: Site) -> None:
+    site.write("index.rst", "Title\n=====\n\n.. aseme-diagram::\n   :at: second\n\n" + LARGE)
+    assert site.build(strict=True) == (0, "")
+    (svg,) = svgs(site.page())
+    assert "UndoSomething3" in texts(svg) and "DoSomething3" not in texts(svg)
