@@ -19,7 +19,9 @@ def elements_of(root: Element) -> Iterator[Line | Shape | Text]:
     sign = ""
     for item in root:
         kinds = item.get("class", "").split()
-        if item.tag == f"{SVG}g" and "line" in kinds:
+        if item.tag == f"{SVG}g" and item.get("aria-hidden"):
+            yield from elements_of(item)
+        elif item.tag == f"{SVG}g" and "line" in kinds:
             yield _line(item)
         elif item.tag == f"{SVG}g":
             yield _shape(item)

@@ -183,7 +183,7 @@ def test_the_svg_shows_each_transition_once_and_no_text_on_another() -> None:
     root = ElementTree.fromstring(render(drawing, "svg"))
     shown = sorted(int(place) for item in root.iter() for place in item.get("data-t", "").split())
     assert shown == list(range(len(chart.transitions)))
-    assert root.get("role") == "img"
+    assert root.get("role") == "graphics-document document"
     boxes = []
     for item in root.iter("{http://www.w3.org/2000/svg}text"):
         x, y, width = float(item.get("x", "")), float(item.get("y", "")), text_width(item.text or "", 12)
@@ -394,3 +394,71 @@ def test_two_transitions_without_a_word_between_two_states_are_both_shown() -> N
     twice = replace(chart.transitions[place], priority=1)
     other = replace(chart, transitions=(*chart.transitions, twice))
     assert faults(other, layout(other)) == []
+
+
+def test_what_interrupts_a_frame_has_its_sign_in_a_table_too() -> None:
+    exits = "\n".join(f"leave part : when [n > {number}]" for number in range(5))
+    control = f"control r {{ repeat part : else\n {exits} }}"
+    text = "system S\nsrm r { var n : int = 0\n liveness { r = part+ . C  part = A . B }\n %s }"
+    chart = chart_of(text % control)
+    picture = layout(chart)
+    assert faults(chart, picture) == []
+    signs = [item for item in picture.elements if isinstance(item, Text) and item.text.startswith("↯")]
+    assert len(signs) == 5
+    (frame,) = (item for item in picture.elements if isinstance(item, Shape) and item.form is Form.FRAME)
+    assert all(frame.y < item.y < frame.y + frame.height for item in signs)
+
+
+def test_a_page_is_only_as_wide_as_its_chart_and_its_texts() -> None:
+    control = "control r { enter B : [t.state.M.n > 1] }"
+    text = "system S\nmessage M { int n }\ntopic t { state M }\nsrm r { liveness { r = A . B } %s }"
+    assert layout(chart_of(text % control)).width < 400
+
+
+def test_an_activity_that_is_all_of_a_chart_and_repeats_has_the_sign_of_what_never_ends() -> None:
+    chart = chart_of(SMALL % "A~")
+    picture = layout(chart)
+    assert faults(chart, picture) == []
+    assert len(shapes(picture, Form.ENDLESS)) == 1
+
+
+def spoken(text: str) -> list[str]:
+    """What a screen reader says of the drawing, in its order."""
+    (drawing,) = draw_statechart(chart_of(text))
+    root = ElementTree.fromstring(render(drawing, "svg"))
+    found = [root.get("aria-label", "")]
+    for item in root:
+        if item.get("role") == "img":
+            title = item.find("{http://www.w3.org/2000/svg}title")
+            found.append(item.get("aria-label") or (title.text or "" if title is not None else ""))
+        elif not item.get("aria-hidden") and item.text and item.tag.endswith("}text"):
+            found.append(item.text)
+    return found
+
+
+def test_a_screen_reader_says_each_state_and_then_the_lines_that_leave_it() -> None:
+    said = spoken(
+        "system S\nsrm r { var n : int = 0  liveness { r = part || (D | E)~  part = A . B }\n"
+        "control r { enter D : [n > 1]\n enter E : else } }"
+    )
+    assert said[:2] == ["IAC r of S", "parallel regions part || (D | E)~"]
+    first = said.index("activity A")
+    assert said[first + 1 : first + 3] == ["A → B: when complete", "activity B"]
+    assert said.index("region 0.2.2") > said.index("activity B")
+    choice = said.index("choice")
+    assert said[choice + 1].endswith("→ D: [n > 1]") and said[choice + 2].endswith("→ E: else")
+    assert "[n > 1]" not in said, "the text at a line is said with it"
+    assert all(said)
+
+
+@pytest.mark.parametrize("name", ["hospital", "robocup"])
+def test_a_screen_reader_finds_each_activity_and_each_line_of_a_large_chart(name: str) -> None:
+    for chart in example(name):
+        (drawing,) = draw_statechart(chart)
+        root = ElementTree.fromstring(render(drawing, "svg"))
+        named = {item for item in root.iter() if item.get("role") == "img"}
+        for item in root.iter():
+            kinds = item.get("class", "").split()
+            title = item.find("{http://www.w3.org/2000/svg}title")
+            if "state" in kinds or ("line" in kinds and item.get("data-t")):
+                assert item in named and (item.get("aria-label") or (title is not None and title.text))

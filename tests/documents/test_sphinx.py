@@ -273,7 +273,8 @@ LARGE = f"""\
 
 
 def test_a_large_chart_becomes_pictures_that_lead_to_each_other(site: Site) -> None:
-    site.write("index.rst", "Title\n=====\n\n.. aseme-diagram::\n   :model: iac.robot\n   :page: a4\n\n" + LARGE)
+    options = "   :model: iac.robot\n   :page: a4\n\n"
+    site.write("index.rst", f"Title\n=====\n\n.. aseme-diagram::\n{options}{LARGE}")
     assert site.build(strict=True) == (0, "")
     first, *others = svgs(site.page())
     assert others

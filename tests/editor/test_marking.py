@@ -133,3 +133,23 @@ def test_the_shapes_of_an_element_are_in_it_and_those_of_others_are_not(element:
     assert [item.get("id") for item in group.iter() if item.get("id") in state()["elements"]] == [element]
     css = (MEDIA / "diagram.css").read_text("utf-8")
     assert not re.search(r"\.here\s*>", css) and not re.search(r":hover\s*>", css)
+
+
+def test_the_name_of_a_state_is_a_part_of_it_for_a_click(tmp_path: Path) -> None:
+    report = """
+    const found = {};
+    for (const text of document.querySelectorAll("text.name")) {
+      const box = text.getBoundingClientRect();
+      const hit = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+      found[text.textContent] = [hit.closest("[id]").id];
+    }
+    document.body.dataset.report = JSON.stringify(found);
+    """
+    page = f"<!DOCTYPE html><meta charset='utf-8'>{state()['svg']}<script>{report}</script>"
+    found = computed(page, tmp_path)
+    assert len(found) > 1
+    for name, (element,) in found.items():
+        (own,) = re.findall(
+            rf'id="(n[\d.]+)" class="state" role="img" aria-label="activity {name}\b', state()["svg"]
+        )
+        assert element == own

@@ -301,9 +301,8 @@ def _labels(
                 here = found.pop(place, [])
                 told = _plain(item.text for item in here)
                 own = boxes.get(chart.transitions[place].source, ())
-                if any(_within(item, box) for box in own for item in here[:1]) and told.startswith("→"):
-                    if told != _plain(text for text, _ in words.exit(place, _ENDLESS, cut and number == 0)):
-                        yield f"transition {place} has not its own text"
+                row = _plain(text for text, _ in words.exit(place, _ENDLESS, cut and number == 0))
+                if told == row and any(_within(item, box) for box in own for item in here[:1]):
                     yield from (
                         f"the text {item.text!r} is not in its state"
                         for item in here

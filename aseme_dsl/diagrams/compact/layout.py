@@ -35,7 +35,7 @@ _GAIN = 0.9
 """Narrow labels are worth it where a region is at most so much of its usual width."""
 
 _LEAST = 560
-"""How wide a page with texts below is at least."""
+"""How wide a page with texts below is at least, unless they need less."""
 
 _BESIDE = 300
 """So much room beside the chart is enough for the texts that have none below, in px."""
@@ -136,7 +136,7 @@ def _page(chart: Statechart, field: Placed, words: Words, placer: Placer, wanted
         top += 24
     room.put(field, top + field.up, _MARGIN)
     entries = _entries(words)
-    right = max(room.right, _LEAST if entries else 0.0)
+    right = max(room.right, _MARGIN + min(_needed(entries), _LEAST - _MARGIN))
     below = room.down + 20
     broad = wanted.size[0] - _MARGIN if wanted.page else right
     further: tuple[Picture, ...] = ()
@@ -249,6 +249,15 @@ def _entries(words: Words) -> list[Entry]:
     entries += [(f"({number})", said) for number, said in enumerate(map(words.text, words.notes), 1)]
     short = ", ".join(f"{name} = {full}" for name, full in words.short_channels().items())
     return [*entries, ("", f"channels: {short}")] if short else entries
+
+
+def _needed(entries: Sequence[Entry]) -> float:
+    """How wide the entries are if each is one line."""
+    indent = max((width(name, Look.FIELD) for name, _ in entries if name), default=0) + 10
+    return max(
+        (indent + width(said, Look.LABEL) if name else width(said, Look.SMALL) for name, said in entries),
+        default=0.0,
+    )
 
 
 def _explained(entries: Sequence[Entry], left: float, wide: float, top: float) -> list[Text]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.srm import Activity
@@ -52,25 +52,51 @@ def _fitting(chart: Statechart, activities: tuple[Activity, ...], wanted: Wanted
     Formulas are closed first. If that is not enough, the texts below get pages of their own. At last, parts
     without a name are closed.
     """
-    closed: set[str] = set()
-    top = wanted.top
-    names = [label for label, _ in _formulas(chart, top)]
-    parts = list(_parts(chart, top))
-    while True:
-        now = replace(wanted, closed=frozenset(closed))
+    formulas = _closings(chart, wanted.top, [label for label, _ in _formulas(chart, wanted.top)], ())
+    order = (*formulas, *_closings(chart, wanted.top, list(_parts(chart, wanted.top)), formulas))
+
+    def with_closed(count: int) -> Picture:
+        now = replace(wanted, closed=frozenset(order[:count]))
         picture = layout(chart, activities, now)
-        if scale(picture, wanted.size) >= 1:
-            return picture, closed
-        label = _next(chart, top, names, closed)
-        if label is None:
-            apart = layout(chart, activities, replace(now, apart=True))
-            if scale(apart, wanted.size) >= 1:
-                return apart, closed
-            label = _next(chart, top, parts, closed)
-            picture = max(picture, apart, key=lambda item: scale(item, wanted.size))
-        if label is None:
-            return picture, closed
-        closed.add(label)
+        if scale(picture, wanted.size) >= 1 or count < len(formulas):
+            return picture
+        return max(picture, layout(chart, activities, replace(now, apart=True)), key=fit)
+
+    def fit(picture: Picture) -> float:
+        return scale(picture, wanted.size)
+
+    count, picture = _fewest(len(order), with_closed, lambda picture: fit(picture) >= 1)
+    return picture, set(order[:count])
+
+
+def _fewest(
+    most: int, made: Callable[[int], Picture], fits: Callable[[Picture], bool]
+) -> tuple[int, Picture]:
+    """The smallest number up to `most` with which a picture fits, and that picture; else `most`.
+
+    Few are tried first, then twice as many each time.
+    """
+    low, high = -1, 0
+    picture = made(high)
+    while not fits(picture) and high < most:
+        low, high = high, min(most, max(1, 2 * high))
+        picture = made(high)
+    while fits(picture) and high - low > 1:
+        middle = (low + high) // 2
+        other = made(middle)
+        if fits(other):
+            high, picture = middle, other
+        else:
+            low = middle
+    return high, picture
+
+
+def _closings(chart: Statechart, top: str, names: list[str], closed: Sequence[str]) -> tuple[str, ...]:
+    """What is closed one after the other, the most useful first, when others are `closed`."""
+    found: list[str] = []
+    while (label := _next(chart, top, names, {*closed, *found})) is not None:
+        found.append(label)
+    return tuple(found)
 
 
 def _next(chart: Statechart, top: str, names: list[str], closed: set[str]) -> str | None:

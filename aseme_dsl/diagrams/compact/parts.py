@@ -441,7 +441,9 @@ class Placer:
                         else ()
                     )
                 )
-        if signs and not inside and not (loops and links.again):
+        # An activity that repeats and that nothing follows: its OR has no END.
+        again_only = isinstance(block, Activity) and links.again and not (links.onward or links.events)
+        if (signs or again_only) and not inside and not (loops and links.again):
             room.add(endless(room.right + 6, -8, block.label, signs))
         ends = self._onward(room, behind, shape, links, silent, isinstance(block, Activity) and not signs)
         for number, cut in enumerate(part.cuts):

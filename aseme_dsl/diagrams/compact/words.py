@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
+from functools import lru_cache
 
 from aseme_dsl.amola.expression import (
     Assign,
@@ -115,7 +116,7 @@ class Words:
 
     def exit(self, place: int, wide: float, cuts: bool) -> tuple[Row, ...]:
         """A transition that leads out of a state, as rows of a table in that state."""
-        return self._paragraph(place, "→ ", self._look(place, cuts), wide)
+        return self._paragraph(place, f"{self._mark(place, cuts) or '→'} ", self._look(place, cuts), wide)
 
     def one_of_many(self, place: int, wide: float, cuts: bool) -> tuple[Row, ...]:
         """A transition at a line that stands for several."""
@@ -331,6 +332,7 @@ def _users(channels: Iterable[Channel], name: str) -> int:
     return sum(name in (item.message, f"{item.topic}.{item.message}") for item in channels)
 
 
+@lru_cache(10_000)
 def balanced(text: str, characters: int) -> tuple[str, ...]:
     """The text in as few lines as fit, each as short as that allows without breaking words."""
     lines = wrapped(text, characters)

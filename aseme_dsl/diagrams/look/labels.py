@@ -7,7 +7,7 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 
 from aseme_dsl.diagrams.look import style
 
@@ -135,6 +135,7 @@ def room_for(text: str, size: float, *, bold: bool = False) -> float:
     return text_width(text, size, bold=bold) * _SLACK
 
 
+@lru_cache(10_000)
 def text_width(text: str, size: float, *, bold: bool = False) -> float:
     """How wide a line of text is, in points: for ASCII as in Arial and Helvetica, else about."""
     advances = _BOLD_ADVANCES if bold else _ADVANCES

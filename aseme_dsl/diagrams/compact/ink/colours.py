@@ -11,7 +11,7 @@ from aseme_dsl.diagrams.look.style import FONTS
 _RULES = """\
 text{font-family:{fonts};font-size:12px;fill:{ink}}
 .name{font-size:13px;font-weight:bold}.title{font-size:16px;font-weight:bold}.small{font-size:11px;fill:{soft}}
-.field{font-weight:bold}
+.field{font-weight:bold}[aria-hidden] text:not([id]){pointer-events:none}
 .action{font-style:italic;fill:{soft}}text.cut{fill:{cut}}text.error{fill:{error}}
 .paper{fill:{paper}}path{fill:none;stroke:{line};stroke-width:1.3}
 path.cut{stroke:{cut}}path.error{stroke:{error};stroke-dasharray:5 3}

@@ -11,7 +11,6 @@ from aseme_dsl.amola.statechart import Statechart, StateType, transition_text
 from aseme_dsl.diagrams.compact.elements import (
     SIZES,
     STACKED,
-    Element,
     Form,
     Line,
     Picture,
@@ -20,13 +19,13 @@ from aseme_dsl.diagrams.compact.elements import (
     Text,
 )
 from aseme_dsl.diagrams.compact.ink.colours import branch_colour, style
+from aseme_dsl.diagrams.compact.ink.reading import in_order, names, silent
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS, Sign
 from aseme_dsl.diagrams.compact.words import BOLD, ICON
 from aseme_dsl.diagrams.look.labels import printable, text_width
 
 _RADIUS = 6.0
 _HEAD = 7.0
-_FRAMES = (Form.FRAME, Form.PARALLEL, Form.PROTOCOL, Form.STACK)
 
 
 def svg(
@@ -41,39 +40,32 @@ def svg(
     about = f"{chart.kind} {chart.name} of {chart.system}"
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}" height="{height:g}" '
-        f'viewBox="0 0 {width:g} {height:g}" class="aseme-compact" role="img" aria-label="{_text(about)}">',
+        f'viewBox="0 0 {width:g} {height:g}" class="aseme-compact" role="graphics-document document" '
+        f'aria-label="{_text(about)}">',
         f"<title>{_text(about)}</title>",
         f"<style>{style(theme)}</style>",
         f'<rect class="paper" width="{width:g}" height="{height:g}"/>',
     ]
     known: Counter[str] = Counter()
-    for item in in_order(picture):
-        made = _element(chart, item, known, files)
+    spoken, unread = names(chart, picture), silent(picture)
+    texts: dict[bool, list[str]] = {True: [], False: []}
+    for item in in_order(chart, picture):
+        made = _element(chart, item, known, files, spoken)
         leads = files.get(item.state) if isinstance(item, Shape) and item.form is Form.CLOSED else None
-        parts += (f'<a href="{_text(leads)}">', *made, "</a>") if leads else made
+        if isinstance(item, Text):
+            texts[item in unread] += made
+        else:
+            parts += (f'<a href="{_text(leads)}">', *made, "</a>") if leads else made
+    parts += ('<g aria-hidden="true">', *texts[True], "</g>", *texts[False])
     return "\n".join([*parts, "</svg>", ""])
 
 
-def in_order(picture: Picture) -> list[Element]:
-    """The elements from back to front."""
-    return sorted(picture.elements, key=_layer)
-
-
-def _layer(item: Line | Shape | Text) -> int:
-    """Frames are at the back, outer ones first, as they are wider; texts in front."""
-    match item:
-        case Shape():
-            return -round(item.width) if item.form in _FRAMES else 2
-        case Line():
-            return 1
-        case Text():
-            return 3
-        case _:
-            assert_never(item)
-
-
 def _element(
-    chart: Statechart, item: Line | Shape | Text, known: Counter[str], files: Mapping[str, str]
+    chart: Statechart,
+    item: Line | Shape | Text,
+    known: Counter[str],
+    files: Mapping[str, str],
+    spoken: Mapping[Shape, str],
 ) -> Iterator[str]:
     match item:
         case Text():
@@ -100,7 +92,7 @@ def _element(
             yield from _line(chart, item)
         case Shape():
             name = f"n{item.state}"  # a frame and the sign that it never ends have the same
-            yield from _shape(chart, item, f' id="{name}"' if not known[name] else "")
+            yield from _shape(chart, item, f' id="{name}"' if not known[name] else "", spoken.get(item, ""))
             known[name] += 1
         case _:
             assert_never(item)
@@ -129,7 +121,8 @@ def _line(chart: Statechart, item: Line) -> Iterator[str]:
     chain = "|".join(",".join(map(str, link)) for link in item.chain)
     name = f' id="t{places[0]}"' if places else ""
     others = places[1:]
-    yield f'<g{name} class="line" data-c="{chain}" data-t="{" ".join(map(str, places))}">'
+    role = ' role="img"' if tip else ""
+    yield f'<g{name} class="line"{role} data-c="{chain}" data-t="{" ".join(map(str, places))}">'
     if tip:
         yield f"<title>{_text(tip)}</title>"
     yield "".join(f'<g id="t{place}">' for place in others)
@@ -155,12 +148,13 @@ def _name(chart: Statechart, label: str) -> str:
     return state.name if state.name != label else f"{state.type.value} {label}"
 
 
-def _shape(chart: Statechart, item: Shape, name: str) -> Iterator[str]:
+def _shape(chart: Statechart, item: Shape, name: str, spoken: str) -> Iterator[str]:
     state = chart.node(item.state)
     marks = f' data-t="{" ".join(map(str, item.marks))}"' if item.marks else ""
     tips = [f"{state.label} {state.type.value} {state.name}", *(_told(chart, place) for place in item.marks)]
     others = item.also
-    yield f'<g{name} class="state" data-n="{" ".join((item.state, *item.also))}"{marks}>'
+    role = f' role="img" aria-label="{_text(spoken)}"' if spoken else ' role="img"'
+    yield f'<g{name} class="state"{role} data-n="{" ".join((item.state, *item.also))}"{marks}>'
     if state.type not in (StateType.START, StateType.END):
         yield f"<title>{_text(chr(10).join(tips))}</title>"
     yield "".join(f'<g id="n{label}">' for label in others)
@@ -243,4 +237,4 @@ def _text(text: str) -> str:
     return escape(printable(text), {'"': "&quot;"})
 
 
-__all__ = ["behind", "head", "in_order", "svg", "text_id"]
+__all__ = ["behind", "head", "svg", "text_id"]

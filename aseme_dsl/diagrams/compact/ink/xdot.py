@@ -21,8 +21,9 @@ from aseme_dsl.diagrams.compact.elements import (
     moved,
 )
 from aseme_dsl.diagrams.compact.ink.colours import branch_colour
+from aseme_dsl.diagrams.compact.ink.reading import in_order
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS
-from aseme_dsl.diagrams.compact.ink.svg import behind, head, in_order
+from aseme_dsl.diagrams.compact.ink.svg import behind, head
 from aseme_dsl.diagrams.compact.words import BOLD, ICON
 from aseme_dsl.diagrams.look.colours import LIGHT
 from aseme_dsl.diagrams.look.labels import printable
@@ -55,7 +56,7 @@ def dot(chart: Statechart, picture: Picture, paper: tuple[float, float] | None =
         scaled = f'pad=0 margin=0 size="{paper[0] / _INCH:.3f},{paper[1] / _INCH:.3f}" '
         picture = _on_paper(picture, paper)
     pen = _Pen(picture.height)
-    for item in in_order(picture):
+    for item in in_order(chart, picture):
         pen.element(chart, item)
     width, height = picture.width, picture.height
     size = f'pos="{width / 2:g},{height / 2:g}!" width={width / 72:.3f} height={height / 72:.3f}'
