@@ -15,7 +15,7 @@ from aseme_dsl.codegen.plain.options import PlainOptions
 from tests.support.generated import generate
 from tests.support.plain_engine import plain_class
 
-INSTANCES = 1000
+INSTANCES = 200
 FRAMES = 20
 """How many calls deep what takes memory is known by who called it."""
 FIXED = 100

@@ -596,7 +596,7 @@ def test_a_build_is_the_same_from_every_folder(
 ) -> None:
     """With each backend; also of a file that imports another, and the standard library."""
     text = """system Team
-import protocols
+import resources
 import "shared/words.aseme"
 srm player { liveness { player = Look . Go } activities { Look takes 1s  Go takes 1s }
   CONTROL }
@@ -625,7 +625,7 @@ team Players { bob : player }
         outputs.append({str(path.relative_to(output)): path.read_bytes() for path in files})
     assert outputs[0] == outputs[1] == outputs[2] == outputs[3]
     assert {".asemec.json", "trace.jsonl.gz"} <= set(outputs[0])
-    assert b'"file": "<stdlib>/protocols.aseme"' in outputs[0]["models/aip.request.json"]
+    assert b'"file": "<stdlib>/resources.aseme"' in outputs[0]["models/aip.resource.json"]
     assert b'"file": "team.aseme"' in outputs[0]["models/iac.player.json"]
     assert {name.split("/")[0] for name in outputs[0]} >= {"models", "diagrams", *backends}
 

@@ -41,7 +41,7 @@ def cluster() -> Iterator[str]:
 
 def test_scenarios_have_the_same_verdicts(cluster: str, here: Here, folder: Path) -> None:
     (folder / "good.aseme").write_text(GOOD + SEEDED)
-    arguments = ("test", "good.aseme", "--seeds", "50", "--json")
+    arguments = ("test", "good.aseme", "--seeds", "20", "--json")
     there, alone = here(*arguments, "--cluster", cluster), here(*arguments, "-j", "1")
     assert (there.code, there.out) == (alone.code, alone.out) == (1, there.out)
     assert "failed" in there.out

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import pytest
 
 from aseme_dsl.amola.expression import expression_text
@@ -13,12 +15,14 @@ from tests.diagrams.pictures import Picture, by_graphviz, distance_to_border, is
 SEEDS = range(36)
 
 
+@cache
 def random_chart(seed: int) -> Statechart:
     return random_statechart(seed, size=3 + seed % 3, extra=seed % 5)
 
 
-def picture(chart: Statechart, layout: Layout) -> Picture:
-    (drawing,) = draw_statechart(chart, Options(layout=layout))
+@cache
+def picture(seed: int, layout: Layout) -> Picture:
+    (drawing,) = draw_statechart(random_chart(seed), Options(layout=layout))
     return Picture(render(drawing, "svg"))
 
 
@@ -34,7 +38,7 @@ def test_the_random_charts_are_what_they_should_be() -> None:
 def test_everything_is_drawn(seed: int) -> None:
     chart = random_chart(seed)
     for layout in (Layout.NESTED, Layout.TREE):
-        shown = picture(chart, layout)
+        shown = picture(seed, layout)
         assert {f"n{node.label}" for node in chart.states} <= shown.ids
         assert {f"t{place}" for place in range(len(chart.transitions))} <= shown.ids
         for node in chart.states:
@@ -48,7 +52,7 @@ def test_everything_is_drawn(seed: int) -> None:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_states_are_inside_the_states_that_hold_them(seed: int) -> None:
     chart = random_chart(seed)
-    shown = picture(chart, Layout.NESTED)
+    shown = picture(seed, Layout.NESTED)
     for node in chart.states:
         if node.parent is not None:
             left, top, right, bottom = shown.frame(f"n{node.label}")
@@ -59,7 +63,7 @@ def test_states_are_inside_the_states_that_hold_them(seed: int) -> None:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_lines_do_not_run_into_the_composites_that_they_join(seed: int) -> None:
     chart = random_chart(seed)
-    shown = picture(chart, Layout.NESTED)
+    shown = picture(seed, Layout.NESTED)
     for place, transition in enumerate(chart.transitions):
         for label, other in ((transition.source, transition.target), (transition.target, transition.source)):
             if not chart.children(label) or other.startswith(f"{label}."):

@@ -38,7 +38,7 @@ from tests.oracle.playing import like
 from tests.support.batches import Together, made, without_compiling
 from tests.support.generated import system_of
 
-EXAMPLES = how_many(100)
+EXAMPLES = how_many(40)
 GROUPS = 4
 SIZE = 12
 STEPS = 12

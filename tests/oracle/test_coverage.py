@@ -28,7 +28,7 @@ from tests.oracle.interpreter import Reference
 from tests.oracle.playing import Game, Moment, moments
 from tests.support.generated import imported, system_of
 
-EXAMPLES = how_many(40)
+EXAMPLES = how_many(20)
 GROUPS = 2
 
 

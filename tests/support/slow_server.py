@@ -14,7 +14,7 @@ from aseme_dsl.editor.reading.reading import Reader
 from aseme_dsl.editor.server import make_server
 from aseme_dsl.grammar.parsing import terminals
 
-MOST = 2.0
+MOST = 1.0
 """Seconds of computing that the reader may take for a text."""
 
 SNAIL = 0.6
