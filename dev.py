@@ -128,7 +128,7 @@ LONG = [
     (
         "compact drawings of random charts",
         ["-m", "pytest", "-n", "auto", "tests/diagrams/test_compact.py"],
-        {"COMPACT_CHARTS": "2000", "COMPACT_EDITS": "1"},
+        {"COMPACT_CHARTS": "2000", "COMPACT_EDITS": "1", "COMPACT_FAULTS": "1"},
     ),
     (
         "drawings of random models and talks",
@@ -139,6 +139,11 @@ LONG = [
         "questions why not",
         ["-m", "pytest", "-n", "auto", "tests/play/test_asking.py"],
         {"ASKED": "30", "ASKED_CHARTS": "200"},
+    ),
+    (
+        "layout of random programs",
+        ["-m", "pytest", "tests/grammar/test_layout_random.py"],
+        {"LAYOUT_EXAMPLES": "500"},
     ),
     ("latency", ["benchmarks/latency.py"], {}),
     ("agents", ["benchmarks/agents.py"], {}),

@@ -123,7 +123,7 @@ def test_planted_faults_are_noticed_in_finished_drawings(name: str) -> None:
     for chart in (*example(name), chart_of(TEAM)):
         finished = reread(chart, layout(chart))
         assert faults(chart, finished) == []
-        step = int(os.environ.get("COMPACT_FAULTS", "1" if len(chart.states) < 40 else "19"))
+        step = int(os.environ.get("COMPACT_FAULTS", "2" if len(chart.states) < 40 else "19"))
         for kind, picture in islice(planted(finished), 0, None, step):
             count += 1
             if not faults(chart, picture):
@@ -165,7 +165,7 @@ def test_a_line_that_comes_to_a_state_has_a_head() -> None:
     assert count > 10
 
 
-@pytest.mark.parametrize("seed", range(int(os.environ.get("COMPACT_CHARTS", "4"))))
+@pytest.mark.parametrize("seed", range(int(os.environ.get("COMPACT_CHARTS", "2"))))
 def test_random_charts_are_drawn_rightly_or_with_a_reason(seed: int) -> None:
     system = compiled(text(Choices(seed)))
     for chart in system.statecharts:

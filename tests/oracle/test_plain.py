@@ -53,7 +53,7 @@ LARGE = {
 """From where on a chart is written as large ones are."""
 
 GAMES = 3
-GROUPS = 10
+GROUPS = 4
 
 
 @pytest.fixture(autouse=True)

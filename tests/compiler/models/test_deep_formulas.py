@@ -16,7 +16,7 @@ from aseme_dsl.source import Source
 from tests.support.compiling import system
 from tests.support.work import instructions
 
-DEPTH = 150
+DEPTH = 100
 
 
 @pytest.mark.parametrize(
