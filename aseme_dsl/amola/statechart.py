@@ -312,7 +312,14 @@ class Statechart(Displayed):
 
     def outgoing_edges(self, label: str) -> tuple[Transition, ...]:
         """The transitions that lead out of a source, or to itself, in the order in which they are tried."""
-        return tuple(item for item in self.outgoing(label) if item.changes_state)
+        return self._edges.get(label, ())
+
+    @cached_property
+    def _edges(self) -> dict[str, tuple[Transition, ...]]:
+        return {
+            label: tuple(item for item in items if item.changes_state)
+            for label, items in self._outgoing.items()
+        }
 
     def exits_of(self, label: str) -> tuple[Transition, ...]:
         """What is done when a state is left, in that order."""

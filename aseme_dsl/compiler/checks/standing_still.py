@@ -43,13 +43,12 @@ def _ways(chart: Statechart, state: State) -> tuple[e.Value, ...] | None:
     Transitions to several states are a choice, of which the gaps are reported by themselves.
     """
     own = [item for item in chart.outgoing_edges(state.label) if not item.reactive]
-    around = [path.segments[0] for path in interruptions(chart, state.label)]
     if not own or len({item.target for item in own}) > 1:
         return None
     if any(item.expression.when for item in own):
         return None  # what the state itself does may change the condition
     conditions: list[e.Value] = []
-    for transition in (*own, *around):
+    for transition in _on_and_away(chart, state, own):
         expression = transition.expression
         if expression.events:
             if all(isinstance(event, e.Failed) for event in expression.events):
@@ -59,6 +58,13 @@ def _ways(chart: Statechart, state: State) -> tuple[e.Value, ...] | None:
             return None
         conditions.append(expression.condition)
     return tuple(conditions) or None
+
+
+def _on_and_away(chart: Statechart, state: State, own: Sequence[Transition]) -> Iterator[Transition]:
+    """The ways on, and then those that lead away: to find these takes long in deep charts."""
+    yield from own
+    for path in interruptions(chart, state.label):
+        yield path.segments[0]
 
 
 class _Surroundings:
