@@ -7,7 +7,7 @@ import re
 import sys
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from aseme_dsl.diagrams.sequence.sequence import Row, SequenceDiagram
     from aseme_dsl.project.playing.sniff import Wanted
     from aseme_dsl.runtime.trace.records import Record
+    from aseme_dsl.runtime.trace.trace_reading import Line
 
 _PAUSE = 0.1
 """Seconds between two looks at a trace that is being written."""
@@ -217,25 +218,33 @@ def _show(
 ) -> int:
     from aseme_dsl.project.playing.merging import Beginning, shifts
     from aseme_dsl.project.playing.sniff import Sniffer, line_of
-    from aseme_dsl.runtime.trace.trace_reading import TraceReader
+    from aseme_dsl.runtime.trace.trace_reading import TraceReader, fitting
 
     sniffer = Sniffer(wanted)
     readers = [TraceReader(path) for path in paths]
-    records: list[Record] = []
+    lines: list[tuple[Path, Line]] = []
     began = [Beginning() for _ in readers]
     ends: list[int] = []
     for reader, beginning in zip(readers, began, strict=True):
         for line in reader:
-            beginning.add(line.record)
-            if line.number == 1:
-                sniffer.header(line.record)
-            records.append(line.record)
-        ends.append(len(records))
+            with fitting(reader.path, line):
+                beginning.add(line.record)
+                if line.number == 1:
+                    sniffer.header(line.record)
+            lines.append((reader.path, line))
+        ends.append(len(lines))
     if len(readers) > 1:
         parts = zip([0, *ends], ends, shifts(began), strict=False)
-        records = [_shifted(item, shift) for start, end, shift in parts for item in records[start:end]]
-        records.sort(key=lambda item: int(item["time"]))
-    rows = [row for record in records for row in sniffer.rows(record)]
+        lines = [
+            (path, replace(line, record=_shifted(line.record, shift)))
+            for start, end, shift in parts
+            for path, line in lines[start:end]
+        ]
+        lines.sort(key=lambda item: item[1].record["time"])
+    rows: list[Row] = []
+    for path, line in lines:
+        with fitting(path, line):
+            rows += sniffer.rows(line.record)
     if unknown := not_in_traces(sniffer.unknown(), sniffer.team, paths):
         return refuse(unknown, as_json, colour)
     problems = [(reader.problem, reader.path) for reader in readers if reader.problem is not None]

@@ -202,27 +202,30 @@ def _list(reader: TraceReader, wanted: Filter, as_json: bool) -> None:
     from aseme_dsl.project.playing.traces import told
     from aseme_dsl.runtime.trace.records import agents_of
     from aseme_dsl.runtime.trace.state_names import StateNames
+    from aseme_dsl.runtime.trace.trace_reading import fitting
 
     width = 5
     names = StateNames()
     for line in reader:
         record = line.record
-        names.take(record)
-        if line.number == 1:
-            wanted = wanted.of_run(record)
-            width = max([width, *(len(agent["name"]) for agent in agents_of(record))])
-        if not wanted.wants(record):
-            continue
-        if as_json:
-            sys.stdout.write(f"{line.text}\n")
-        else:
+        with fitting(reader.path, line):
+            names.take(record)
+            if line.number == 1:
+                wanted = wanted.of_run(record)
+                width = max([width, *(len(agent["name"]) for agent in agents_of(record))])
+            is_wanted = wanted.wants(record)
+            text = line.text if as_json or not is_wanted else told(record, names)
+        if is_wanted and as_json:
+            sys.stdout.write(f"{text}\n")
+        elif is_wanted:
             moment = record["time"] / _NANOSECONDS
             start = f"{moment:13.6f}  {record.get('agent', ''):<{width}}  {record['kind']:<12}"
-            sys.stdout.write(f"{start}  {told(record, names)}\n")
+            sys.stdout.write(f"{start}  {text}\n")
 
 
 def _sum(reader: TraceReader, wanted: Filter) -> FileSum:
     from aseme_dsl.project.playing.traces import FileSum, Summary
+    from aseme_dsl.runtime.trace.trace_reading import fitting
 
     summary = Summary()
     for line in reader:
@@ -230,7 +233,8 @@ def _sum(reader: TraceReader, wanted: Filter) -> FileSum:
             wanted = wanted.of_run(line.record)
             summary.begin(line.record, wanted)
         if wanted.wants(line.record):
-            summary.add(line.record)
+            with fitting(reader.path, line):
+                summary.add(line.record)
     return FileSum(file=str(reader.path), problem=reader.problem, **summary.result())
 
 

@@ -64,6 +64,8 @@ LINES = [
         "agent": "two",
         "what": "open",
         "conversation": "pass-two-1",
+        "participant": "passer",
+        "branch": "0.2",
     },
     {"kind": "fault", "time": 6 * SECOND, "agent": "two", "reason": "absent value", "at": "w.aseme:1:2"},
     activity(7, "one", "crash", "0.2", "Walk", reason="ValueError: no"),

@@ -98,7 +98,7 @@ def token(chance: random.Random) -> str:
 def latest(run: Started, robot: str) -> dict[str, int]:
     """The last signal that has come from each other robot, by the end of a long trace."""
     reader = TraceReader(run.folder / "out" / f"trace.{robot}.jsonl.gz.part")
-    records = [cast("dict[str, Any]", line.record) for line in islice(reader.back(NEVER), 1000)][::-1]
+    records = [cast("dict[str, Any]", line.record) for line in islice(reader.before(NEVER), 1000)][::-1]
     found = {other: signals_from(records, other)[-1:] for other in ROBOTS if other != robot}
     return {other: numbers[0] for other, numbers in found.items() if numbers}
 

@@ -7,6 +7,17 @@ from typing import Any, cast
 
 from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
+HEADER: dict[str, Any] = {
+    "kind": "header",
+    "time": 0,
+    "format": 2,
+    "system": "S",
+    "seed": 1,
+    "clock": "virtual",
+    "agents": [],
+}
+"""The first line of a trace that is written by hand."""
+
 
 def records_of(path: Path) -> list[dict[str, Any]]:
     """The records of a trace."""

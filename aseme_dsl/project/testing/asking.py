@@ -31,7 +31,7 @@ from aseme_dsl.runtime.chart.inputs import Input
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.runtime.trace.records import Record, agents_of
-from aseme_dsl.runtime.trace.trace_reading import Line, TraceReader
+from aseme_dsl.runtime.trace.trace_reading import Line, TraceReader, fitting
 
 BACK = 12
 """So many other agents are asked for one question at the most."""
@@ -224,7 +224,8 @@ class Questions:
             if line.number > number + 1:
                 first, past.begin = line.number, line.record["time"]
             number = line.number
-            past.line(line.record)
+            with fitting(self._reader.path, line):
+                past.line(line.record)
             difference = replay.line(line.record, number)
             if difference is not None:
                 raise Differs(difference)

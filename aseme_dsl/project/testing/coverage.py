@@ -25,7 +25,7 @@ from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.trace.packed import unpacked
 from aseme_dsl.runtime.trace.records import Record, TracedAgent, agents_of
 from aseme_dsl.runtime.trace.trace_files import TraceError
-from aseme_dsl.runtime.trace.trace_reading import TraceReader
+from aseme_dsl.runtime.trace.trace_reading import TraceReader, fitting
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
@@ -167,12 +167,13 @@ def _read_trace(
             mine.left_out[_UNMEASURED.format(path, problem)] += 1
     for line in reader:
         record = line.record
-        following(record)
+        with fitting(reader.path, line):
+            following(record)
+            for listener in listeners:
+                listener(record)
         if replay is not None and (why := _differs(replay, record)) is not None:
             mine.left_out[_UNMEASURED.format(path, why)] += 1
             replay = None
-        for listener in listeners:
-            listener(record)
         if record["kind"] in ("swap", "select") and record.get("model") not in (None, *model.hashes.values()):
             mine.left_out["an agent changed to another model, whose run was not counted"] += 1
     if others:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import struct
 import zlib
@@ -10,8 +11,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from io import BufferedReader
 from itertools import takewhile
+from typing import Protocol
 
 from aseme_dsl import outside
+from aseme_dsl.runtime.trace.trace_check import LATEST
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST
 
 BLOCK = 256 << 10
@@ -30,6 +33,9 @@ _FIXED = struct.Struct("<BQQQqq")
 """Flags, bytes in the file, the number of the first line from 1, how many lines, and the times of the first
 and of the last one."""
 _LONGEST_FIELD = 60_000
+_LARGEST_MARKS = 1 << 20
+"""So many bytes the checkpoints in the header of a block have at most, unpacked."""
+_PIECE = 1 << 16
 _MARKED = re.compile(
     rb'\n\{"kind":"(checkpoint|swap|select)","time":(-?\d+)(?:,"agent":("(?:[^"\\]|\\.)*"))?'
 )
@@ -65,6 +71,27 @@ class Block:
     def changes(self) -> bool:
         """Whether a line tells which model or plan an agent runs from there on."""
         return bool(self.flags & CHANGED)
+
+
+class Damaged(Exception):
+    """A compressed trace says what cannot be; the text says what, and where."""
+
+
+class Unpacker(Protocol):
+    """What `zlib.decompressobj` gives."""
+
+    @property
+    def eof(self) -> bool: ...
+
+    @property
+    def unused_data(self) -> bytes: ...
+
+    @property
+    def unconsumed_tail(self) -> bytes: ...
+
+    def copy(self) -> Unpacker: ...
+
+    def decompress(self, data: bytes, max_length: int = 0, /) -> bytes: ...
 
 
 def block_of(data: bytes, offset: int, size: int, line: int, flags: int = 0) -> Block:
@@ -113,28 +140,54 @@ def packed(data: bytes, line: int, flags: int = 0) -> bytes:
 def packed_blocks(file: BufferedReader, offset: int = 0) -> Iterator[Block]:
     """The blocks of a compressed trace from a place on, as far as their headers say.
 
-    Only the headers are read. None in a file that another program has compressed.
+    Only the headers are read. None in a file that another program has compressed. The last one may be torn:
+    it is as large as what is left of it.
+
+    Raises:
+        Damaged: the header of a block says what cannot be.
     """
-    while True:
-        file.seek(offset)
-        start = file.read(len(_START) + 6 + _FIXED.size)
-        if len(start) < len(_START) + 6 + _FIXED.size or not start.startswith(_START):
+    end = os.fstat(file.fileno()).st_size
+    number: int | None = None
+    while offset < end:
+        block = _packed_block(file, offset, end)
+        if block is None:
             return
-        _, name, length = struct.unpack_from("<H2sH", start, len(_START))
-        flags, size, line, lines, first, last = _FIXED.unpack_from(start, len(_START) + 6)
-        if name != _FIELD or length < _FIXED.size or size <= len(start):
-            return
-        marks: object = {}
-        if length > _FIXED.size:
-            try:
-                told = file.read(length - _FIXED.size)
-                marks = outside.loads(zlib.decompressobj().decompress(told, LONGEST))
-            except (ValueError, zlib.error):
-                return
-        if not isinstance(marks, dict) or not all(isinstance(moment, int) for moment in marks.values()):
-            return
-        yield Block(offset, size, line, lines, first, last, marks, flags)
-        offset += size
+        if block.size < 1 or block.lines < 0 or (number or block.line) != block.line < LATEST:
+            raise Damaged(f"the header of the block at byte {offset} is damaged")
+        yield block
+        number = block.line + block.lines
+        offset += block.size
+
+
+def _packed_block(file: BufferedReader, offset: int, end: int) -> Block | None:
+    """The block at a place of a file, which ends at `end`; None if none begins there."""
+    file.seek(offset)
+    start = file.read(len(_START) + 6 + _FIXED.size)
+    if len(start) < len(_START) + 6 + _FIXED.size or not start.startswith(_START):
+        return None
+    _, name, length = struct.unpack_from("<H2sH", start, len(_START))
+    flags, size, line, lines, first, last = _FIXED.unpack_from(start, len(_START) + 6)
+    if name != _FIELD or length < _FIXED.size:
+        return None
+    if size <= len(start) or size > LONGEST + BLOCK:
+        raise Damaged(f"the block at byte {offset} is said to have {size} bytes")
+    marks = _marks(file.read(length - _FIXED.size), offset) if length > _FIXED.size else {}
+    return Block(offset, min(size, end - offset), line, lines, first, last, marks, flags)
+
+
+def _marks(packed_marks: bytes, offset: int) -> dict[str, int]:
+    """The checkpoints of which the header of a block tells. Raises Damaged."""
+    reader = zlib.decompressobj()
+    try:
+        told = reader.decompress(packed_marks, _LARGEST_MARKS)
+        if not reader.eof:
+            raise ValueError(f"it has more than {_LARGEST_MARKS >> 20} MB, or is not whole")
+        found = outside.loads(told)
+    except (ValueError, zlib.error) as problem:
+        raise Damaged(f"the header of the block at byte {offset} is damaged: {problem}") from problem
+    if not isinstance(found, dict) or not all(type(moment) is int for moment in found.values()):
+        raise Damaged(f"the header of the block at byte {offset} is damaged: it has no checkpoints")
+    return found
 
 
 def plain_blocks(file: BufferedReader) -> Iterator[Block]:
@@ -166,6 +219,36 @@ def unpacked(data: bytes) -> bytes:
     return found
 
 
+def unpacked_as_far_as_it_goes(data: bytes) -> bytes:
+    """The same of a block that may be damaged or torn: what stands before that."""
+    reader = zlib.decompressobj(zlib.MAX_WBITS + 16)
+    found = bytearray()
+    for place in range(0, len(data), _PIECE):
+        piece, is_whole = as_far_as_it_goes(
+            reader, data[place : place + _PIECE], LONGEST + BLOCK - len(found)
+        )
+        found += piece
+        if not is_whole or reader.eof or len(found) >= LONGEST + BLOCK:
+            break
+    return bytes(found)
+
+
+def as_far_as_it_goes(reader: Unpacker, data: bytes, most: int) -> tuple[bytes, bool]:
+    """What a piece of compressed data unpacks to, `most` bytes of it, and whether it is whole."""
+    before = reader.copy()
+    try:
+        return reader.decompress(data, most), True
+    except zlib.error:
+        pass
+    found = b""
+    for place in range(len(data)):  # it is lost from one byte on: what comes before is not
+        try:
+            found += before.decompress(data[place : place + 1], max(1, most - len(found)))
+        except zlib.error:
+            break
+    return found[:most], False
+
+
 def start_for(blocks: Iterable[Block], moment: int, agents: Iterable[str]) -> Block | None:
     """The newest block from which on each agent has a checkpoint not later than `moment`; None if none is.
 
@@ -187,6 +270,8 @@ __all__ = [
     "CHANGES",
     "OPEN",
     "Block",
+    "Damaged",
+    "as_far_as_it_goes",
     "block_of",
     "is_ours",
     "packed",
@@ -194,4 +279,5 @@ __all__ = [
     "plain_blocks",
     "start_for",
     "unpacked",
+    "unpacked_as_far_as_it_goes",
 ]

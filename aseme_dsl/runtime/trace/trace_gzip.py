@@ -6,19 +6,22 @@ finds the place from which it needs the lines, and a killed run leaves all that 
 
 from __future__ import annotations
 
-import gzip
+import errno
 import zlib
 from collections.abc import Iterable, Iterator
 from io import BufferedReader
 from pathlib import Path
-from typing import cast
 
-from aseme_dsl import outside
-from aseme_dsl.runtime.trace.trace_blocks import BLOCK, OPEN, packed
+from aseme_dsl.runtime.trace.trace_blocks import BLOCK, OPEN, Unpacker, as_far_as_it_goes, packed
 from aseme_dsl.runtime.trace.trace_files import JsonLines, encoded
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, Torn
 
 MAGIC = b"\x1f\x8b"
+_PIECE = 1 << 16
+_AT_ONCE = 1 << 20
+"""So many bytes are unpacked at once at most."""
+_MUCH, _TIMES = 1 << 30, 200
+"""A file that unpacks to more bytes than this, and to so many times its size, is there to fill a memory."""
 
 
 class GzipFile(JsonLines):
@@ -85,17 +88,54 @@ def unpacked_lines(file: BufferedReader) -> Iterator[bytes]:
     """The lines of a compressed trace from a block on, with their ends.
 
     Raises:
-        OSError: the file cannot be read, or a line is too long.
-        Torn: it is damaged or ends early, which can be after many lines.
+        OSError: the file cannot be read, a line is too long, or there is far more in it than in any trace.
+        Torn: it is damaged or ends early, which can be after many lines. What stands before that comes first.
     """
     number = 0
-    reader = cast(BufferedReader, gzip.GzipFile(fileobj=file))
+    rest = b""
     try:
-        for line in outside.lines(reader, LONGEST):
-            yield line
-            number += 1
-    except (EOFError, gzip.BadGzipFile, zlib.error) as problem:
+        for piece in _unpacked(file):
+            *lines, rest = (rest + piece).split(b"\n")
+            if len(rest) > LONGEST or any(len(line) >= LONGEST for line in lines):
+                raise OSError(errno.EFBIG, f"a line is longer than {LONGEST} bytes", file.name)
+            for line in lines:
+                yield line + b"\n"
+                number += 1
+    except zlib.error as problem:
+        if rest:
+            yield rest
         raise Torn(number, f"the compressed file is not whole: {problem}") from problem
+    if rest:
+        yield rest
+
+
+def _unpacked(file: BufferedReader) -> Iterator[bytes]:
+    """What is in a compressed file, in pieces. Raises OSError and zlib.error, after all that is whole."""
+    data = b""
+    reader: Unpacker | None = None
+    taken = given = 0
+    is_full = False
+    while is_full or data or (data := file.read(_PIECE)):
+        if reader is None:
+            data = data.lstrip(b"\0")  # what may fill up a file
+            if not data:
+                continue
+            reader = zlib.decompressobj(zlib.MAX_WBITS + 16)
+        before = len(data)
+        piece, is_whole = as_far_as_it_goes(reader, data, _AT_ONCE)
+        yield piece
+        is_full = len(piece) == _AT_ONCE  # there may be more
+        if not is_whole:
+            raise zlib.error("it is damaged")
+        data = reader.unused_data if reader.eof else reader.unconsumed_tail
+        taken, given = taken + before - len(data), given + len(piece)
+        if given > _MUCH and given > _TIMES * taken:
+            reason = f"it unpacks to more than {_TIMES} times its size: it is not a trace"
+            raise OSError(errno.EFBIG, reason, file.name)
+        if reader.eof:
+            reader, is_full = None, False
+    if reader is not None:
+        raise zlib.error("it breaks off")
 
 
 __all__ = ["MAGIC", "GzipFile", "unpacked_lines"]

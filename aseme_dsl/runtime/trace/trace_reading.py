@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import zlib
 from collections.abc import Callable, Collection, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from io import BufferedReader
 from pathlib import Path
@@ -13,15 +13,20 @@ from aseme_dsl.runtime.trace.records import Record, agents_of, as_record
 from aseme_dsl.runtime.trace.trace_blocks import (
     CHANGES,
     Block,
+    Damaged,
     packed_blocks,
     plain_blocks,
     start_for,
-    unpacked,
+    unpacked_as_far_as_it_goes,
 )
+from aseme_dsl.runtime.trace.trace_check import wrong_in
 from aseme_dsl.runtime.trace.trace_files import FORMAT, TraceError, part_of
 from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
 from aseme_dsl.runtime.trace.trace_gzip import unpacked_lines
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC, Torn, lines_in
+
+MOST_PARTS = 1_000_000
+"""No line has so many lists and objects: each takes many times the room in memory that it takes in a file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,8 +38,23 @@ class Line:
     record: Record
 
 
+@contextmanager
+def fitting(path: Path, line: Line) -> Iterator[None]:
+    """Around what is done with a line. Raises TraceError where it does not fit the lines before it.
+
+    It is about an agent that there is not, or about a state that its role does not have.
+    """
+    try:
+        yield
+    except (LookupError, TypeError, ValueError, AttributeError, OverflowError) as problem:
+        text = f"{type(problem).__name__}: {problem}"
+        raise TraceError(
+            f"{path}:{line.number}: this line does not fit those before it ({text})"
+        ) from problem
+
+
 class TraceReader:
-    """The lines of a trace: all of them, or those from near a moment on, or backwards from one.
+    """The lines of a trace: all of them, those from near a moment on, or those before a line, backwards.
 
     A run that was killed leaves `NAME.part`, whose last line may be torn: what is whole is read, and
     `problem` says afterwards what is not. `NAME` stands for `NAME.part` where there is no `NAME`.
@@ -90,28 +110,12 @@ class TraceReader:
                 for number, text in self._texts_of(block):
                     record = record_of(text)
                     if number > 1 and record is not None and record["kind"].encode() in CHANGES:
+                        self._check(number, record)
                         yield Line(number, text, record)
         yield from self._lines(start)
 
-    def back(self, moment: int) -> Iterator[Line]:
-        """The lines that are not later than `moment` (ns), the newest first.
-
-        The file is decoded block by block; all of it at once where it has no blocks (MCAP, or compressed by
-        another program).
-        """
-        if not self.blocks():
-            for line in reversed(list(self)):
-                if line.record["time"] <= moment:
-                    yield line
-            return
-        for block in reversed(self.blocks()):
-            if block.first <= moment:
-                for line in self._records_of(block):
-                    if line.record["time"] <= moment:
-                        yield line
-
     def before(
-        self, number: int, texts: Collection[str], wanted: Callable[[str], bool] = lambda text: True
+        self, number: int, texts: Collection[str] = ("",), wanted: Callable[[str], bool] = lambda text: True
     ) -> Iterator[Line]:
         """The lines before a line that hold one of some texts, the newest first.
 
@@ -143,6 +147,8 @@ class TraceReader:
                         self._blocks = tuple(packed_blocks(file) if self._is_packed else plain_blocks(file))
                 except OSError as problem:
                     raise self._unread(problem) from problem
+                except Damaged as problem:
+                    raise TraceError(f"{self.path} cannot be read: {problem}") from problem
         return self._blocks
 
     # ---- the file ----------------------------------------------------------------------------
@@ -167,11 +173,14 @@ class TraceReader:
                 for number, text in enumerate(texts, before + 1):
                     record = record_of(text)
                     if record is None or (number == 1 and record["kind"] != "header"):
+                        for _ in texts if self._is_packed else ():  # the rest of a torn block may be nonsense
+                            pass
                         what = "the header of a trace" if number == 1 else "a line of a trace"
                         raise TraceError(f"{self.path}:{number}: {what} is wanted, not {_short(text)}")
                     if number == 1 and record.get("format", FORMAT) != FORMAT:
-                        other = f"the format {record['format']}; this version reads the format {FORMAT}"
-                        raise TraceError(f"{self.path} has {other}")
+                        other = f"the format {_short(str(record['format']))}"
+                        raise TraceError(f"{self.path} has {other}; this version reads the format {FORMAT}")
+                    self._check(number, record)
                     self.finished = record["kind"] == "finish"
                     yield Line(number, text, record)
             except Torn as torn:
@@ -213,12 +222,7 @@ class TraceReader:
                 data = file.read(block.size)
             except OSError as problem:
                 raise self._unread(problem) from problem
-        if self._is_packed:
-            try:
-                return unpacked(data)
-            except zlib.error:  # what of it is whole comes from the walk through all
-                return b""
-        return data
+        return unpacked_as_far_as_it_goes(data) if self._is_packed else data
 
     def _texts_of(self, block: Block) -> Iterable[tuple[int, str]]:
         return enumerate(self._data_of(block).decode("utf-8", "replace").split("\n")[:-1], block.line)
@@ -226,8 +230,8 @@ class TraceReader:
     def _records_of(
         self,
         block: Block,
-        texts: Collection[str] = ("",),
-        wanted: Callable[[str], bool] = lambda text: True,
+        texts: Collection[str],
+        wanted: Callable[[str], bool],
     ) -> Iterator[Line]:
         """The lines of a block that hold one of some texts, and are wanted, the last one first."""
         data = self._data_of(block).decode("utf-8", "replace")
@@ -239,7 +243,15 @@ class TraceReader:
             is_wanted = any(text in found for text in texts) and wanted(found)
             record = record_of(found) if is_wanted else None
             if record is not None:
+                self._check(block.line + place, record)
                 yield Line(block.line + place, found, record)
+
+    def _check(self, number: int, record: Record) -> None:
+        """Raises TraceError for a line that is not as its kind is."""
+        wrong = wrong_in(record)
+        if wrong is not None:
+            kind = _short(record["kind"])
+            raise TraceError(f"{self.path}:{number}: this line of the kind {kind} is damaged: {wrong}")
 
 
 def _decoded(data: bytes) -> str:
@@ -248,6 +260,8 @@ def _decoded(data: bytes) -> str:
 
 def record_of(text: str) -> Record | None:
     """What a line says, or None if it is none."""
+    if text.count("{") + text.count("[") > MOST_PARTS:
+        return None
     try:
         found = outside.loads(text)
     except ValueError:

@@ -12,8 +12,9 @@ from aseme_dsl.project.playing.following import TraceFollower
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC
 from aseme_dsl.runtime.trace.trace_reading import TraceReader
+from tests.support.traces import HEADER
 
-HEADER = json.dumps({"kind": "header", "time": 0}).encode() + b"\n"
+FIRST = json.dumps(HEADER).encode() + b"\n"
 CHANNEL, CHUNK = 4, 6
 
 
@@ -81,7 +82,7 @@ def test_a_size_that_stands_in_a_file_is_not_believed(tmp_path: Path, content: b
 def test_a_line_without_end_is_not_read(tmp_path: Path) -> None:
     path = tmp_path / "a.jsonl"
     with path.open("wb") as file:
-        file.write(HEADER)
+        file.write(FIRST)
         file.truncate(20 << 30)
     with pytest.raises(TraceError, match=f"a line is longer than {LONGEST} bytes"):
         list(TraceReader(path))

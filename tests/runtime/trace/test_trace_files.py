@@ -26,6 +26,7 @@ from aseme_dsl.runtime.trace.trace_formats import format_for
 from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from tests.runtime.playing import SECOND, check_line, lines_of, play
 from tests.support.generated import Generated, generate
+from tests.support.traces import HEADER
 
 ROOT = Path(__file__).parents[3]
 TEXT = """
@@ -132,7 +133,7 @@ def test_a_torn_last_line_is_reported_and_not_fatal(generated: Generated, tmp_pa
 
 def test_what_is_no_trace_is_named_with_its_line(tmp_path: Path) -> None:
     path = tmp_path / "x.jsonl"
-    header = '{"kind":"header","time":0,"agents":[]}\n'
+    header = json.dumps(HEADER) + "\n"
     for text, said in (
         ("", "x.jsonl is empty"),
         ("hello\n{}\n", "x.jsonl:1: the header of a trace is wanted, not 'hello'"),
@@ -332,8 +333,8 @@ def test_a_compressed_trace_has_the_same_bytes_whenever_it_is_flushed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(trace_gzip, "BLOCK", 3000)
-    texts = ['{"kind":"header","time":0,"agents":[]}']
-    texts += [f'{{"kind":"log","time":{number},"text":"{"ab" * (number % 50)}"}}' for number in range(300)]
+    texts = [json.dumps(HEADER)]
+    texts += [f'{{"kind":"note","time":{number},"text":"{"ab" * (number % 50)}"}}' for number in range(300)]
     often, never = tmp_path / "often.jsonl.gz", tmp_path / "never.jsonl.gz"
     for path in (often, never):
         file = format_for(path, path)
@@ -353,15 +354,16 @@ def test_a_reader_begins_near_a_moment_or_goes_back_from_it(
 ) -> None:
     monkeypatch.setattr(trace_gzip, "BLOCK", 500)
     monkeypatch.setattr(trace_blocks, "BLOCK", 500)
-    agents = [{"name": name, "role": "R", "model": "1"} for name in ("ann", 'b"ob')]
-    texts = [json.dumps({"kind": "header", "time": 0, "agents": agents})]
+    agents = [{"name": name, "role": "R", "model": "1", "source": ""} for name in ("ann", 'b"ob')]
+    texts = [json.dumps({**HEADER, "agents": agents})]
     for number in range(1, 1000):
-        kind, agent = "log", "ann"
+        kind, agent, further = "note", "ann", ""
         if number % 100 in (0, 3):  # both have a checkpoint at each 100 ns, bob 3 ns later
             kind, agent = "checkpoint", "ann" if number % 100 == 0 else 'b\\"ob'
+            further = '"model":"1","state":[],'
         elif number == 50:
-            kind = "swap"
-        texts.append(f'{{"kind":"{kind}","time":{number},"agent":"{agent}","step":{number}}}')
+            kind, further = "swap", '"what":"done",'
+        texts.append(f'{{"kind":"{kind}","time":{number},"agent":"{agent}",{further}"step":{number}}}')
     path = tmp_path / f"x.{suffix}"
     if suffix == "foreign.gz":
         path.write_bytes(gzip.compress("".join(f"{text}\n" for text in texts).encode()))
@@ -389,9 +391,9 @@ def test_a_reader_begins_near_a_moment_or_goes_back_from_it(
             assert [line.record["time"] for line in found[2:]] == list(range(begin, 1000))
         else:
             assert len(found) == 1000
-    for moment in (0, 1, 777, 5000):
-        back = [line.record["time"] for line in reader.back(moment)]
-        assert back == list(range(min(moment, 999), -1, -1))
+    for number in (0, 1, 777, 5000):
+        back = [line.number for line in reader.before(number)]
+        assert back == (list(range(min(number - 1, 1000), 0, -1)) if has_blocks else [])
     found = list(reader.before(900, ['"step":777}', '"step":555}', '"step":950}']))
     assert [line.record["time"] for line in found] == ([777, 555] if has_blocks else [])
 
@@ -440,7 +442,7 @@ def test_a_message_of_another_version_is_json(generated: Generated, tmp_path: Pa
     from mcap.reader import make_reader
 
     schema = generated.messages.SCHEMA
-    header: dict[str, Any] = {"kind": "header", "time": 0, "format": 2, "system": "S", "agents": []}
+    header = dict(HEADER)
     header["messages"] = {
         "descriptors": schema.descriptors,
         "channels": {"t.state.P": schema.classes[generated.messages.Place]},
@@ -495,13 +497,16 @@ values = st.recursive(
     max_leaves=5,
 )
 records = st.fixed_dictionaries(
-    {"kind": st.sampled_from(["step", "log", "unknown", "ω", "a b"]), "time": st.integers(0, 2**62)},
+    {"kind": st.sampled_from(["note", "unknown", "ω", "a b"]), "time": st.integers(0, 2**62)},
     optional={"agent": words, "text": values},
 ) | st.fixed_dictionaries(
     {
         "kind": st.sampled_from(["message", "radio_received"]),
         "time": st.integers(0, 2**62),
         "agent": words,
+        "sender": words,
+        "sequence": st.integers(1, 9),
+        "to": st.lists(words, max_size=2),
         "channel": st.just("t.state.M"),
         "message": st.dictionaries(words, values, max_size=3),
     }
@@ -514,9 +519,8 @@ def test_from_lines_to_mcap_and_back_is_the_same(
     lines: list[dict[str, Any]], compact: bool, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     path = tmp_path_factory.mktemp("t") / ("x.mcap" if len(lines) % 2 else "x.jsonl.gz")
-    header = {"kind": "header", "time": 0, "agents": []}
     separators = (",", ":") if compact else (", ", " : ")
-    texts = [json.dumps(line, separators=separators) for line in [header, *lines]]
+    texts = [json.dumps(line, separators=separators) for line in [HEADER, *lines]]
     file = format_for(path, path)
     file.put(texts)
     file.finish()
