@@ -183,7 +183,11 @@ LONG = [
         ["-m", "pytest", "-n", "auto", "tests/play/test_replay.py"],
         {"REPLAY_RUNS": "334", "REPLAY_SECONDS": "60"},
     ),
-    ("damaged traces", ["-m", "pytest", "-n", "auto", "tests/cli/test_hostile_traces.py"], {"HOSTILE_TRACES": "500"}),
+    (
+        "damaged traces",
+        ["-m", "pytest", "-n", "auto", "tests/cli/test_hostile_traces.py"],
+        {"HOSTILE_TRACES": "500"},
+    ),
     ("seeded faults", ["-m", "pytest", "-n", "auto", "tests/faults/test_seeded.py"], {"FAULT_RUNS": "1000"}),
     (
         "random networks",

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import itertools
+import json
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import assert_never, cast
 
-from aseme_dsl.amola.expression import At, Mean
+from aseme_dsl.amola import expression as e
 from aseme_dsl.play.assumptions import Assumptions
 from aseme_dsl.play.conversations import Clauses
 from aseme_dsl.play.evaluate import Known, Told, ages, asked, counted, timers, value_of
@@ -40,6 +41,9 @@ LAST, FEWEST = 8, 3
 _MOST_UNREAD = 1000
 """Of so many messages it is known who has not received them."""
 
+OUTSIDE = "input"
+"""The sender of what a scenario gives without one."""
+BY_SCENARIO = ", an input of the scenario"
 _LONG = 100
 """Longer conditions and actions of a step are cut off (characters)."""
 
@@ -103,6 +107,10 @@ class Observer:
         """The conditions that were met at some point."""
         self.broken: int | None = None
         """The first expectation that was broken, of those that every run has to meet."""
+        self.read = ""
+        """What the broken condition has read: `one has n = 4`."""
+        self.given: set[tuple[str, int]] = set()
+        """The identities of what the scenario has given in the name of an agent."""
         self.failures: dict[str, str] = {}
         """Why agents have failed."""
         self.faults: list[str] = []
@@ -126,7 +134,9 @@ class Observer:
         values = [item.value for item in script.conditions if isinstance(item, Holds)]
         self._counted = frozenset(name for value in values for name in counted(value))
         self._timers = frozenset(name for value in values for name in timers(value))
-        self._kept = frozenset(name for value in values for kind in (At, Mean) for name in asked(value, kind))
+        self._kept = frozenset(
+            name for value in values for kind in (e.At, e.Mean) for name in asked(value, kind)
+        )
         self._now = 0
         self._roles = dict(script.team)
         self._surroundings: Surroundings | None = None
@@ -302,7 +312,11 @@ class Observer:
         if said.sender == agent:
             self._has_received(agent, said, identity)
             return
-        text = f"receives {said.what}{content_of(said.content)} from {said.sender}"
+        text = f"receives {said.what}{content_of(said.content)}"
+        if said.sender != OUTSIDE:
+            text += f" from {said.sender}"
+        if said.sender not in self._agents:
+            text += BY_SCENARIO
         item = Happened(self._now, agent, text, peer=said.sender)
         # What a scenario gives is different each time.
         key = f"receives {said.what} {said.sender}" if said.sender in self._agents else text
@@ -339,7 +353,10 @@ class Observer:
         self._said[agent, record["sequence"]] = said
         if record["kind"] != "radio_received" and sender in self._agents:
             number = int(record["sequence"])
-            self._add(f"sends {what}", replace(sending(said, record.get("to", [])), number=number))
+            item = replace(sending(said, record.get("to", [])), number=number)
+            if agent not in self._agents or (agent, number) in self.given:
+                item = replace(item, text=item.text + BY_SCENARIO, sent=item.sent + BY_SCENARIO)
+            self._add(f"sends {what}", item)
             self._unread[agent, number] = self._agents.keys() & set(record.get("to", ()))
             if len(self._unread) > _MOST_UNREAD:
                 del self._unread[next(iter(self._unread))]
@@ -383,6 +400,8 @@ class Observer:
             if name not in chosen:
                 items = [item for item in items if _concerns(item[1], chosen)]
             found += items[-most if name in chosen else -FEWEST :]
+        if not any(isinstance(self.script.conditions[number], Says) for number in self._asked()):
+            found = [item for item in found if not item[1].sent or item[1].to]  # nothing depends on it
         ordered = [self._with_missing(item) for _, item in sorted(found, key=lambda numbered: numbered[0])]
         sent = {(item.moment, item.agent, name) for item in ordered for name in item.to}
         story = [item for item in ordered if (item.moment, item.peer, item.agent) not in sent]
@@ -390,6 +409,31 @@ class Observer:
         story += [item for item in self._cuts(end) if item.agent in chosen]
         story.sort(key=lambda item: item.moment)
         return (*story, *(self._standing(name, end) for name in self._agents if name in chosen))
+
+    def _asked(self) -> Iterator[int]:
+        """The conditions that the broken expectation is made of, with all their parts."""
+        if self.broken is None:
+            return
+        waiting = list(conditions_of(self.script.expectations[self.broken].rule))
+        while waiting:
+            number = waiting.pop(0)
+            yield number
+            match self.script.conditions[number]:
+                case AllOf(parts=parts) | AnyOf(parts=parts):
+                    waiting += parts
+                case NotSo(part=part):
+                    waiting.append(part)
+
+    def _values(self) -> Iterator[str]:
+        """What the expressions of the broken expectation read at this moment."""
+        for number in self._asked():
+            condition = self.script.conditions[number]
+            if isinstance(condition, Holds):
+                known = self._known(condition.agent)
+                read = [part for part in e.walk(condition.value) if isinstance(part, _READ)]
+                said = [f"{e.value_text(part)} = {_told(part, value_of(part, known))}" for part in read]
+                if said:
+                    yield f"{condition.agent} has {', '.join(dict.fromkeys(said))}"
 
     def _cuts(self, end: int) -> Iterator[Happened]:
         """How agents were cut off until the end."""
@@ -514,6 +558,20 @@ class Observer:
         is_broken = state.verdict is Verdict.BROKEN and item.share is None
         if is_broken and (self.broken is None or state.at < self.states[self.broken].at):
             self.broken = place
+            self.read = "; ".join(dict.fromkeys(self._values()))
+
+
+_READ = e.VariableValue | e.Member | e.Age | e.Outcome
+"""The parts of an expression whose values say why a condition does not hold."""
+
+
+def _told(part: e.Value, value: object) -> str:
+    """A value as people read it."""
+    if value is None:
+        return "absent"
+    if isinstance(part, e.Age) and isinstance(value, int):
+        return shown(value)
+    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
 
 
 def _messages(says: Says, happening: _Happening) -> Iterable[tuple[str, Said]]:

@@ -62,6 +62,8 @@ class Played:
     """What each agent waits for at the end."""
     ends: Mapping[str, frozenset[str]]
     """The labels of the states that each agent is in at the end."""
+    read: str = ""
+    """What the broken condition has read when it was not so."""
     assumption: tuple[Assumption, int] | None = None
     """The assumption that held no longer first, and since when."""
 
@@ -147,6 +149,7 @@ def play(
         observer.story(),
         {agent.name: agent.waits for agent in result.agents},
         observer.places(),
+        observer.read,
         observer.assumed.broken,
     )
 
@@ -220,6 +223,7 @@ class _Stage:
         """Give an agent message."""
         known = next((item for item in team.agents if item.name == sender), None)
         identity = (sender, team.bus.outside()[1]) if known is None else known.identity()
+        self.observer.given.add(identity)
         problem = team.conversations.give(agent, performative, content.channel, message, sender, identity)
         if problem:
             raise NotComputed(content.span, problem)

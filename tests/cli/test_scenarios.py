@@ -233,9 +233,10 @@ def test_what_has_not_come_is_not_made_smaller_by_leaving_out_what_leads_to_it(
     lines = done.out.splitlines()
     assert done.code == 1
     assert "  it fails without the input of line 18, too" in lines, done.out
-    assert "    2.5 s  one  receives eyes.state.Seen { ball = false, home = true } from input" in lines, (
-        done.out
-    )
+    assert (
+        "    2.5 s  one  receives eyes.state.Seen { ball = false, home = true }, an input of the scenario"
+        in lines
+    ), done.out
 
 
 LATE = """
@@ -253,6 +254,31 @@ def test_a_story_ends_where_the_expectation_is_broken(here: Here, folder: Path) 
     assert "good.aseme:18:3: not so at 1.5 s" in done.out
     assert "      1 s  one  Stand returns" in done.out.splitlines(), done.out
     assert "2 s" not in done.out
+
+
+TOLD = """
+scenario "values" {
+  at 500ms one receives eyes.state.Seen { ball = true  home = true }
+  at 2s one has [!eyes.state.Seen.home && eyes.state.Seen.ball]
+}
+scenario "order" {
+  at 500ms one receives eyes.state.Seen { ball = true }
+  in order one in Stand, one in Walk, two in Walk
+  for 4s
+}
+"""
+
+
+def test_a_failure_says_what_was_read_what_is_missing_and_what_the_scenario_gave(
+    here: Here, folder: Path
+) -> None:
+    (folder / "good.aseme").write_text(GOOD + TOLD)
+    lines = [line.strip() for line in here("test", "good.aseme").out.splitlines()]
+    read = "eyes.state.Seen.home = true, eyes.state.Seen.ball = true"
+    assert f"good.aseme:18:3: not so at 2 s: one has {read}" in lines
+    assert "good.aseme:22:3: part 3 of 3 has not come by 4 s" in lines
+    given = "receives eyes.state.Seen { ball = true, home = true }, an input of the scenario"
+    assert f"0.5 s  one  {given}" in lines
 
 
 INTERRUPTED = """\

@@ -143,12 +143,15 @@ def _broken(item: Expectation, script: Script, run: Played) -> str:
             return f"a fault at {shown(run.end)}: {run.faults[-1]}"
         case Never(condition=condition) if _is_count(script.conditions[condition]):
             return f"more at once at {shown(run.end)}"
+        case InOrder(conditions=parts) if len(parts) > 1:
+            missing = run.states[run.broken].stage + 1 if run.broken is not None else 1
+            return f"part {missing} of {len(parts)} has not come by {shown(run.end)}"
         case Sometime() | InOrder() | LeadsTo():
             return f"has not come by {shown(run.end)}"
         case Never() | Before() | NotWithin():
             return f"came at {shown(run.end)}"
         case At() | AfterFirst() | Always() | Until():
-            return f"not so at {shown(run.end)}"
+            return f"not so at {shown(run.end)}{f': {run.read}' if run.read else ''}"
         case _:
             assert_never(item.rule)
 
