@@ -45,7 +45,7 @@ KNOWS_ONLY = {
     "diagnostics": {"source"},
     "runtime": {"source", "outside", "display"},
     "worlds": {"runtime"},
-    "proofs": {"amola", "source"},
+    "proofs": {"amola", "runtime", "source"},
     "play": {"amola", "runtime", "source"},
 }
 """Packages that may import less than all that is below them."""
@@ -57,7 +57,7 @@ SUBPACKAGES = {
     "editor": "reading files answers typing changes",
     "interop": "emf export",
     "grammar": "text formulas parsing layout syntax",
-    "project": "files settings code building editing spreading playing studying testing stepping",
+    "project": "files settings code building editing spreading playing studying testing stepping proving",
     "runtime": (
         "time chart plain message library ports trace transport platform channel conversation world activity"
         " version workers agent driver team control monitor"

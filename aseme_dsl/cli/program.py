@@ -33,6 +33,7 @@ COMMANDS = (
     "view",
     "run",
     "test",
+    "prove",
     "sim",
     "coverage",
     "goals",

@@ -9,6 +9,7 @@ from aseme_dsl.play.scenario import (
     Assumption,
     CrashesAssumed,
     DurationAssumed,
+    FailuresAssumed,
     NetworkAssumed,
     PaceAssumed,
 )
@@ -81,7 +82,7 @@ class Assumptions:
                 case CrashesAssumed(most=most, agents=agents):
                     if sum(name in agents for name in self._crashed) > most:
                         self._break(item, moment)
-                case PaceAssumed() | DurationAssumed() | NetworkAssumed():
+                case PaceAssumed() | DurationAssumed() | NetworkAssumed() | FailuresAssumed():
                     pass
                 case _:
                     assert_never(item)

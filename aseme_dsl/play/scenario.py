@@ -122,15 +122,28 @@ class CrashesAssumed:
     span: Span
 
 
+PERFECT = Network()
+"""No delay, no loss."""
+
+
 @dataclass(frozen=True, slots=True)
 class NetworkAssumed:
     """The network is as good as this. `broken_at` is when that of the run is worse, if it ever is."""
 
     broken_at: int | None
     span: Span
+    network: Network = PERFECT
 
 
-Assumption = PaceAssumed | DurationAssumed | CrashesAssumed | NetworkAssumed
+@dataclass(frozen=True, slots=True)
+class FailuresAssumed:
+    """An activity may fail. No run can break that: only proofs ask for it."""
+
+    activity: str
+    span: Span
+
+
+Assumption = PaceAssumed | DurationAssumed | CrashesAssumed | NetworkAssumed | FailuresAssumed
 
 
 @dataclass(frozen=True, slots=True)
@@ -314,6 +327,7 @@ __all__ = [
     "Cut",
     "Expectation",
     "Failed",
+    "FailuresAssumed",
     "Faulty",
     "Given",
     "Holds",

@@ -1,4 +1,4 @@
-"""Proofs: what holds in all runs. So far, of one choice: what its conditions allow, decided by z3.
+"""Proofs: what holds in all runs. Of one choice by z3; of a team by its states.
 
 - `unknowns`: what a snapshot gives values to: messages, members, variables, timers, what functions return
 - `evaluate`: whether a condition holds when some of them are known
@@ -8,4 +8,5 @@
 - `choice`: which choices are looked at, and what may be found
 - `findings`: overlaps, gaps, and branches that are never or always open
 - `prover`: z3, where it is installed
+- `explore`: all runs of a team
 """

@@ -375,8 +375,11 @@ class _Lowering:
     # ---- what is assumed ---------------------------------------------------------------------------
 
     def _assume(self, item: nodes.Assumed) -> None:
-        """`may fail` allows something, which no run can break; and a normal distribution has no bounds."""
-        lasts = _lasts(item.times[0]) if item.times else None
+        """What is assumed of an activity; a normal distribution has no bounds."""
+        if not item.times:
+            self.assumptions.append(play.FailuresAssumed(item.activity.text, item.span))
+            return
+        lasts = _lasts(item.times[0])
         if lasts is None or lasts.is_normal:
             return
         name = item.activity.text
@@ -396,7 +399,7 @@ class _Lowering:
             or (real.reorder and not assumed.reorder)
         )
         moments = [0] if is_worse else [cut.first for cut in self.cuts]
-        self.assumptions.append(play.NetworkAssumed(min(moments, default=None), item.span))
+        self.assumptions.append(play.NetworkAssumed(min(moments, default=None), item.span, assumed))
 
     # ---- what happens ----------------------------------------------------------------------------
 

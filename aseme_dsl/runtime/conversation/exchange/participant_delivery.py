@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from aseme_dsl.runtime.chart.inputs import AgentMessage
 from aseme_dsl.runtime.chart.plan import BranchInfo
@@ -66,7 +67,7 @@ class Delivery:
                     "mail",
                     acl.conversation,
                     acl.identity,
-                    lambda: self.deliver(agent, acl),
+                    partial(self.deliver, agent, acl),
                 )
             return
         conversation = self._members.conversations.get(acl.conversation)

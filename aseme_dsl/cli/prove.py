@@ -1,0 +1,111 @@
+"""`asemec prove`: what holds in every run of a system, and the shortest runs in which it does not."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from aseme_dsl.cli.playing import time_limit_of
+from aseme_dsl.cli.progress import Progress
+from aseme_dsl.cli.shared import (
+    TARGET_HELP,
+    colour_option,
+    json_option,
+    one_system,
+    print_json,
+    refuse,
+    target_argument,
+)
+from aseme_dsl.diagnostics import Severity, has_errors
+
+if TYPE_CHECKING:
+    from aseme_dsl.project.proving.results import Result
+
+_NANOSECOND = 1e-9
+
+
+@click.command(
+    short_help="Prove what holds in every run.",
+    help="Explore all runs of the team, and of each protocol alone, and say what holds in all of them: each"
+    " property and clause, and whether an agent can wait for ever, a message can be left untaken, or a state"
+    " cannot be reached. PROPERTY is the name of one of these, of a property, or the text of a clause."
+    f" {TARGET_HELP}",
+    epilog="Example: asemec prove team.aseme   ·   asemec prove team.aseme deadlock --robots 3",
+)
+@target_argument
+@click.argument("asked", metavar="[PROPERTY]...", nargs=-1)
+@click.option(
+    "--robots",
+    type=click.IntRange(1, 16),
+    default=2,
+    show_default=True,
+    metavar="K",
+    help="Number of agents for each role and participant that has several.",
+)
+@click.option(
+    "--budget",
+    default="60s",
+    show_default=True,
+    callback=time_limit_of,
+    metavar="D",
+    help="Processor time for the search in each team.",
+)
+@click.option(
+    "--states",
+    type=click.IntRange(1),
+    default=200_000,
+    show_default=True,
+    metavar="N",
+    help="Number of states, at most, in each team.",
+)
+@json_option
+@colour_option
+def command(
+    target: str, asked: tuple[str, ...], robots: int, budget: int, states: int, as_json: bool, colour: str
+) -> int:
+    """Prove; 1 if something is refuted, or the file has errors, 3 if something asked for is undecided."""
+    from aseme_dsl.project.playing.operate import OperateError
+    from aseme_dsl.project.proving.prove import prove
+    from aseme_dsl.proofs.explore.search import Limits
+    from aseme_dsl.runtime.version.loading import LoadError
+
+    compiled = one_system(target)
+    wrong = [item for item in compiled.diagnostics if item.severity is not Severity.NOTE]
+    if compiled.system is None or has_errors(wrong):
+        return refuse(wrong, as_json, colour)
+    progress = Progress(as_json)
+    limits = Limits(states, budget * _NANOSECOND)
+    try:
+        found = prove(compiled, asked, robots, limits, progress.say)
+    except LookupError as problem:
+        raise click.UsageError(str(problem)) from problem
+    except (LoadError, OperateError) as problem:
+        raise click.ClickException(str(problem)) from problem
+    finally:
+        progress.end()
+    if as_json:
+        print_json({"format": 1, "results": [item.as_json for item in found]})
+    else:
+        _show(found)
+    return code_of(found, asked)
+
+
+def code_of(found: tuple[Result, ...], asked: tuple[str, ...]) -> int:
+    """0 if nothing is refuted, 1 if something is, 3 if something that was asked for is undecided."""
+    from aseme_dsl.project.proving.results import Verdict
+
+    if any(item.verdict is Verdict.REFUTED for item in found):
+        return 1
+    undecided = (item for item in found if item.verdict is Verdict.UNDECIDED)
+    return 3 if any(asked or not item.is_built_in for item in undecided) else 0
+
+
+def _show(found: tuple[Result, ...]) -> None:
+    for item in found:
+        click.echo(item.text)
+        for number, line in enumerate(item.counterexample, 1):
+            click.echo(f"  {number:>3}  {line}")
+
+
+__all__ = ["command"]

@@ -1,0 +1,266 @@
+"""Judging: what the states of a team say of each question, with the bounds within which they say it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from aseme_dsl.amola.aip import Aip
+from aseme_dsl.amola.system import System
+from aseme_dsl.play.scenario import Expectation
+from aseme_dsl.project.proving.results import Result, Verdict
+from aseme_dsl.project.proving.scopes import Scope
+from aseme_dsl.project.proving.watched import Watched, is_timed
+from aseme_dsl.proofs.explore.explored import Assumed, Explored
+from aseme_dsl.proofs.explore.questions import stuck, unmet
+from aseme_dsl.proofs.explore.search import Graph, Limits
+from aseme_dsl.runtime.chart.plan import Plan, Transition
+from aseme_dsl.runtime.monitor.rules import LeadsTo, Sometime
+
+_RARE = frozenset(("lost", "error", "after"))
+"""Events of transitions that are there for what is not assumed, or for waits that end otherwise."""
+_SHOWN = 5
+"""So many dead states are named."""
+
+
+class Judge:
+    """Answers the questions about one team."""
+
+    def __init__(
+        self,
+        scope: Scope,
+        explored: Explored,
+        graph: Graph,
+        watch: Watched | None,
+        assumed: Assumed,
+        limits: Limits,
+        system: System,
+    ) -> None:
+        self._scope = scope
+        self._explored = explored
+        self._graph = graph
+        self._watch = watch
+        self._assumed = assumed
+        self._limits = limits
+        self._system = system
+
+    def results(self) -> Iterator[Result]:
+        """All answers: what the document says, then what is asked of every team."""
+        if self._watch is not None:
+            for number, item in enumerate(self._watch.observer.script.expectations):
+                yield self._expectation(number, item)
+        yield self._deadlock()
+        if any(agent.plan.branches for agent in self._explored.agents):
+            yield self._seen("orphan messages", "orphan")
+            yield self._seen("non-local choice", "race")
+            yield from self._agreement()
+        yield self._dead()
+        yield self._seen("failures", "failure", "circling")
+
+    # ---- what the document says --------------------------------------------------------------
+
+    def _expectation(self, number: int, item: Expectation) -> Result:
+        graph, timed = self._graph, is_timed(item.rule)
+        name = item.of
+        if number in graph.broken and (not timed or isinstance(item.rule, LeadsTo)):
+            return self._refuted(name, "", graph.broken[number], item)
+        found = unmet(graph, number) if not timed or isinstance(item.rule, LeadsTo | Sometime) else None
+        if found is not None:
+            state, circle = found
+            reason = "what is awaited never comes" if not circle else "what is awaited may never come"
+            return self._refuted(name, reason, state, item)
+        if timed:
+            return self._result(name, Verdict.UNDECIDED, "it speaks of how long something takes", item=item)
+        if any(witness not in graph.met for witness in item.witnesses) and graph.cut is None:
+            return self._result(
+                name, Verdict.UNDECIDED, "vacuous: what it speaks of never happens", item=item
+            )
+        return self._unbroken(name, item=item)
+
+    # ---- what is asked of every team ---------------------------------------------------------
+
+    def _deadlock(self) -> Result:
+        found = stuck(self._explored, self._graph)
+        if found is None:
+            return self._unbroken("deadlock", is_built_in=True)
+        waiting = found.waiting
+        what = " or ".join(item.what for item in waiting.awaits[:3])
+        reason = (
+            f"{found.agent} waits {waiting.where} {waiting.name} for ever{f' for {what}' if what else ''}"
+        )
+        return self._refuted("deadlock", reason, found.state)
+
+    def _seen(self, name: str, *kinds: str) -> Result:
+        first = next((item for item in self._graph.sightings if item.kind in kinds), None)
+        if first is None:
+            return self._unbroken(name, is_built_in=True)
+        return self._refuted(name, first.text, first.state)
+
+    def _agreement(self) -> Iterator[Result]:
+        """Two outcomes of one protocol never come together."""
+        aip = next((item for item in self._system.aips if item.name == self._scope.protocol), None)
+        if aip is None or sum(bool(item.when) for item in aip.outcomes) < 2:
+            return
+        reached = _Outcomes(aip, self._explored, self._graph)
+        state = reached.disagreement()
+        if state is None:
+            yield self._unbroken("agreement", is_built_in=True)
+        else:
+            yield self._refuted("agreement", reached.text, state)
+
+    def _dead(self) -> Result:
+        graph = self._graph
+        dead: list[str] = []
+        for plan in {agent.role: agent.plan for agent in self._explored.agents}.values():
+            dead += _dead_in(plan, graph.visited.get(plan.name, set()), graph.taken.get(plan.name, set()))
+        if not dead:
+            if graph.cut is None:
+                return self._unbroken("dead states", is_built_in=True)
+            return self._result("dead states", Verdict.PROVED, "", is_built_in=True)
+        text = ", ".join(dead[:_SHOWN]) + (f" and {len(dead) - _SHOWN} more" if len(dead) > _SHOWN else "")
+        why = self._incomplete()
+        if why:
+            reason = f"not reached: {text}; {why}"
+            return self._result("dead states", Verdict.UNDECIDED, reason, is_built_in=True)
+        return self._result("dead states", Verdict.REFUTED, f"never reached: {text}", is_built_in=True)
+
+    # ---- verdicts ----------------------------------------------------------------------------
+
+    def _unbroken(self, name: str, *, item: Expectation | None = None, is_built_in: bool = False) -> Result:
+        """Nothing speaks against it: it is proved if all was looked at."""
+        why = self._incomplete()
+        verdict = Verdict.UNDECIDED if why else Verdict.PROVED
+        return self._result(name, verdict, why, item=item, is_built_in=is_built_in)
+
+    def _incomplete(self) -> str:
+        """What was left out; empty if nothing was."""
+        if self._graph.cut is not None:
+            return f"the search was cut after {self._graph.cut}"
+        if self._explored.values.computed:
+            return f"the program computes with {', '.join(sorted(self._explored.values.computed))}"
+        return self._explored.left_out
+
+    def _refuted(self, name: str, reason: str, state: int, item: Expectation | None = None) -> Result:
+        steps = self._graph.way_to(state)
+        passes = any(step.passes for step in steps)
+        if passes and self._assumed.times:
+            why = f"abstract: the run that was found may not keep `{self._assumed.times[0]}`"
+            reason = f"{reason}; {why}" if reason else why
+            verdict = Verdict.UNDECIDED
+        else:
+            verdict = Verdict.REFUTED
+        lines = tuple(step.text for step in steps)
+        return self._result(name, verdict, reason, lines, item, item is None)
+
+    def _result(
+        self,
+        name: str,
+        verdict: Verdict,
+        reason: str,
+        counterexample: tuple[str, ...] = (),
+        item: Expectation | None = None,
+        is_built_in: bool = False,
+    ) -> Result:
+        span = None if item is None else item.span
+        title = name if item is None else item.span.text.strip()
+        return Result(
+            name, self._scope.what, verdict, self._bounds(), reason, counterexample, span, is_built_in, title
+        )
+
+    def _bounds(self) -> str:
+        graph = self._graph
+        parts = [self._scope.agents]
+        network = "any delay" + (", data may be lost" if self._assumed.loses else "")
+        parts.append(network)
+        parts += [f"at most {most} of {len(names)} crash" for most, names in self._assumed.crashes]
+        if graph.is_queue_cut:
+            parts.append(f"at most {self._limits.queue} messages on one way")
+        parts += sorted(self._explored.values.bounds.values())
+        parts.append(f"{len(graph.parents)} states")
+        return "; ".join(parts)
+
+
+def _dead_in(plan: Plan, visited: Iterable[str], taken: set[int]) -> list[str]:
+    visited = set(visited)
+    passed = {plan.transitions[number].source for number in taken}
+    passed |= {plan.transitions[number].target for number in taken}
+    states = [
+        f"state {plan.called(state)}"
+        for state in plan.states
+        if state.type == "BASIC" and state.label not in visited and state.label not in passed
+    ]
+    ways = [
+        f"`{' '.join(item.text.split())}` ({item.at})"
+        for number, item in enumerate(plan.transitions)
+        if number not in taken and _is_expected(plan, item, passed)
+    ]
+    return [*dict.fromkeys(states), *dict.fromkeys(ways)]
+
+
+def _is_expected(plan: Plan, item: Transition, passed: set[str]) -> bool:
+    """Whether a written transition should be taken in some run: one whose source is reached."""
+    if not item.text or item.kind not in ("external", "on") or item.source not in passed:
+        return False
+    kinds = {str(event[0]) for event in item.events}
+    words = {str(event[1]) for event in item.events if event[0] == "received"}
+    return not kinds & _RARE and "not_understood" not in words and "cancel" not in words
+
+
+class _Outcomes:
+    """Whether two outcomes of a protocol with conditions come together in one run of it."""
+
+    def __init__(self, aip: Aip, explored: Explored, graph: Graph) -> None:
+        self._aip = aip
+        self._explored = explored
+        self._graph = graph
+        self.text = ""
+
+    def disagreement(self) -> int | None:
+        """The nearest state in which places of two outcomes have been entered."""
+        graph = self._graph
+        outcomes = [(item.text, self._labels(item.when)) for item in self._aip.outcomes if item.when]
+        reached: dict[int, frozenset[str]] = {0: frozenset()}
+        for state in range(1, len(graph.parents)):
+            before = graph.parents[state]
+            assert before is not None
+            source = before[0]
+            found = reached.get(source, frozenset())
+            for edge in graph.edges.get(source, ()):
+                if edge.target == state:
+                    found |= self._entered(outcomes, edge.taken)
+                    break
+            reached[state] = found
+            if len(found) > 1:
+                one, other = sorted(found)[:2]
+                self.text = f'both "{one}" and "{other}" come of it'
+                return state
+        return None
+
+    def _labels(self, places: Iterable[str]) -> dict[str, frozenset[str]]:
+        """The labels of places, by the role that plays the participant."""
+        found: dict[str, frozenset[str]] = {}
+        for place in places:
+            name, _, participant = place.partition("@")
+            for agent in self._explored.agents:
+                if agent.role.removeprefix("proved_") == participant:
+                    labels = {
+                        state.label for state in agent.plan.states if name in (state.name, state.activity)
+                    }
+                    found[agent.name] = found.get(agent.name, frozenset()) | labels
+        return found
+
+    def _entered(
+        self,
+        outcomes: list[tuple[str, dict[str, frozenset[str]]]],
+        taken: Iterable[tuple[str, tuple[int, ...]]],
+    ) -> frozenset[str]:
+        plans = {agent.name: agent.plan for agent in self._explored.agents}
+        return frozenset(
+            text
+            for text, labels in outcomes
+            for name, way in taken
+            for number in way
+            if plans[name].transitions[number].target in labels.get(name, ())
+        )
+
+
+__all__ = ["Judge"]

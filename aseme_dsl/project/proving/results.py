@@ -1,0 +1,59 @@
+"""Results: what was asked of all runs, and what came of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from aseme_dsl.source import Span
+
+
+class Verdict(StrEnum):
+    PROVED = "PROVED"
+    REFUTED = "REFUTED"
+    UNDECIDED = "UNDECIDED"
+
+
+BUILT_IN = ("deadlock", "orphan messages", "non-local choice", "agreement", "dead states", "failures")
+"""What is asked without being written: see `docs/howto/prove.md`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """An answer. `of` is the team or the protocol, `bounds` say how far it goes.
+
+    `counterexample` is the shortest run in which it is not so, a line for each thing that happens.
+    """
+
+    name: str
+    of: str
+    verdict: Verdict
+    bounds: str
+    reason: str = ""
+    counterexample: tuple[str, ...] = ()
+    span: Span | None = None
+    is_built_in: bool = False
+    title: str = ""
+    """Its text in the document, where it has one."""
+
+    @property
+    def text(self) -> str:
+        """`PROVED  deadlock (protocol request): 1 initiator, 1 responder, 3366 states`."""
+        place = f" ({self.span})" if self.span is not None else ""
+        why = f": {self.reason}" if self.reason else ""
+        return f"{self.verdict:<9} {self.name} of {self.of}{place}{why} [{self.bounds}]"
+
+    @property
+    def as_json(self) -> dict[str, object]:
+        return {
+            "name": self.name,
+            "of": self.of,
+            "verdict": str(self.verdict),
+            "reason": self.reason,
+            "bounds": self.bounds,
+            "counterexample": list(self.counterexample),
+            "at": None if self.span is None else str(self.span),
+        }
+
+
+__all__ = ["BUILT_IN", "Result", "Verdict"]

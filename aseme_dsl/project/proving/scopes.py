@@ -1,0 +1,85 @@
+"""Scopes: the teams in which something is proved: that of the system, and one for each protocol alone."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from aseme_dsl import outside
+from aseme_dsl.amola.aip import Aip, Participant
+from aseme_dsl.amola.system import System
+from aseme_dsl.source import Source, is_library_path
+
+ROBOTS = 2
+"""So many agents stand for each role that has several, if nothing else is said."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """A team to explore: `what` it is for readers, its source, and its agents with their roles."""
+
+    what: str
+    root: Path | Source
+    team: tuple[tuple[str, str], ...]
+    protocol: str | None = None
+
+    @property
+    def agents(self) -> str:
+        """`1 manager, 2 contractor`."""
+        counts = Counter(role.removeprefix(_PREFIX) for _, role in self.team)
+        return ", ".join(f"{count} {role}" for role, count in counts.items())
+
+
+_PREFIX = "proved_"
+
+
+def scopes_of(root: Path | Source, system: System, robots: int) -> Iterator[Scope]:
+    """The team, and each protocol of which the file itself tells."""
+    team = _team(system, robots)
+    if team:
+        yield Scope("team", root, team)
+    for aip in system.aips:
+        if not is_library_path(aip.span.source.path):
+            yield scope_of(root, aip, robots)
+
+
+def scope_of(root: Path | Source, aip: Aip, robots: int) -> Scope:
+    """A protocol alone: agents that play a participant once each, and do nothing else."""
+    source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
+    roles = {part.name: f"{_PREFIX}{part.name}" for part in aip.participants}
+    text = "".join(
+        f"\nsrm {role} {{ plays {aip.name}.{name} liveness {{ {role} = {name} }} }}"
+        for name, role in roles.items()
+    )
+    team = tuple(
+        (f"{part.name}{number}" if count > 1 else part.name, roles[part.name])
+        for part in aip.participants
+        for count in (_count(part, robots),)
+        for number in range(1, count + 1)
+    )
+    return Scope(f"protocol {aip.name}", Source(source.path, f"{source.text}\n{text}\n"), team, aip.name)
+
+
+def _count(part: Participant, robots: int) -> int:
+    """How many agents play a participant."""
+    wanted = max(part.least, robots if part.most != 1 else 1)
+    return wanted if part.most is None else min(wanted, part.most)
+
+
+def _team(system: System, robots: int) -> tuple[tuple[str, str], ...]:
+    """The agents of the team, so many of each role that has several."""
+    agents = [(agent.name, agent.role) for team in system.teams[:1] for agent in team.agents]
+    if not agents:
+        agents = [(chart.name, chart.name) for chart in system.iacs[:1]]
+    counts: Counter[str] = Counter()
+    kept = []
+    for name, role in agents:
+        counts[role] += 1
+        if counts[role] <= robots:
+            kept.append((name, role))
+    return tuple(kept)
+
+
+__all__ = ["ROBOTS", "Scope", "scope_of", "scopes_of"]

@@ -1,0 +1,155 @@
+"""Watched: the properties and clauses of a system in each state of a team that is explored."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from aseme_dsl.amola.expression import Expired, VariableValue, walk
+from aseme_dsl.play.conversations import Clauses
+from aseme_dsl.play.observer import Observer
+from aseme_dsl.play.scenario import Holds, Says, Script
+from aseme_dsl.play.sight.insight import Insight, Live
+from aseme_dsl.proofs.explore.explored import Explored
+from aseme_dsl.proofs.explore.search import Monitors
+from aseme_dsl.proofs.explore.surroundings import NOW
+from aseme_dsl.runtime.chart.board import NEVER
+from aseme_dsl.runtime.monitor.rules import (
+    LeadsTo,
+    Never,
+    NotWithin,
+    Rule,
+    Sometime,
+    State,
+    Verdict,
+    ended,
+)
+
+_PARTS: Mapping[type, tuple[str, ...]] = {
+    Observer: (
+        *("states", "broken", "failures", "_agents", "_held", "_said", "_arrived", "_unread", "_is_over"),
+        "_clauses",
+    ),
+    Clauses: ("_talks", "_early", "_active", "broken"),
+}
+_ONLY_KEPT = ("_said", "_arrived", "_unread", "failures", "broken")
+_OF_PLACES = ("_agents", "_held")
+"""What follows from where the agents are, if no condition asks for anything else."""
+
+
+def layout_of(
+    watched: Watched | None,
+) -> tuple[Mapping[type, tuple[str, ...]], Mapping[type, frozenset[str]]]:
+    """What of an observer belongs to the state of a team, and what of that makes no difference."""
+    if watched is None:
+        return {}, {}
+    asks = any(isinstance(item, Holds | Says) for item in watched.observer.script.conditions)
+    unkeyed = frozenset((*_ONLY_KEPT, *(() if asks else _OF_PLACES)))
+    return _PARTS, {Observer: unkeyed, Clauses: frozenset(("broken", "_active"))}
+
+
+def names_in(script: Script | None) -> frozenset[str]:
+    """The variables and timers that conditions ask for."""
+    if script is None:
+        return frozenset()
+    found: set[str] = set()
+    for item in script.conditions:
+        if isinstance(item, Holds):
+            for part in walk(item.value):
+                if isinstance(part, VariableValue):
+                    found.add(part.name.partition("@")[0])
+                elif isinstance(part, Expired):
+                    found.add(part.timer)
+    return frozenset(found)
+
+
+class Watched:
+    """Shows the observer of scenarios what happens in a team that is explored."""
+
+    def __init__(self, script: Script) -> None:
+        self.observer = Observer(script, {}, goes_on=True)
+        self.observer._now = NOW
+        self._retired: set[int] = set()
+        self._explored: Explored | None = None
+
+    def begin(self, explored: Explored) -> None:
+        """It is about this team."""
+        self._explored = explored
+        self.observer.begin(self)
+
+    # ---- the surroundings of the observer ----------------------------------------------------
+
+    def now(self) -> int:
+        return NOW
+
+    def at(self, moment: int, call: Callable[[], None]) -> None:
+        """No moment comes."""
+
+    def insight(self, agent: str) -> Insight:
+        assert self._explored is not None
+        return Live(next(item.chart for item in self._explored.agents if item.name == agent))
+
+    # ---- what the search asks ----------------------------------------------------------------
+
+    @property
+    def monitors(self) -> Monitors:
+        return Monitors(self._awaited, self._broken, met=lambda: self.observer.met)
+
+    def _awaited(self) -> frozenset[int]:
+        observer = self.observer
+        return frozenset(
+            number
+            for number in range(len(observer.states))
+            if number not in self._retired and observer.is_awaited(number, NOW)
+        )
+
+    def _broken(self) -> Sequence[int]:
+        observer = self.observer
+        self._end_talks()
+        for number in self._retired:
+            observer.states[number] = State(Verdict.KEPT)
+        found = [
+            number
+            for number, state in enumerate(observer.states)
+            if state.verdict is Verdict.BROKEN and number not in self._retired
+        ]
+        for number in found:
+            self._retired.add(number)
+            observer.states[number] = State(Verdict.KEPT)
+        observer.broken = None
+        observer._clauses.broken.clear()
+        return found
+
+    def _end_talks(self) -> None:
+        """In a conversation that all have left, what is still awaited does not come."""
+        clauses = self.observer._clauses
+        for name, talk in list(clauses._talks.items()):
+            for number, state in talk.states.items():
+                if number in self._retired:
+                    talk.states[number] = State(Verdict.KEPT)
+                elif state.verdict is Verdict.BROKEN:
+                    self.observer.states[number] = state
+            if talk.places:
+                continue
+            for number, state in talk.states.items():
+                rule = clauses._clauses[number].rule
+                if ended(rule, state, NOW).verdict is Verdict.BROKEN and number not in self._retired:
+                    self.observer.states[number] = State(Verdict.BROKEN)
+            del clauses._talks[name]
+
+
+def is_timed(rule: Rule) -> bool:
+    """Whether a rule speaks of how long something takes."""
+    match rule:
+        case LeadsTo(within=within):
+            return within is not None
+        case Never(before=before):
+            return before != NEVER
+        case Sometime(until=until):
+            return until != NEVER
+        case NotWithin():
+            return True
+        case _:
+            return type(rule).__name__ in ("At", "AfterFirst")
+
+
+__all__ = ["Watched", "is_timed", "layout_of", "names_in"]

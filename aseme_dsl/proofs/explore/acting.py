@@ -1,0 +1,190 @@
+"""Acting: what activities do in a team that is explored: anything that they may do."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from functools import partial
+from typing import Protocol, cast
+
+from aseme_dsl.proofs.explore.choosing import Choices
+from aseme_dsl.proofs.explore.staging import OPEN, assigned, by_lines, receivers, watched
+from aseme_dsl.proofs.explore.values import Values
+from aseme_dsl.runtime.activity import context as c
+from aseme_dsl.runtime.activity.execution import Execution
+from aseme_dsl.runtime.agent.agent import Agent
+from aseme_dsl.runtime.agent.prepared import Prepared
+from aseme_dsl.runtime.chart import inputs
+from aseme_dsl.runtime.chart.functions import find_function
+from aseme_dsl.runtime.chart.plan import Plan, is_in
+
+DRAWN = (0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.9999)
+"""What stands for random numbers."""
+
+
+class Called(Protocol):
+    """A function of a document."""
+
+    def __call__(self, *arguments: object) -> object: ...
+
+
+Function = tuple[str, str, str, str]
+"""A function of a document, as a plan has it."""
+
+
+class Acting:
+    """Decides what activities and functions do, and does it. Nothing of it belongs to the state of a team."""
+
+    def __init__(self, choices: Choices, values: Values, plans: Sequence[Plan]) -> None:
+        self._choices = choices
+        self._values = values
+        self._plans = {plan.name: plan for plan in plans}
+        self._watched = {plan.name: watched(plan) for plan in plans}
+        self._writes: dict[tuple[str, str], list[str]] = {}
+        self._reads = 0
+
+    def acts(self, execution: Execution) -> bool:
+        """Whether an activity may do something that others see, and go on."""
+        info = execution.info
+        agent = cast("Agent", execution.owner.agent)
+        seen = self._watched[agent.role]
+        sets = any(name in seen for name in self._writable(agent, execution))
+        sends = execution.branch is not None and any(
+            is_in(execution.label, state)
+            for *_, states, _ in agent.branch_info(execution.branch).moves
+            for state in states
+        )
+        return bool(sets or info.writes or sends)
+
+    def _writable(self, agent: Agent, execution: Execution) -> list[str]:
+        """The variables that an activity may write: those that it declares, and of its participant those
+        that no line of the protocol writes."""
+        known = self._writes.get((agent.role, execution.label))
+        if known is None:
+            inner = [
+                item.name.partition("@")[0]
+                for item in agent.plan.variables
+                if item.scope is not None
+                and is_in(execution.label, item.scope)
+                and item.name not in assigned(agent.plan)
+            ]
+            known = self._writes[agent.role, execution.label] = [
+                *dict.fromkeys((*execution.info.variables, *inner))
+            ]
+        return known
+
+    def end(self, execution: Execution) -> None:
+        """An activity ends: it has done anything that it may do."""
+        self.act(execution, is_end=True)
+        if execution.info.ends:
+            text = f"{execution.activity} ends with {{}}"
+            execution.result = self._choices.of(("ends",), execution.info.ends, text)
+        execution.returned(None)
+
+    def act(self, execution: Execution, *, is_end: bool = False) -> None:
+        """An activity does anything that it may do."""
+        agent = cast("Agent", execution.owner.agent)
+        info = execution.info
+        self._read(agent, execution)
+        for name in self._writable(agent, execution):
+            if is_end or name in self._watched[agent.role]:
+                self._set(agent, execution, name)
+        for channel in info.writes:
+            self._publish(execution, channel)
+        if execution.branch is not None:
+            self._send(agent, execution, execution.branch)
+
+    def _set(self, agent: Agent, execution: Execution, name: str) -> None:
+        """An activity writes a variable: what, is decided when it is read."""
+        variable = agent.plan.variable_of(name, execution.label)
+        agent.chart.set_variable(variable.name, OPEN)
+
+    def decide(self, role: str, agent: str, variable: str) -> object:
+        """What an activity has written to a variable."""
+        plan = self._plans[role]
+        found = next(item for item in plan.variables if item.name == variable)
+        answers = tuple(dict.fromkeys((found.initial, *self._values.of_variable(found))))
+        return self._choices.of(
+            ("variable", agent, variable, self._anew()),
+            answers,
+            f"{agent}: {variable.partition('@')[0]} is {{}}",
+        )
+
+    def draw(self, agent: str) -> float:
+        """A random number: one of a few."""
+        self._values.bounds["random()"] = f"random() in {', '.join(map(str, DRAWN))}"
+        return self._choices.of(("random", agent, self._anew()), DRAWN, f"{agent}: random() is {{}}")
+
+    def _anew(self) -> int:
+        self._reads += 1
+        return self._reads
+
+    def _publish(self, execution: Execution, channel: str) -> None:
+        message = channel.rpartition(".")[2]
+        if not any(channel in region.reads for plan in self._plans.values() for region in plan.regions):
+            return
+        answers = (None, *self._values.contents(message))
+        chosen = self._choices.of(("publish", channel), answers, f"{execution.activity} publishes {{}}")
+        if chosen is not None:
+            execution.do(c.Publish(channel, chosen, None))
+
+    def _send(self, agent: Agent, execution: Execution, branch: str) -> None:
+        """The messages of the protocol that activities send, where this one may."""
+        info = agent.branch_info(branch)
+        for performative, message, states, _ in info.moves:
+            if not any(is_in(execution.label, state) for state in states):
+                continue
+            for part in receivers(info, performative, message, [*self._plans.values()]):
+                answers = (None, *self._values.contents(message))
+                what = f"{performative} {message}"
+                text = f"{execution.activity} sends {{}} as {performative} to {part}"
+                chosen = self._choices.of(("send", what, part), answers, text)
+                if chosen is not None:
+                    with suppress(LookupError):  # it is not sent, and the activity would hear why
+                        execution.do(c.Send(performative, chosen, part))
+
+    def _read(self, agent: Agent, execution: Execution) -> None:
+        """The agent messages that no transition takes are for activities."""
+        if execution.branch is None:
+            return
+        waiting = agent.chart.mail[execution.branch]
+        lines = by_lines(agent.plan, execution.branch)
+        for item in list(waiting):
+            if (item.performative, item.message) not in lines and item.performative != inputs.LOST:
+                question = ("read", item.performative, item.message, item.sender)
+                text = f"{execution.activity} takes {item.performative} {item.message}: {{}}"
+                if self._choices.of(question, (True, False), text):
+                    agent.requests.take_mail(execution, item.performative, item.message, item.sender)
+
+    def prepared(self, agent: str, message: str) -> object:
+        """What an activity has prepared for a message."""
+        contents = self._values.contents(message)
+        return self._choices.of(("content", agent, message), contents, f"{agent} has prepared {{}}")
+
+    def function(self, agent: str, function: Function) -> Called:
+        """What is called instead of a function of the document; those of the library do what they do."""
+        if function[1].startswith("aseme_dsl.runtime.library."):
+            return find_function(function[1])
+        return partial(self._answer, agent, function)
+
+    def _answer(self, agent: str, function: Function, *arguments: object) -> object:
+        """What a function of the document gives: anything, and the same for the same."""
+        name, _, result, _ = function
+        kinds: Mapping[str, tuple[object, ...]] = {"bool": (False, True)}
+        answers = kinds.get(result) or self._values.results(name, result)
+        return self._choices.of((agent, name, repr(arguments)), answers, f"{name}() is {{}}")
+
+
+class Free(Prepared):
+    """What activities have prepared: anything, at the moment at which it is sent."""
+
+    def __init__(self, acting: Acting, agent: str) -> None:
+        super().__init__()
+        self._acting = acting
+        self._agent = agent
+
+    def take(self, plan: Plan, branch: str, message: str, source: str) -> object:
+        return self._acting.prepared(self._agent, message)
+
+
+__all__ = ["Acting", "Free"]

@@ -1,0 +1,162 @@
+"""Ages: what time alone brings in one agent: deadlines that pass, timers that run out, messages that get old.
+
+Time stands still where a team is explored. That a time has passed is a move of its own: what is counted from
+is moved back. Each may pass before each other one, as far as none is counted from the same moment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from aseme_dsl.proofs.explore.surroundings import NOW
+from aseme_dsl.runtime.chart.board import NEVER, Board
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import Sample
+from aseme_dsl.runtime.chart.plan import Plan
+
+_ORDER = ("==", "!=", "<", "<=", ">", ">=")
+
+
+@dataclass(frozen=True, slots=True)
+class Passing:
+    """A time that may pass in an agent: `state` has been active, `timer` runs, `message` has been there."""
+
+    what: str
+    """`state`, `timer`, `message` or `signal`."""
+    name: str
+    duration: int
+    """How long from the moment from which it is counted (ns); 0 where that is not known."""
+    pass_: Callable[[], None]
+
+
+def passing(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator[Passing]:
+    """What may pass now. `thresholds` are the ages that conditions ask for, by channel."""
+    if not chart.started or chart.finished or chart.failure is not None:
+        return
+    yield from _states(chart)
+    for number, board in enumerate(chart.boards()):
+        if board is None:
+            continue
+        for name, due in board.timers.items():
+            if due > NOW:
+                yield Passing("timer", name, 0, _expire(board, name))
+        yield from _messages(board, thresholds, number)
+
+
+def _expire(board: Board, name: str) -> Callable[[], None]:
+    return lambda: board.timers.__setitem__(name, NOW)
+
+
+def _states(chart: Chart) -> Iterator[Passing]:
+    """The next deadline of each active state; found by asking when it is due, with all else far away."""
+    slots = {label: (slot, getattr(chart, slot)) for label, slot in chart.TIMES.items()}
+    if not slots:
+        return
+    boards = [board for board in chart.boards() if board is not None]
+    kept = [(board, dict(board.timers), _times(board)) for board in boards]
+    found: list[tuple[str, str, int, int]] = []
+    try:
+        for slot, _ in slots.values():
+            setattr(chart, slot, NEVER)
+        for board, _, times in kept:
+            for name in board.timers:
+                board.timers[name] = NEVER
+            for slot in times:
+                setattr(board, slot, NEVER)
+        for label, (slot, since) in slots.items():
+            setattr(chart, slot, since)
+            due = chart.due(NOW)
+            setattr(chart, slot, NEVER)
+            if due is not None:
+                found.append((label, slot, since, due))
+    finally:
+        for slot, since in slots.values():
+            setattr(chart, slot, since)
+        for board, timers, times in kept:
+            board.timers.update(timers)
+            for slot, moment in times.items():
+                setattr(board, slot, moment)
+    for label, slot, since, due in found:
+        yield Passing("state", label, due - since, _age(chart, slot, since - (due - NOW)))
+
+
+def _age(chart: Chart, slot: str, since: int) -> Callable[[], None]:
+    return lambda: setattr(chart, slot, since)
+
+
+def _times(board: Board) -> dict[str, int]:
+    return {slot: getattr(board, slot) for slot in board.show_in if slot.endswith("_time")}
+
+
+# ---- messages ---------------------------------------------------------------------------------------
+
+
+def thresholds_of(plan: Plan) -> tuple[dict[str, tuple[int, ...]], bool]:
+    """The ages (ns) with which conditions compare messages, by channel, and whether these are all."""
+    found: dict[str, set[int]] = {}
+    whole = True
+    todo: list[object] = [item.condition for item in plan.transitions]
+    while todo:
+        term = todo.pop()
+        if not isinstance(term, tuple):
+            continue
+        match term:
+            case (word, ("age", ("member", _, channel, *_)), ("const", int(age))) if word in _ORDER:
+                found.setdefault(str(channel), set()).add(age)
+            case (word, ("const", int(age)), ("age", ("member", _, channel, *_))) if word in _ORDER:
+                found.setdefault(str(channel), set()).add(age)
+            case (_, *parts) if any(isinstance(part, tuple) and part[:1] == ("age",) for part in parts):
+                whole = False
+        todo += term
+    return {channel: tuple(sorted(ages)) for channel, ages in found.items()}, whole
+
+
+def asks_for_history(plan: Plan) -> bool:
+    """Whether a condition asks what a message was before."""
+    todo: list[object] = [part for item in plan.transitions for part in (item.condition, *item.actions)]
+    while todo:
+        term = todo.pop()
+        if isinstance(term, tuple):
+            if term[:1] in (("at",), ("mean",)):
+                return True
+            todo += term
+    return False
+
+
+def _messages(board: Board, thresholds: Mapping[str, tuple[int, ...]], number: int) -> Iterator[Passing]:
+    for channel, ages in thresholds.items():
+        for sender, item in board._states.get(channel, {}).items():
+            age = NOW - item.time
+            older = next((limit for limit in ages if age < limit), None)
+            if older is None and ages and age == ages[-1]:
+                older = ages[-1] + 1
+            if older is not None:
+                yield Passing("message", channel, older, _older(board, channel, sender, item, older))
+    for channel, longest in board.EXPIRES.items():
+        for item in board._signals.get(channel, ()):
+            if NOW - item.time < longest:
+                yield Passing("signal", channel, longest, _old(board, channel, item, longest))
+
+
+def _older(board: Board, channel: str, sender: str, item: Sample, age: int) -> Callable[[], None]:
+    def make() -> None:
+        if board._known is not None:
+            board._part()
+        board._states[channel][sender] = replace(item, time=NOW - age)
+        board._refresh(channel)
+
+    return make
+
+
+def _old(board: Board, channel: str, item: Sample, age: int) -> Callable[[], None]:
+    def make() -> None:
+        if board._known is not None:
+            board._part()
+        waiting = board._signals[channel]
+        waiting[waiting.index(item)] = replace(item, time=NOW - age)
+
+    return make
+
+
+__all__ = ["Passing", "asks_for_history", "passing", "thresholds_of"]

@@ -1,0 +1,72 @@
+"""Choosing: what is left open in a move is decided when it is asked, each way in turn."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from typing import TypeVar
+
+_T = TypeVar("_T")
+
+
+class Choices:
+    """The decisions of one move. A question that was asked in it before has the same answer."""
+
+    def __init__(self) -> None:
+        self._script: list[int] = []
+        self._widths: list[int] = []
+        self._made: dict[Hashable, object] = {}
+        self._place = 0
+        self.said: list[str] = []
+        """The decisions of this way, for readers."""
+
+    def begin(self) -> None:
+        """A move is made for the first time."""
+        self._script.clear()
+        self._widths.clear()
+        self._start()
+
+    def again(self) -> bool:
+        """Whether there is another way to make the move; it is taken next."""
+        while self._script and self._script[-1] + 1 == self._widths[-1]:
+            self._script.pop()
+            self._widths.pop()
+        if not self._script:
+            return False
+        self._script[-1] += 1
+        self._start()
+        return True
+
+    def of(self, question: Hashable, answers: Sequence[_T], text: str = "") -> _T:
+        """One of the answers. `text` says what was decided, with `{}` for the answer; not if that is None."""
+        if question in self._made:
+            return self._made[question]  # type: ignore[return-value]
+        if len(answers) == 1:
+            chosen = answers[0]
+        else:
+            if self._place == len(self._script):
+                self._script.append(0)
+                self._widths.append(len(answers))
+            chosen = answers[self._script[self._place]]
+            self._place += 1
+            if text and chosen is not None:
+                self.said.append(text.format(chosen))
+        self._made[question] = chosen
+        return chosen
+
+    def way(self) -> tuple[int, ...]:
+        """The decisions of this way by their numbers: the same again lead to the same state."""
+        return tuple(self._script[: self._place])
+
+    def follow(self, way: Sequence[int]) -> None:
+        """Make the move as it was made on this way."""
+        self._script[:] = way
+        self._widths[:] = [len(way) + 1] * len(way)
+        self._start()
+
+    def _start(self) -> None:
+        self._place = 0
+        self._made.clear()
+        self.said.clear()
+
+
+__all__ = ["Choices"]

@@ -1,0 +1,352 @@
+"""Explored: a team whose every next move can be made, with the agents, bus and conversations of every run.
+
+The statecharts are the generated ones. Only the surroundings are others than in a run: so what is found is
+what runs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from aseme_dsl.proofs.explore.acting import Acting, Free
+from aseme_dsl.proofs.explore.ages import Passing, asks_for_history, passing, thresholds_of
+from aseme_dsl.proofs.explore.choosing import Choices
+from aseme_dsl.proofs.explore.memory import Memory, Picture
+from aseme_dsl.proofs.explore.relevant import Relevant
+from aseme_dsl.proofs.explore.staging import OPEN, StandsFor, events, staged
+from aseme_dsl.proofs.explore.surroundings import Still, Underway, Ways
+from aseme_dsl.proofs.explore.team_layout import layout_of
+from aseme_dsl.proofs.explore.values import Values
+from aseme_dsl.runtime.activity.execution import Execution
+from aseme_dsl.runtime.agent.agent import Agent
+from aseme_dsl.runtime.channel.bus import Bus
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.conversation.conversation import Conversations
+from aseme_dsl.runtime.message.acl import AclMessage
+from aseme_dsl.runtime.time.clock import shown
+from aseme_dsl.runtime.trace.trace import Listener, Trace
+from aseme_dsl.runtime.version.loading import Loaded
+
+SETTLES = 1000
+"""A team that makes so many steps at one moment goes round in circles."""
+
+
+class Circling(Exception):
+    """Agents step again and again at one moment."""
+
+
+@dataclass(frozen=True, slots=True)
+class Assumed:
+    """What the surroundings may do.
+
+    `loses`: data and what goes by radio may be lost. `crashes`: so many of the agents, at most, each given by
+    their names, may crash. `fails`: these activities may fail.
+    """
+
+    loses: bool = False
+    crashes: tuple[tuple[int, frozenset[str]], ...] = ()
+    fails: frozenset[str] = frozenset()
+    times: tuple[str, ...] = ()
+    """What is assumed of how long something takes, as it is written: it is not made use of."""
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """Something that may happen next. Two moves are of one `kind` if fairness takes them for the same."""
+
+    kind: tuple[str, ...]
+    text: str
+    do: Callable[[], None]
+    is_fair: bool = True
+    """Whether it happens some time, if it can all the time."""
+    passes: bool = False
+    """Whether time passes."""
+
+
+class Explored:
+    """A team between two moves."""
+
+    def __init__(
+        self,
+        loaded: Loaded,
+        team: Sequence[tuple[str, str]],
+        assumed: Assumed,
+        listeners: Sequence[Listener] = (),
+        further: Sequence[object] = (),
+        layout: tuple[Mapping[type, tuple[str, ...]], Mapping[type, frozenset[str]]] = ({}, {}),
+        kept: frozenset[str] = frozenset(),
+    ) -> None:
+        """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
+        `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
+        variables and timers in `kept`."""
+        self.choices = Choices()
+        self._assumed = assumed
+        self.driver = driver = Still()
+        self.trace = trace = Trace(None, listeners)
+        trace.now = driver.clock.now
+        self.ways = Ways()
+        self.bus = Bus(driver, trace)
+        self.conversations = Conversations(driver, trace, system=loaded.name)
+        self.bus.links = self.conversations.links = self.ways
+        names = [name for name, _ in team]
+        roles = dict.fromkeys(role for _, role in team)
+        plans = [loaded.charts[role].PLAN for role in roles]
+        self.values = Values(plans, loaded.messages, names)
+        self._acting = acting = Acting(self.choices, self.values, plans)
+        charts = {
+            role: staged(loaded.charts[role], partial(acting.decide, role), acting.draw) for role in roles
+        }
+        self.crashed: list[str] = []
+        self.late: set[str] = set()
+        """The agents in which a deadline has passed."""
+        self.spurned: set[tuple[str, str]] = set()
+        """Agents, with whose messages that crossed those of another that one has done nothing."""
+        self.arriving: Underway | None = None
+        """What comes in the present move."""
+        self.agents = tuple(self._agent(name, charts[role], loaded) for name, role in team)
+        driver.agents = self.agents
+        self._relevant = {plan.name: Relevant(plan, kept) for plan in plans}
+        self._ages = {plan.name: thresholds_of(plan)[0] for plan in plans}
+        self._inputs = {agent.name: self._free(agent) for agent in self.agents}
+        protocols = {info.protocol for plan in plans for info in plan.branches}
+        self.memory = Memory(
+            [
+                *self.agents,
+                self.conversations._members,
+                self.conversations._sending._choosing,
+                self.conversations.directory,
+                *(self.bus, self.ways, driver, self.crashed, self.late, self.spurned),
+                *further,
+            ],
+            layout_of(loaded, *layout),
+            [*names, "input"],
+            protocols,
+        )
+
+    def _agent(self, name: str, kind: type[Chart], loaded: Loaded) -> Agent:
+        chart = kind(name)
+        agent = Agent(
+            name, chart, lambda activity: StandsFor, self.driver, self.bus, self.conversations, self.trace
+        )
+        self.bus.join(agent)
+        self.conversations.join(agent)
+        agent.kinds = loaded.messages
+        chart.stand_in({item[0]: self._acting.function(name, item) for item in chart.PLAN.functions})
+        agent.requests.prepared = Free(self._acting, name)
+        return agent
+
+    @property
+    def left_out(self) -> str:
+        """What of the team is not explored; empty if nothing is."""
+        for agent in self.agents:
+            if not thresholds_of(agent.plan)[1]:
+                return f"{agent.role} compares an age with something that is not constant"
+            if asks_for_history(agent.plan):
+                return f"{agent.role} asks for the history of a channel"
+        return ""
+
+    def begin(self) -> None:
+        """Let all agents make their first step."""
+        self.choices.begin()
+        for agent in self.agents:
+            agent.chart.settle()
+            agent.begin()
+        self._settle()
+
+    def _settle(self) -> None:
+        """Let the agents step until nothing is left to do at this moment."""
+        for _ in range(SETTLES):
+            waiting = [agent for agent in self.agents if agent.intake]
+            if not waiting:
+                self._forget()
+                return
+            for agent in waiting:
+                agent.process(agent.take())
+        raise Circling(", ".join(agent.name for agent in self.agents if agent.intake))
+
+    def _forget(self) -> None:
+        """Forget what makes no difference any more."""
+        for agent in self.agents:
+            if agent.chart.started and not agent.over and not agent.down:
+                self._relevant[agent.role].forget(agent.chart, OPEN)
+
+    def longest(self) -> int:
+        """How many messages, at the most, are on their way from one agent to another."""
+        return max(map(len, self.ways.ways.values()), default=0)
+
+    def writers(self) -> Mapping[str, frozenset[str]]:
+        """The agents that may publish on each channel."""
+        found: dict[str, set[str]] = {}
+        for name, channels in self.bus._routes._writes.items():
+            for channel in channels:
+                found.setdefault(channel, set()).add(name)
+        return {channel: frozenset(names) for channel, names in found.items()}
+
+    # ---- moves -------------------------------------------------------------------------------
+
+    def picture(self) -> Picture:
+        return self.memory.picture()
+
+    def take_back(self, picture: Picture) -> None:
+        self.memory.take_back(picture)
+
+    def make(self, move: Move) -> None:
+        """Make a move, by the choices that are next. Raises Circling."""
+        self.arriving = None
+        move.do()
+        self._settle()
+
+    def moves(self) -> Iterator[Move]:
+        """What may happen next."""
+        yield from self._ends()
+        yield from self._arrivals()
+        yield from self._times()
+        yield from self._crashes()
+        yield from self._given()
+
+    def _ends(self) -> Iterator[Move]:
+        for execution in self.driver.running:
+            kind = ("end", execution.agent, execution.label)
+            text = f"{execution.agent}: {execution.activity} ends"
+            yield Move(kind, text, partial(self._end, execution))
+            if execution.activity in self._assumed.fails:
+                kind = ("fail", execution.agent, execution.label)
+                text = f"{execution.agent}: {execution.activity} fails"
+                yield Move(kind, text, partial(self._fail, execution), is_fair=False)
+            if self._acting.acts(execution):
+                kind = ("act", execution.agent, execution.label)
+                text = f"{execution.agent}: {execution.activity} goes on"
+                yield Move(kind, text, partial(self._acting.act, execution), is_fair=False)
+
+    def _arrivals(self) -> Iterator[Move]:
+        for (sender, receiver), waiting in self.ways.ways.items():
+            if not waiting:
+                continue
+            held: set[str] = set()
+            for item in waiting:
+                is_sample = item.kind in ("data", "radio")
+                if not is_sample and "stream" in held:
+                    continue
+                if not is_sample:
+                    held.add("stream")
+                elif item.what in held:
+                    continue
+                text = f"{receiver} gets {_called(item)} of {sender}"
+                kind = ("arrive", sender, receiver, item.what if is_sample else "")
+                yield Move(kind, text, partial(self._arrive, waiting, item))
+                if is_sample and self._assumed.loses:
+                    yield Move(
+                        ("lose", *kind[1:]),
+                        f"{_called(item)} of {sender} to {receiver} is lost",
+                        partial(waiting.remove, item),
+                        is_fair=False,
+                    )
+                    held.add(item.what)
+
+    def _times(self) -> Iterator[Move]:
+        for timer in self.driver.timers:
+            if timer.call is not None:
+                yield Move(("timer",), "a pause is over", timer.ring, passes=True)
+        for agent in self.agents:
+            if agent.over or agent.down:
+                continue
+            for item in passing(agent.chart, self._ages[agent.role]):
+                kind = ("time", agent.name, item.what, item.name)
+                text = f"{agent.name}: {_passed(agent.plan, item)}"
+                yield Move(kind, text, partial(self._pass, agent, item.pass_), passes=True)
+
+    def _free(self, agent: Agent) -> tuple[str, ...]:
+        """The channels that an agent reads and on which no agent publishes: inputs from outside."""
+        writers = self.writers()
+        rules = {info.name: info for info in agent.plan.channels}
+        return tuple(
+            channel
+            for channel in agent.chart.READERS
+            if channel in rules and (channel not in writers or rules[channel].is_from_outside)
+        )
+
+    def _given(self) -> Iterator[Move]:
+        """What comes from outside: messages on channels on which no agent publishes, and events."""
+        for agent in self.agents:
+            if agent.over or agent.down:
+                continue
+            for channel in self._inputs[agent.name]:
+                boards = [board for board in agent.chart.boards() if board is not None]
+                if not any(board.waits(channel) for board in boards):
+                    do = partial(self._give, agent, channel)
+                    yield Move(
+                        ("input", agent.name, channel), f"{agent.name} gets {channel}", do, is_fair=False
+                    )
+            for event in events(agent.plan):
+                do = partial(self.bus.give_event, agent, event)
+                yield Move(
+                    ("event", agent.name, event), f"{agent.name}: {event} is raised", do, is_fair=False
+                )
+
+    def _give(self, agent: Agent, channel: str) -> None:
+        contents = self.values.contents(channel.rpartition(".")[2])
+        for board in agent.chart.boards():
+            if board is not None and channel in board._data:  # of data, the newest is all that is read
+                board._part()
+                del board._data[channel]
+        self.bus.give(agent, channel, self.choices.of(("input",), contents, "{}"))
+
+    def _crashes(self) -> Iterator[Move]:
+        for most, names in self._assumed.crashes:
+            if sum(name in names for name in self.crashed) >= most:
+                continue
+            for agent in self.agents:
+                if agent.name in names and not agent.over and not agent.down:
+                    yield Move(
+                        ("crash", agent.name),
+                        f"{agent.name} crashes",
+                        partial(self._crash, agent),
+                        is_fair=False,
+                    )
+
+    def _arrive(self, waiting: list[Underway], item: Underway) -> None:
+        waiting.remove(item)
+        self.arriving = item
+        item.give()
+
+    def _pass(self, agent: Agent, pass_: Callable[[], None]) -> None:
+        pass_()
+        self.late.add(agent.name)
+        agent.begin()
+
+    def _crash(self, agent: Agent) -> None:
+        agent.crash()
+        self.crashed.append(agent.name)
+
+    def _end(self, execution: Execution) -> None:
+        self.driver.running.remove(execution)
+        self._acting.end(execution)
+
+    def _fail(self, execution: Execution) -> None:
+        self.driver.running.remove(execution)
+        execution.returned(RuntimeError("it fails"))
+
+
+def _called(item: Underway) -> str:
+    """What is on its way, for readers."""
+    if item.kind != "mail":
+        return item.what
+    given = item.give.args if isinstance(item.give, partial) else ()
+    acl = next((part for part in given if isinstance(part, AclMessage)), None)
+    return "the word that it is gone" if acl is None else f"{acl.performative} {acl.message}"
+
+
+def _passed(plan: Plan, item: Passing) -> str:
+    match item.what:
+        case "state":
+            return f"{shown(item.duration)} have passed in {plan.called(plan.by_label[item.name])}"
+        case "timer":
+            return f"timer {item.name} runs out"
+        case _:
+            return f"{item.name} is {shown(item.duration)} old"
+
+
+__all__ = ["Assumed", "Circling", "Explored", "Move"]

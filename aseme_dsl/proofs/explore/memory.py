@@ -1,0 +1,378 @@
+"""Memory: the whole state of a team between two steps: a picture to come back to, and a key to compare.
+
+The objects of a team are changed in place. A picture has what each object held. Taking it back gives all of
+them that again, and they stay the same objects: so a call that waits, or a part in a conversation, still
+means them.
+
+Keys forget what makes no difference: numbers that only count up are renamed in the order of their occurrence.
+"""
+
+from __future__ import annotations
+
+import itertools
+import marshal
+import re
+import threading
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from enum import Enum, auto
+from functools import partial
+from hashlib import blake2b
+from types import (
+    BuiltinFunctionType,
+    FunctionType,
+    MappingProxyType,
+    MemberDescriptorType,
+    MethodType,
+    ModuleType,
+)
+from typing import Any, cast
+
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.saving import Saved
+
+_PLAIN = (
+    *(type(None), bool, int, float, str, bytes, type, Enum),
+    *(ModuleType, BuiltinFunctionType, MappingProxyType),
+    *(type(threading.Lock()), type(threading.RLock())),
+)
+_COUNT = type(itertools.count())
+_NUMBERED = re.compile(r"(.*\D)([0-9]+)")
+
+
+class _Kind(Enum):
+    """How the content of an object is taken and put back."""
+
+    PLAIN = auto()
+    VALUE = auto()
+    CHART = auto()
+    LIST = auto()
+    DICT = auto()
+    SET = auto()
+    TUPLE = auto()
+    CALL = auto()
+    OBJECT = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """Which objects and attributes of a team are its state."""
+
+    values: tuple[type, ...]
+    """The classes whose objects are never changed."""
+    constant: tuple[type, ...]
+    """The classes whose objects are the same in all states."""
+    parts: Mapping[type, tuple[str, ...]]
+    """The attributes of classes that belong to the state, where these are not all."""
+    unkeyed: Mapping[type, frozenset[str]]
+    """The attributes that belong to it, and make no difference."""
+    ordered: Mapping[type, Callable[[Any], object]]
+    """What of an object depends on the order in a dictionary; no other order in one makes a difference."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Class:
+    """What is known of the objects of a class."""
+
+    kind: _Kind
+    names: tuple[str, ...] = ()
+    """The attributes that belong to the state; of one that `has_dict`, all in `__dict__` do, too."""
+    unkeyed: frozenset[str] = frozenset()
+    has_dict: bool = False
+
+
+Picture = tuple[tuple[object, _Kind, Any], ...]
+"""Objects with how their contents are put back, and these."""
+
+_MISSING = object()
+
+
+class Memory:
+    """Takes pictures of all that can be reached from the roots, and makes keys of them."""
+
+    def __init__(
+        self, roots: Sequence[object], layout: Layout, senders: Iterable[str], protocols: Iterable[str]
+    ) -> None:
+        """What these `senders` send is numbered, and so are the conversations of the `protocols`."""
+        self._roots = tuple(reversed(roots))
+        self._layout = layout
+        self.senders = frozenset(senders)
+        talks = (f"{protocol}-{name}-" for protocol in protocols for name in self.senders)
+        self._prefixes = frozenset((*(f"{name}-" for name in self.senders), *talks))
+        self._classes: dict[type, _Class] = {}
+
+    # ---- pictures ----------------------------------------------------------------------------
+
+    def picture(self) -> Picture:
+        """What all objects hold now."""
+        known = self._classes
+        seen: set[int] = set()
+        found: list[tuple[object, _Kind, Any]] = []
+        todo = list(self._roots)
+        while todo:
+            item = todo.pop()
+            kind = known.get(type(item)) or self._class(type(item))
+            if kind.kind in (_Kind.PLAIN, _Kind.VALUE) or id(item) in seen:
+                continue
+            seen.add(id(item))
+            content, inside = _content(item, kind)
+            if kind.kind is not _Kind.TUPLE and kind.kind is not _Kind.CALL:
+                found.append((item, kind.kind, content))
+            todo.extend(inside)
+        return tuple(found)
+
+    def take_back(self, picture: Picture) -> None:
+        """Let all objects hold what they held then."""
+        for item, kind, content in picture:
+            _PUT[kind](item, content)
+
+    def _class(self, kind: type) -> _Class:
+        found = self._classes[kind] = self._find(kind)
+        return found
+
+    def _find(self, kind: type) -> _Class:
+        layout = self._layout
+        if issubclass(kind, (*_PLAIN, *layout.constant)) or kind is _COUNT:
+            return _Class(_Kind.PLAIN)
+        if issubclass(kind, (_Count, *layout.values)):
+            unkeyed = _of_class(layout.unkeyed, kind)
+            names = tuple(item.name for item in fields(cast(Any, kind)) if item.name not in unkeyed)
+            return _Class(_Kind.VALUE, names)
+        if issubclass(kind, Chart):
+            return _Class(_Kind.CHART)
+        for base, found in _CONTAINERS.items():
+            if issubclass(kind, base):
+                return _Class(found)
+        unkeyed = _of_class(layout.unkeyed, kind)
+        own = next((layout.parts[base] for base in kind.__mro__ if base in layout.parts), None)
+        if own is not None:
+            return _Class(_Kind.OBJECT, own, unkeyed)
+        slots = [
+            name
+            for base in kind.__mro__
+            for name, what in vars(base).items()
+            if isinstance(what, MemberDescriptorType)
+        ]
+        has_dict = any("__dict__" in vars(base) for base in kind.__mro__)
+        return _Class(_Kind.OBJECT, tuple(dict.fromkeys(slots)), unkeyed, has_dict)
+
+    # ---- keys --------------------------------------------------------------------------------
+
+    def key(self, picture: Picture, further: object = None) -> bytes:
+        """The same for two states that differ in nothing but names that count up; `further` belongs to it."""
+        return blake2b(marshal.dumps(cast(Any, _Keying(self, picture).all(further))), digest_size=16).digest()
+
+    def numbered(self, text: str) -> tuple[str, int] | None:
+        """A name that counts up as what stands before the number, and the number."""
+        found = _NUMBERED.fullmatch(text)
+        if found is None or found[1] not in self._prefixes:
+            return None
+        return found[1], int(found[2])
+
+    def ordered(self, kind: type) -> Callable[[Any], object] | None:
+        """What of an object of this class depends on the order in a dictionary."""
+        return self._layout.ordered.get(kind)
+
+    def class_of(self, kind: type) -> _Class:
+        return self._classes.get(kind) or self._class(kind)
+
+
+def _of_class(table: Mapping[type, frozenset[str]], kind: type) -> frozenset[str]:
+    return frozenset(name for base, names in table.items() if issubclass(kind, base) for name in names)
+
+
+_CONTAINERS = {
+    list: _Kind.LIST,
+    deque: _Kind.LIST,
+    dict: _Kind.DICT,
+    set: _Kind.SET,
+    tuple: _Kind.TUPLE,
+    frozenset: _Kind.TUPLE,
+    FunctionType: _Kind.CALL,
+    MethodType: _Kind.CALL,
+    partial: _Kind.CALL,
+}
+
+
+def _content(item: Any, kind: _Class) -> tuple[Any, Iterable[object]]:
+    """What an object holds, and the objects in it."""
+    match kind.kind:
+        case _Kind.CHART:
+            return item.save(), ()
+        case _Kind.LIST:
+            held = tuple(item)
+            return held, held
+        case _Kind.DICT:
+            pairs = _sorted(item)
+            return item.copy(), [part for pair in pairs for part in pair]
+        case _Kind.SET:
+            return tuple(item), item
+        case _Kind.TUPLE:
+            return None, item
+        case _Kind.CALL:
+            return None, _inside(item)
+        case _:
+            return _attributes(item, kind)
+
+
+def _sorted(item: dict[Any, Any]) -> Iterable[tuple[Any, Any]]:
+    return sorted(item.items(), key=_by_name) if len(item) > 1 else item.items()
+
+
+def _by_name(pair: tuple[object, object]) -> str:
+    return repr(pair[0])
+
+
+def _attributes(item: Any, kind: _Class) -> tuple[Any, Iterable[object]]:
+    held = {name: getattr(item, name, _MISSING) for name in kind.names}
+    if kind.has_dict:
+        held.update(vars(item))
+    for name, value in held.items():
+        if type(value) is _COUNT:
+            held[name] = _Count(int(next(iter(value.__reduce__()[1]))))
+    return held, held.values()
+
+
+@dataclass(frozen=True, slots=True)
+class _Count:
+    """A counter, by its next number."""
+
+    next: int
+
+
+def _inside(call: Any) -> list[object]:
+    """What a call that waits refers to."""
+    if isinstance(call, partial):
+        return [call.func, *call.args, *call.keywords.values()]
+    if isinstance(call, MethodType):
+        return [call.__self__]
+    return [cell.cell_contents for cell in call.__closure__ or ()]
+
+
+def _put_list(item: Any, content: Any) -> None:
+    item.clear()
+    item.extend(content)
+
+
+def _put_all(item: Any, content: Any) -> None:
+    item.clear()
+    item.update(content)
+
+
+def _put_attributes(item: Any, content: dict[str, object]) -> None:
+    for name, value in content.items():
+        if type(value) is _Count:
+            value = itertools.count(value.next)
+        if value is not _MISSING:
+            object.__setattr__(item, name, value)
+        elif hasattr(item, name):
+            object.__delattr__(item, name)
+
+
+_PUT: Mapping[_Kind, Callable[[Any, Any], None]] = {
+    _Kind.CHART: lambda item, content: item.load(content),
+    _Kind.LIST: _put_list,
+    _Kind.DICT: _put_all,
+    _Kind.SET: _put_all,
+    _Kind.OBJECT: _put_attributes,
+}
+
+
+class _Keying:
+    """Makes the key of one picture."""
+
+    def __init__(self, memory: Memory, picture: Picture) -> None:
+        self._memory = memory
+        self._picture = picture
+        self._places = {id(item): place for place, (item, _, _) in enumerate(picture)}
+        self._skipped = {
+            id(content[name])
+            for item, kind, content in picture
+            if kind is _Kind.OBJECT
+            for name in memory.class_of(type(item)).unkeyed
+            if name in content
+        }
+        self._numbers: dict[str, dict[int, int]] = {}
+
+    def all(self, further: object) -> tuple[object, ...]:
+        kept = (item for item in self._picture if id(item[0]) not in self._skipped)
+        return (*(self._object(*item) for item in kept), self._value(further))
+
+    def _object(self, item: object, kind: _Kind, content: Any) -> object:
+        value = self._value
+        match kind:
+            case _Kind.LIST:
+                return tuple([value(part) for part in content])
+            case _Kind.DICT:
+                return tuple([(value(name), value(part)) for name, part in _sorted(content)])
+            case _Kind.SET:
+                return tuple(sorted(map(repr, map(value, content))))
+            case _Kind.CHART:
+                return self._chart(item, content)
+            case _:
+                unkeyed = self._memory.class_of(type(item)).unkeyed
+                found = [value(part) for name, part in content.items() if name not in unkeyed]
+                order = self._memory.ordered(type(item))
+                return tuple(found) if order is None else (*found, value(order(item)))
+
+    def _chart(self, item: Any, saved: Saved) -> object:
+        names = type(item).places
+        values = [
+            self._value(part) for name, part in zip(names, saved.values, strict=True) if not _is_token(name)
+        ]
+        boards = [
+            None if board is None else (self._value(board[0].messages()), *map(self._value, board[1:]))
+            for board in saved.boards
+        ]
+        return tuple(values), tuple(boards), self._value(tuple(saved.seldom))
+
+    def _value(self, value: Any) -> object:
+        kind = type(value)
+        if kind is str:
+            return self._text(value)
+        if value is None or kind is int or kind is bool or kind is float or kind is bytes:
+            return value
+        if kind is tuple:
+            if len(value) == 2 and type(value[1]) is int and value[0] in self._memory.senders:
+                return value[0], self._renamed(f"{value[0]}-", value[1])  # an identity
+            return tuple([self._value(part) for part in value])
+        place = self._places.get(id(value))
+        if place is not None:
+            return "@", place
+        return self._other(value)
+
+    def _other(self, value: Any) -> object:
+        if isinstance(value, Enum):
+            return value.name
+        if isinstance(value, frozenset):
+            return tuple(sorted(map(repr, map(self._value, value))))
+        if isinstance(value, tuple):
+            return tuple([self._value(part) for part in value])
+        if isinstance(value, partial | MethodType | FunctionType):
+            call: Any = value.func if isinstance(value, partial) else value
+            return (getattr(call, "__qualname__", ""), *map(self._value, _inside(value)))
+        kind = self._memory.class_of(type(value))
+        if kind.kind is _Kind.VALUE:
+            return (type(value).__name__, *(self._value(getattr(value, name)) for name in kind.names))
+        if kind.kind is _Kind.PLAIN:
+            return type(value).__name__
+        if is_dataclass(value):  # a message
+            return (type(value).__name__, *(self._value(getattr(value, item.name)) for item in fields(value)))
+        return type(value).__name__
+
+    def _text(self, text: str) -> object:
+        found = self._memory.numbered(text)
+        return text if found is None else (found[0], self._renamed(*found))
+
+    def _renamed(self, name: str, number: int) -> int:
+        numbers = self._numbers.setdefault(name, {})
+        return numbers.setdefault(number, len(numbers))
+
+
+def _is_token(name: str) -> bool:
+    """Whether an attribute of a chart tells one start of an activity from another."""
+    return name == "tokens" or (name[0] == "k" and name[1:].isdigit())
+
+
+__all__ = ["Layout", "Memory", "Picture"]

@@ -1,0 +1,154 @@
+"""Questions: what is asked of all states of a team: waits that nothing ends, and what has to come."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from aseme_dsl.proofs.explore.explored import Explored
+from aseme_dsl.proofs.explore.search import Edge, Graph
+from aseme_dsl.runtime.agent.agent import Agent
+from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.team.ending import Waiting, waits_of
+from aseme_dsl.runtime.team.outside import wait_for_input
+
+
+@dataclass(frozen=True, slots=True)
+class Stuck:
+    """An agent that waits for ever, and where, from a state on."""
+
+    agent: str
+    waiting: Waiting
+    state: int
+
+
+def stuck(explored: Explored, graph: Graph) -> Stuck | None:
+    """The nearest wait that nothing ends; not one for a conversation to begin, or for an outer input."""
+    found: list[Stuck] = []
+    back = _back(graph)
+    for place, agent in enumerate(explored.agents):
+        for region in range(len(agent.chart.REGIONS)):
+            for state in _for_ever(graph, back, place, region, agent):
+                if found and found[0].state <= state:
+                    break
+                waiting = _waits(explored, graph, state, place, region)
+                if waiting is not None:
+                    found = [Stuck(agent.name, waiting, state)]
+                    break
+    return found[0] if found else None
+
+
+def _back(graph: Graph) -> dict[int, list[int]]:
+    """The states from which a move leads to a state."""
+    found: dict[int, list[int]] = {}
+    for source, edges in graph.edges.items():
+        for edge in edges:
+            found.setdefault(edge.target, []).append(source)
+    return found
+
+
+def _for_ever(
+    graph: Graph, back: Mapping[int, list[int]], place: int, region: int, agent: Agent
+) -> Iterator[int]:
+    """The states from which on a region of an agent stays where it is, whatever happens."""
+    where = [_leaf(places[place], region) for places in graph.places]
+    label = agent.chart.REGIONS[region]
+    moving = [
+        state
+        for state in range(len(where))
+        if state not in graph.edges
+        or any(_moves(edge, where, state, agent, label) for edge in graph.edges[state])
+    ]
+    can = set(moving)
+    todo = deque(moving)
+    while todo:
+        for source in back.get(todo.popleft(), ()):
+            if source not in can:
+                can.add(source)
+                todo.append(source)
+    return (state for state in range(len(where)) if state not in can and where[state] >= 0)
+
+
+def _leaf(places: tuple[int, ...], region: int) -> int:
+    return places[region] if region < len(places) else -2
+
+
+def _moves(edge: Edge, where: list[int], state: int, agent: Agent, label: str) -> bool:
+    """Whether a region moves on an edge: it is elsewhere, or an activity in it has ended."""
+    if where[edge.target] != where[state]:
+        return True
+    plan = agent.plan
+    return any(
+        name == agent.name
+        and any(_is_in_region(plan, plan.transitions[number].source, label) for number in way)
+        for name, way in edge.taken
+    )
+
+
+def _is_in_region(plan: Plan, source: str, label: str) -> bool:
+    return source.startswith(f"{label}.")
+
+
+def _waits(explored: Explored, graph: Graph, state: int, place: int, region: int) -> Waiting | None:
+    """What an agent waits for in a region, if it should not wait for ever."""
+    explored.take_back(graph.pictures[state])
+    agent = explored.agents[place]
+    if agent.over or agent.down or not agent.chart.started:
+        return None
+    label = agent.chart.LEAVES[region][graph.places[state][place][region]]
+    plan = agent.plan
+    leaf = plan.by_label[label]
+    if leaf.type in ("AND", "END") or any(
+        item.waits for item in plan.activities if item.name == leaf.activity
+    ):
+        return None
+    found = {other.name: waits_of(other) for other in explored.agents}
+    mine = next((item for item, _ in found[agent.name] if item.state == label), None)
+    if mine is None or mine.free:
+        return None
+    needs = {name: [need for item, need in own if not item.free] for name, own in found.items()}
+    if agent.name in wait_for_input(needs, explored.writers()):
+        return None
+    return mine
+
+
+# ---- what has to come -------------------------------------------------------------------------------
+
+
+def unmet(graph: Graph, expectation: int) -> tuple[int, tuple[int, ...]] | None:
+    """A state from which on something that is awaited may never come, and the states that are gone round.
+
+    Fair: what can happen all the time happens some time.
+    """
+    pending = {state for state in graph.edges if expectation in graph.awaited[state]}
+    ends = [state for state in pending if not graph.enabled[state]]
+    if ends:
+        return min(ends), ()
+    for circle in sorted(_circles(graph, pending), key=min):
+        if _is_fair(graph, circle):
+            return min(circle), tuple(sorted(circle))
+    return None
+
+
+def _circles(graph: Graph, states: set[int]) -> Iterator[set[int]]:
+    """The strongly connected parts in which one can go round."""
+    import networkx
+
+    net = networkx.DiGraph(
+        [(state, edge.target) for state in states for edge in graph.edges[state] if edge.target in states]
+    )
+    for part in networkx.strongly_connected_components(net):
+        if len(part) > 1 or any(net.has_edge(state, state) for state in part):
+            yield part
+
+
+def _is_fair(graph: Graph, circle: Iterable[int]) -> bool:
+    """Whether a fair run may stay: each move that is always possible there is made there."""
+    circle = set(circle)
+    always = frozenset.intersection(*(graph.enabled[state] for state in circle))
+    made = {edge.kind for state in circle for edge in graph.edges[state] if edge.target in circle}
+    return always <= made
+
+
+__all__ = ["Stuck", "stuck", "unmet"]

@@ -1,0 +1,130 @@
+"""Relevant: what of a statechart can still make a difference where it stands; the rest is forgotten.
+
+A variable that nothing reads before it is written anew, a timer that nothing asks for, and the time since the
+entry of a state that has been left are the same in all states.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.plan import Plan, is_in
+
+
+class Relevant:
+    """Knows of one plan what is relevant at each leaf."""
+
+    def __init__(self, plan: Plan, kept: frozenset[str]) -> None:
+        """What is called as in `kept` is always relevant."""
+        self._plan = plan
+        self._kept = kept
+        self._ahead: dict[tuple[str, str | None], frozenset[str]] = {}
+        self._asks: dict[str, tuple[frozenset[str], frozenset[str]]] = {}
+
+    def forget(self, chart: Chart, unknown: object) -> None:
+        """Give what is not relevant values that are the same everywhere; `unknown` for variables."""
+        leaves = chart.configuration()
+        for name, slots in chart.VARIABLES.items():
+            if not self._reads(name, leaves):
+                for slot in slots:
+                    setattr(chart, slot, unknown)
+        for label, slot in chart.TIMES.items():
+            if not any(is_in(leaf, label) for leaf in leaves):
+                setattr(chart, slot, 0)
+        for number, (mark, past) in chart.MARKS.items():
+            if not any(is_in(leaf, self._plan.transitions[number].source) for leaf in leaves):
+                if mark:
+                    setattr(chart, mark, None)
+                if past:
+                    setattr(chart, past, -1)
+        self._forget_timers(chart, leaves)
+
+    def _reads(self, variable: str, leaves: tuple[str, ...]) -> bool:
+        name = variable.partition("@")[0]
+        if name in self._kept:
+            return True
+        scope = next((item.scope for item in self._plan.variables if item.name == variable), None)
+        return any(
+            variable in self._asked(label)[0] or name in self._asked(label)[0]
+            for leaf in leaves
+            for label in self._from(leaf, scope)
+        )
+
+    def _forget_timers(self, chart: Chart, leaves: tuple[str, ...]) -> None:
+        names = {name for board in chart.boards() if board is not None for name in board.timers}
+        for name in names:
+            if name in self._kept or any(
+                name in self._asked(label)[1] for leaf in leaves for label in self._from(leaf, None)
+            ):
+                continue
+            for board in chart.boards():
+                if board is not None:
+                    board.timers.pop(name, None)
+
+    def _from(self, leaf: str, scope: str | None) -> frozenset[str]:
+        """The states that may be active from a leaf on, up to the next entry of `scope`."""
+        key = leaf, scope if scope is not None and is_in(leaf, scope) else None
+        if key not in self._ahead:
+            self._ahead[key] = frozenset(_reached(self._plan, leaf, key[1]))
+        return self._ahead[key]
+
+    def _asked(self, label: str) -> tuple[frozenset[str], frozenset[str]]:
+        """The variables and timers that the transitions of a state, and its activity, ask for."""
+        found = self._asks.get(label)
+        if found is None:
+            terms: list[object] = [term for _, term in self._plan.by_label[label].arguments]
+            for item in self._plan.transitions:
+                if item.source == label:
+                    terms += [item.condition, *(_parts(action) for action in item.actions)]
+            found = self._asks[label] = _names(terms)
+        return found
+
+
+def _parts(action: tuple[object, ...]) -> tuple[object, ...]:
+    """What an action reads."""
+    return ("", *action[2:]) if action[0] == "assign" else action
+
+
+def _names(terms: list[object]) -> tuple[frozenset[str], frozenset[str]]:
+    variables: set[str] = set()
+    timers: set[str] = set()
+    while terms:
+        term = terms.pop()
+        if not isinstance(term, tuple):
+            continue
+        if term[:1] == ("variable",):
+            variables.add(str(term[1]))
+        elif term[:1] == ("expired",):
+            timers.add(str(term[1]))
+        terms += term
+    return frozenset(variables), frozenset(timers)
+
+
+def _reached(plan: Plan, leaf: str, scope: str | None) -> Iterator[str]:
+    todo = [(leaf, False)]
+    seen: set[tuple[str, bool]] = set()
+    while todo:
+        label, is_entered = todo.pop()
+        if (label, is_entered) in seen:
+            continue
+        seen.add((label, is_entered))
+        yield label
+        state = plan.by_label[label]
+        if state.parent is not None:
+            todo.append((state.parent, False))
+        if is_entered and state.type in ("AND", "OR"):
+            todo += [
+                (child.label, True)
+                for child in plan.children(label)
+                if state.type == "AND" or child.type == "START"
+            ]
+        for item in plan.transitions:
+            if item.source != label or item.target == scope:
+                continue
+            todo.append((item.target, item.kind == "external"))
+            if item.resume:
+                todo += [(other.label, True) for other in plan.states if is_in(other.label, item.target)]
+
+
+__all__ = ["Relevant"]

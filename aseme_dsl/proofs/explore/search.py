@@ -1,0 +1,289 @@
+"""Search: all states of an explored team, the nearest first, and what happens on the way to each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from time import process_time
+
+from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
+from aseme_dsl.proofs.explore.memory import Picture
+from aseme_dsl.runtime.agent.agent import Agent
+from aseme_dsl.runtime.trace.records import Record
+
+Kind = tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """How far a search goes: so many states, and so many seconds of the processor's time."""
+
+    states: int = 200_000
+    seconds: float = 60.0
+    queue: int = 8
+    """So many messages, at the most, are on their way from one agent to another."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A move as it was made: which one of those that could be made, and by which decisions."""
+
+    number: int
+    way: tuple[int, ...]
+    text: str
+    passes: bool = False
+    """Whether time passes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """A move from one state to another."""
+
+    target: int
+    kind: Kind
+    taken: frozenset[tuple[str, tuple[int, ...]]]
+    """The transitions that agents have taken on it, those of a compound transition together."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sighting:
+    """Something that was seen for the first time: in the last move on the way to a state."""
+
+    kind: str
+    text: str
+    at: str
+    state: int
+
+
+@dataclass(slots=True)
+class Graph:
+    """What a search has found. States have numbers in the order of their finding; 0 is the first."""
+
+    parents: list[tuple[int, Step] | None] = field(default_factory=list)
+    edges: dict[int, tuple[Edge, ...]] = field(default_factory=dict)
+    """Of the states whose moves were all made."""
+    enabled: dict[int, frozenset[Kind]] = field(default_factory=dict)
+    """The kinds of the moves of a state that happen some time, if they can all the time."""
+    places: list[tuple[tuple[int, ...], ...]] = field(default_factory=list)
+    """Where each agent is in each state: the number of the active leaf of each region."""
+    awaited: list[frozenset[int]] = field(default_factory=list)
+    """The expectations for which something is still awaited in each state."""
+    pictures: dict[int, Picture] = field(default_factory=dict)
+    sightings: list[Sighting] = field(default_factory=list)
+    broken: dict[int, int] = field(default_factory=dict)
+    """The state in which an expectation is broken, by its number."""
+    met: set[int] = field(default_factory=set)
+    """The conditions that were met in some state."""
+    visited: dict[str, set[str]] = field(default_factory=dict)
+    """The labels of the states of each role in which an agent was."""
+    taken: dict[str, set[int]] = field(default_factory=dict)
+    """The transitions of each role that an agent has taken."""
+    cut: str | None = None
+    """Why the search was not finished, if it was not."""
+    is_queue_cut: bool = False
+    """Whether more messages were on their way than are looked at."""
+    moves: int = 0
+
+    def way_to(self, state: int) -> list[Step]:
+        """The moves on the shortest way to a state."""
+        steps: list[Step] = []
+        while (before := self.parents[state]) is not None:
+            state, step = before
+            steps.append(step)
+        return steps[::-1]
+
+
+class Eyes:
+    """Listens to the trace of a team that is explored."""
+
+    def __init__(self) -> None:
+        self.taken: set[tuple[str, tuple[int, ...]]] = set()
+        self.labels: dict[str, set[str]] = {}
+        self.seen: list[tuple[str, str, str]] = []
+        self.untaken: list[tuple[str, str, str]] = []
+        """Agent messages that nothing has taken: sender, receiver, and what is to be said of it."""
+
+    def clear(self) -> None:
+        """A move is made."""
+        self.taken.clear()
+        self.seen.clear()
+        self.untaken.clear()
+
+    def __call__(self, record: Record) -> None:
+        match record["kind"]:
+            case "step":
+                for way in record["taken"]:
+                    self.taken.add((record["agent"], tuple(way["transitions"])))
+            case "unexpected":
+                what = f"{record.get('performative', '')} {record.get('message', '')}".strip()
+                text = f"{record['agent']} does not take {what} of {record['sender']}: {record['reason']}"
+                if record.get("performative") != "not_understood":
+                    self.untaken.append((record["sender"], record["agent"], text))
+            case "error":
+                self.seen.append(("failure", f"{record['agent']} fails: {record['reason']}", ""))
+            case "fault":
+                self.seen.append(("fault", f"{record['agent']}: {record['reason']}", ""))
+
+
+@dataclass(frozen=True, slots=True)
+class Monitors:
+    """What is watched in each state."""
+
+    awaited: Callable[[], frozenset[int]] = frozenset
+    broken: Callable[[], Sequence[int]] = tuple
+    """The expectations that are broken now, and were not before; from now on they count as kept."""
+    allows: Callable[[], bool] = lambda: True
+    """Whether what is assumed holds."""
+    met: Callable[[], set[int]] = set
+
+
+def search(explored: Explored, eyes: Eyes, monitors: Monitors | None, limits: Limits) -> Graph:
+    """All states, or as many as the limits allow."""
+    return _Search(explored, eyes, monitors or Monitors(), limits).run()
+
+
+class _Search:
+    def __init__(self, explored: Explored, eyes: Eyes, monitors: Monitors, limits: Limits) -> None:
+        self._explored = explored
+        self._eyes = eyes
+        self._monitors = monitors
+        self._limits = limits
+        self._graph = Graph()
+        self._numbers: dict[bytes, int] = {}
+        self._crowded: set[int] = set()
+        """The states from which the search does not go on, as too many messages are on their way."""
+        self._until = process_time() + limits.seconds
+
+    def run(self) -> Graph:
+        graph = self._graph
+        try:
+            self._explored.begin()
+        except Circling as problem:
+            graph.sightings.append(Sighting("circling", str(problem), "", 0))
+        self._note(None)
+        self._look(0)
+        place = 0
+        while place < len(graph.parents):
+            if reason := self._is_over():
+                graph.cut = reason
+                break
+            if place not in self._crowded:
+                self._expand(place)
+            place += 1
+        graph.met = self._monitors.met()
+        return graph
+
+    def _is_over(self) -> str | None:
+        if len(self._graph.parents) >= self._limits.states:
+            return f"{self._limits.states} states"
+        if process_time() > self._until:
+            return f"{self._limits.seconds:g} s"
+        return None
+
+    def _expand(self, state: int) -> None:
+        """Make every move of a state."""
+        explored, graph = self._explored, self._graph
+        picture = graph.pictures[state]
+        explored.take_back(picture)
+        moves = list(explored.moves())
+        graph.enabled[state] = frozenset(move.kind for move in moves if move.is_fair)
+        edges: list[Edge] = []
+        for number in range(len(moves)):
+            explored.choices.begin()
+            while True:
+                explored.take_back(picture)
+                move = _numbered(explored.moves(), number)
+                edges += self._make(state, number, move)
+                if not explored.choices.again():
+                    break
+        graph.edges[state] = tuple(edges)
+
+    def _make(self, state: int, number: int, move: Move) -> Iterator[Edge]:
+        explored, graph, eyes = self._explored, self._graph, self._eyes
+        eyes.clear()
+        graph.moves += 1
+        circling = None
+        try:
+            explored.make(move)
+        except Circling as problem:
+            circling = str(problem)
+        if not self._monitors.allows():
+            return
+        text = "; ".join((move.text, *explored.choices.said))
+        self._judge()
+        target = self._note((state, Step(number, explored.choices.way(), text, move.passes)))
+        self._look(target)
+        if circling is not None:
+            graph.sightings.append(Sighting("circling", circling, "", target))
+        yield Edge(target, move.kind, frozenset(eyes.taken))
+
+    def _judge(self) -> None:
+        """Whether a message that nothing takes is more than late: its receiver has let no deadline pass.
+
+        A message that crosses one of its receiver could not know better. If that is not taken either, both
+        have chosen.
+        """
+        explored, eyes = self._explored, self._eyes
+        for sender, receiver, text in eyes.untaken:
+            if explored.late.intersection((sender, receiver)) or explored.crashed:
+                continue
+            if explored.arriving is None or not explored.arriving.crosses:
+                eyes.seen.append(("orphan", text, receiver))
+                continue
+            if (receiver, sender) in explored.spurned:
+                eyes.seen.append(("race", text, receiver))
+            explored.spurned.add((sender, receiver))
+
+    def _note(self, before: tuple[int, Step] | None) -> int:
+        """The number of the state in which the team is."""
+        explored, graph = self._explored, self._graph
+        for place in self._monitors.broken():
+            graph.broken.setdefault(place, len(graph.parents))
+        picture = explored.picture()
+        key = explored.memory.key(picture)
+        number = self._numbers.get(key)
+        if number is not None:
+            for place, state in graph.broken.items():
+                if state == len(graph.parents):
+                    graph.broken[place] = number
+            return number
+        number = self._numbers[key] = len(graph.parents)
+        if explored.longest() > self._limits.queue:
+            graph.is_queue_cut = True
+            self._crowded.add(number)
+        graph.parents.append(before)
+        graph.pictures[number] = picture
+        graph.places.append(tuple(_places(agent) for agent in explored.agents))
+        graph.awaited.append(self._monitors.awaited())
+        return number
+
+    def _look(self, state: int) -> None:
+        """Note what was seen in the move that has led here."""
+        graph = self._graph
+        for agent in self._explored.agents:
+            graph.visited.setdefault(agent.role, set()).update(
+                agent.chart.configuration() if agent.chart.started and not agent.over else ()
+            )
+        roles = {agent.name: agent.role for agent in self._explored.agents}
+        for name, way in self._eyes.taken:
+            graph.taken.setdefault(roles[name], set()).update(way)
+        known = {(item.kind, item.text) for item in graph.sightings}
+        for kind, text, at in self._eyes.seen:
+            if (kind, text) not in known:
+                graph.sightings.append(Sighting(kind, text, at, state))
+
+
+def _numbered(moves: Iterator[Move], number: int) -> Move:
+    for _ in range(number):
+        next(moves)
+    return next(moves)
+
+
+def _places(agent: Agent) -> tuple[int, ...]:
+    chart = agent.chart
+    if agent.over or agent.down:
+        return (-2,)
+    return tuple(getattr(chart, f"r{number}") for number in range(len(chart.REGIONS)))
+
+
+__all__ = ["Edge", "Eyes", "Graph", "Limits", "Monitors", "Sighting", "Step", "search"]

@@ -1,0 +1,147 @@
+"""Staging: the statecharts of a team that is explored, and what their plans let activities do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import cast
+
+from aseme_dsl.runtime.activity import context as c
+from aseme_dsl.runtime.chart.board import getter
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, is_in
+
+
+class StandsFor:
+    """Stands for the code of every activity: when it ends, it has done anything that it may do."""
+
+    stands_in = True
+
+    def execute(self, context: c.Context, **arguments: object) -> None:
+        raise RuntimeError("no code runs where a team is explored")
+
+
+class Open:
+    """A value that is not decided before something reads it."""
+
+    def __repr__(self) -> str:
+        return "open"
+
+
+OPEN = Open()
+
+
+def staged(
+    chart: type[Chart], decide: Callable[[str, str], object], draw: Callable[[str], float]
+) -> type[Chart]:
+    """The chart of a role whose activities all run until they are ended, without modules.
+
+    What activities may write is open until it is read: `decide` is asked by the names of the agent and the
+    variable. `draw` is asked for random numbers.
+    """
+    plan = replace(
+        chart.PLAN,
+        activities=tuple(
+            replace(info, simulated=False, takes=None, kind="thread") for info in chart.PLAN.activities
+        ),
+        modules=(),
+    )
+    names = {
+        slot: variable
+        for variable, slots in chart.VARIABLES.items()
+        if variable in undecided(plan)
+        for slot in slots
+    }
+    held = {slot: f"held_{slot}" for slot in names}
+    own: dict[str, object] = {"__slots__": tuple(held.values()), "PLAN": plan, "AGENT": None}
+    own["random"] = lambda chart: draw(chart.agent)
+    own |= {slot: _opened(held[slot], name, decide) for slot, name in names.items()}
+    kind = cast("type[Chart]", type(chart.__name__, (chart,), own))
+    kind.places = tuple(dict.fromkeys(held.get(name, name) for name in kind.places))
+    kind.values = getter(kind.places)
+    return kind
+
+
+def _opened(slot: str, variable: str, decide: Callable[[str, str], object]) -> property:
+    def read(chart: Chart) -> object:
+        value = getattr(chart, slot)
+        if value is OPEN:
+            value = decide(chart.agent, variable)
+            setattr(chart, slot, value)
+        return value
+
+    return property(read, lambda chart, value: setattr(chart, slot, value))
+
+
+def undecided(plan: Plan) -> frozenset[str]:
+    """The variables that activities write: those that they declare, and those of participants that no line
+    writes."""
+    declared = {name for info in plan.activities for name in info.variables}
+    written = assigned(plan)
+    return frozenset(
+        item.name
+        for item in plan.variables
+        if item.name.partition("@")[0] in declared or (item.scope is not None and item.name not in written)
+    )
+
+
+def receivers(info: BranchInfo, performative: str, message: str, plans: Sequence[Plan]) -> tuple[str, ...]:
+    """The participants that receive a message of a branch, from any agent."""
+    key = info.protocol, performative, message
+    found = (part for plan in plans for part in plan.receivers.get(key, ()))
+    return tuple(
+        part for part in dict.fromkeys(found) if part != info.participant or info.size_of(part)[1] != 1
+    )
+
+
+def by_lines(plan: Plan, branch: str) -> frozenset[tuple[str, str]]:
+    """The agent messages that some transition of a branch takes."""
+    return frozenset(
+        (str(event[1]), str(event[2]))
+        for item in plan.transitions
+        if is_in(item.source, branch)
+        for event in item.events
+        if event[0] == "received"
+    )
+
+
+def assigned(plan: Plan) -> frozenset[str]:
+    """The variables that lines of the document write."""
+    return frozenset(
+        str(action[1]) for item in plan.transitions for action in item.actions if action[0] == "assign"
+    )
+
+
+def watched(plan: Plan) -> frozenset[str]:
+    """The variables that conditions read while what they are about is active, complete or not."""
+    found: set[str] = set()
+    todo: list[object] = [
+        item.condition for item in plan.transitions if item.when or item.events or item.kind == "on"
+    ]
+    while todo:
+        term = todo.pop()
+        if isinstance(term, tuple):
+            if term[:1] == ("variable",):
+                found.add(str(term[1]).partition("@")[0])
+            todo += term
+    return frozenset(found)
+
+
+def events(plan: Plan) -> tuple[str, ...]:
+    """The events that transitions wait for."""
+    found = (str(event[1]) for item in plan.transitions for event in item.events if event[0] == "raised")
+    return tuple(dict.fromkeys(found))
+
+
+__all__ = [
+    "OPEN",
+    "Open",
+    "StandsFor",
+    "assigned",
+    "by_lines",
+    "events",
+    "receivers",
+    "staged",
+    "undecided",
+    "watched",
+]

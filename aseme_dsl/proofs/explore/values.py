@@ -1,0 +1,332 @@
+"""Values: what those values are tried for that an activity or the surroundings decide.
+
+What a program compares with constants is the same on both sides of each of them: so each constant, and one
+value beside and between them, stand for all. What it compares with other values, or computes with, is tried
+for a few values only. That is a bound of every answer, and is told with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import IntEnum
+from itertools import islice, product
+from typing import cast
+
+from aseme_dsl.runtime.chart.plan import Plan, Transition, Variable
+from aseme_dsl.runtime.message.as_json import member_types
+
+FEW = (1, 2, 3)
+"""What stands for numbers that are compared with each other."""
+MOST = 64
+"""So many contents of one message are tried at the most."""
+
+_ORDER = ("==", "!=", "<", "<=", ">", ">=")
+_COMPUTE = ("+", "-", "*", "/", "//", "%", "neg")
+
+Place = tuple[str, tuple[str, ...]]
+"""Where a value stands: a variable or a type of message, and the path in it."""
+
+
+@dataclass(slots=True)
+class _Class:
+    """Values that are compared with each other, or given to each other."""
+
+    constants: set[object] = field(default_factory=set)
+    is_read: bool = False
+    """Whether anything depends on them, besides what they are given to."""
+    is_compared: bool = False
+    """Whether any of them is compared with another."""
+    is_computed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Tried:
+    """What is tried for a place; `is_all`: these stand for all values."""
+
+    values: tuple[object, ...]
+    is_all: bool
+
+
+class Values:
+    """What is tried, by what the plans of a team do with each value."""
+
+    def __init__(
+        self, plans: Iterable[Plan], messages: Mapping[str, type[object]], agents: Sequence[str]
+    ) -> None:
+        self._messages = messages
+        self._agents = tuple(agents)
+        self._parents: dict[Place, Place] = {}
+        self._classes: dict[Place, _Class] = {}
+        self.bounds: dict[str, str] = {}
+        """What is not tried with all values, with those that are, for readers."""
+        self.computed: set[str] = set()
+        """What the program computes with, so that a few values do not stand for all."""
+        for plan in plans:
+            _Reader(self, plan).read()
+
+    # ---- what is asked -----------------------------------------------------------------------
+
+    def results(self, function: str, kind: str) -> tuple[object, ...]:
+        """What a function of the document may give."""
+        if kind in self._messages:
+            return self.contents(kind)
+        return self._tried((f"{function}()", ()), _type(kind, self._messages))
+
+    def of_variable(self, variable: Variable) -> tuple[object, ...]:
+        """What an activity may write to a variable."""
+        name = variable.name.partition("@")[0]
+        kind = self._messages.get(variable.type)
+        if kind is not None:
+            return self.contents(variable.type)
+        place = (name, ())
+        if variable.type == "agent":
+            return self._agents
+        if variable.type.endswith("[]") or not self.is_read(place):
+            return ()
+        return self._tried(place, _type(variable.type, self._messages))
+
+    def contents(self, message: str) -> tuple[object, ...]:
+        """The contents that are tried for a type of message."""
+        kind = self._messages[message]
+        places = [(path, item) for path, item in _members(kind) if self.is_read((message, path))]
+        choices = [self._tried((message, path), item) for path, item in places]
+        found = tuple(
+            _made(kind, dict(zip([path for path, _ in places], chosen, strict=True)))
+            for chosen in islice(product(*choices), MOST + 1)
+        )
+        if len(found) > MOST:
+            self.bounds[message] = f"{MOST} contents of {message}"
+        return found[:MOST]
+
+    def is_read(self, place: Place) -> bool:
+        """Whether anything depends on what stands there."""
+        known = self._classes.get(self._root(place))
+        return known is not None and known.is_read
+
+    def _tried(self, place: Place, kind: object) -> tuple[object, ...]:
+        known = self._classes.get(self._root(place), _Class())
+        found = _values(kind, known, self._agents)
+        if not found.is_all:
+            name = ".".join((place[0], *place[1]))
+            if known.is_computed:
+                self.computed.add(name)
+            self.bounds[name] = f"{name} in {', '.join(str(value) for value in found.values)}"
+        return found.values
+
+    # ---- what is learned ---------------------------------------------------------------------
+
+    def _root(self, place: Place) -> Place:
+        while (parent := self._parents.get(place, place)) != place:
+            place = parent
+        return place
+
+    def use(self, place: Place) -> _Class:
+        """The class of a place."""
+        return self._classes.setdefault(self._root(place), _Class())
+
+    def join(self, one: Place, other: Place) -> None:
+        """A value goes from one place to the other, or is compared with it."""
+        first, second = self._root(one), self._root(other)
+        if first == second:
+            return
+        gone = self._classes.pop(second, None)
+        self._parents[second] = first
+        if gone is not None:
+            kept = self._classes.setdefault(first, _Class())
+            kept.constants |= gone.constants
+            kept.is_read |= gone.is_read
+            kept.is_compared |= gone.is_compared
+            kept.is_computed |= gone.is_computed
+
+
+@dataclass(frozen=True, slots=True)
+class _Reader:
+    """Reads the conditions and actions of one plan."""
+
+    values: Values
+    plan: Plan
+
+    def read(self) -> None:
+        """Learn what the plan does with values."""
+        for item in self.plan.transitions:
+            taken = next((str(event[2]) for event in item.events if event[0] == "received"), "")
+            if item.condition is not None:
+                self._term(item.condition, taken)
+            for action in item.actions:
+                self._action(action, taken, item)
+        for state in self.plan.states:
+            for _, term in state.arguments:
+                self._term(term, "")
+
+    def _action(self, action: tuple[object, ...], taken: str, item: Transition) -> None:
+        match action:
+            case ("assign", str() as name, value):
+                self._gives((name.partition("@")[0], ()), value, taken)
+            case ("fill", ("member", _, str() as channel, tuple() as path), value):
+                self._gives((channel.rpartition(".")[2], _path(path)), value, taken)
+            case ("send", _, str() as message, _, *more):
+                match more:
+                    case [tuple() as filled, *_]:
+                        for path, value in filled:
+                            self._gives((message, _path(path)), value, taken)
+                for value in more[1:3]:
+                    self._term(value, taken)
+            case _:
+                for part in action[1:]:
+                    self._term(part, taken)
+
+    def _gives(self, place: Place, value: object, taken: str) -> None:
+        source = self._place(value, taken)
+        if source is not None:
+            self._join(place, source)
+            return
+        if isinstance(value, tuple) and value[:1] == ("const",):
+            self.values.use(place).constants.add(value[1])
+            return
+        self._term(value, taken)
+
+    def _join(self, one: Place, other: Place) -> None:
+        self.values.join(one, other)
+        for end in (one, other):
+            kind = self.values._messages.get(self._type_of(end) or "")
+            if kind is not None:
+                for path, _ in _members(kind):
+                    self.values.join((one[0], (*one[1], *path)), (other[0], (*other[1], *path)))
+                return
+
+    def _type_of(self, place: Place) -> str | None:
+        if not place[1]:
+            return place[0] if place[0] in self.values._messages else self._variable_type(place[0])
+        return None
+
+    def _variable_type(self, name: str) -> str | None:
+        return next((item.type for item in self.plan.variables if item.name.partition("@")[0] == name), None)
+
+    def _term(self, term: object, taken: str) -> None:
+        """Something reads a value."""
+        if not isinstance(term, tuple) or not term:
+            return
+        place = self._place(term, taken)
+        if place is not None:
+            self.values.use(place).is_read = True
+            return
+        word, *parts = term
+        if word in _ORDER and len(parts) == 2:
+            self._compare(parts[0], parts[1], taken)
+        if word in _COMPUTE:
+            for part in parts:
+                inner = self._place(part, taken)
+                if inner is not None:
+                    self.values.use(inner).is_computed = True
+        for part in parts:
+            self._term(part, taken)
+
+    def _compare(self, one: object, other: object, taken: str) -> None:
+        left, right = self._place(one, taken), self._place(other, taken)
+        for place, constant in ((left, other), (right, one)):
+            if place is not None and isinstance(constant, tuple) and constant[:1] == ("const",):
+                self.values.use(place).constants.add(constant[1])
+        if left is not None and right is not None:
+            self.values.use(left).is_compared = True
+            self.values.use(right).is_compared = True
+            self.values.join(left, right)
+
+    def _place(self, term: object, taken: str) -> Place | None:
+        match term:
+            case ("variable", str() as name):
+                return name.partition("@")[0], ()
+            case ("variable", str() as name, tuple() as path):
+                kind = self._variable_type(name.partition("@")[0])
+                owner = kind if kind in self.values._messages else name.partition("@")[0]
+                return owner or "", _path(path)
+            case ("member", _, str() as channel, tuple() as path):
+                return channel.rpartition(".")[2], _path(path)
+            case ("call", str() as name, *_):
+                return f"{name}()", ()
+            case ("taken", tuple() as path):
+                return (taken, _path(path)) if taken else None
+        return None
+
+
+# ---- types ------------------------------------------------------------------------------------------
+
+
+def _type(name: str, messages: Mapping[str, type[object]]) -> object:
+    plain: dict[str, object] = {"bool": bool, "int": int, "double": float, "string": str}
+    if name in plain:
+        return plain[name]
+    if name == "duration":
+        return int
+    if name == "agent":
+        return str
+    return _enums(messages).get(name, name)
+
+
+def _enums(messages: Mapping[str, type[object]]) -> dict[str, type[IntEnum]]:
+    found: dict[str, type[IntEnum]] = {}
+    for kind in messages.values():
+        for item in member_types(cast(type, kind)).values():
+            if isinstance(item, type) and issubclass(item, IntEnum):
+                found[item.__name__] = item
+    return found
+
+
+def _path(path: Iterable[object]) -> tuple[str, ...]:
+    return tuple(map(str, path))
+
+
+def _members(kind: type[object], depth: int = 4) -> Iterator[tuple[tuple[str, ...], object]]:
+    """The members of a message, with those of messages inside, as paths with their types."""
+    for name, item in member_types(cast(type, kind)).items():
+        inner = getattr(item, "__dataclass_fields__", None)
+        if inner is not None and depth:
+            for path, deeper in _members(cast("type[object]", item), depth - 1):
+                yield (name, *path), deeper
+        else:
+            yield (name,), item
+
+
+def _made(kind: type[object], members: Mapping[tuple[str, ...], object]) -> object:
+    """A message with these members; the others have their defaults."""
+    types = member_types(cast(type, kind))
+    inside: dict[str, dict[tuple[str, ...], object]] = {}
+    for (name, *rest), value in members.items():
+        inside.setdefault(name, {})[tuple(rest)] = value
+    given = {
+        name: found[()] if () in found else _made(cast("type[object]", types[name]), found)
+        for name, found in inside.items()
+    }
+    return kind(**given)
+
+
+def _values(kind: object, known: _Class, agents: Sequence[str]) -> Tried:
+    if kind is bool:
+        return Tried((False, True), is_all=True)
+    if isinstance(kind, type) and issubclass(kind, IntEnum):
+        return Tried(tuple(kind), is_all=True)
+    if kind is int:
+        return _numbers(known, [item for item in known.constants if isinstance(item, int)], 1)
+    if kind is float:
+        numbers = [float(item) for item in known.constants if isinstance(item, int | float)]
+        return _numbers(known, numbers, 1.0)
+    if kind is str:
+        texts = sorted(item for item in known.constants if isinstance(item, str))
+        return Tried((*agents, *texts) if agents else ("", *texts), is_all=not known.is_compared)
+    return Tried((_default(kind),), is_all=False)
+
+
+def _numbers(known: _Class, constants: Sequence[float], step: float) -> Tried:
+    if known.is_compared or known.is_computed or not constants:
+        few = tuple(type(step)(item) for item in FEW)
+        found = sorted({*few, *constants})
+        return Tried(tuple(found), is_all=not (known.is_compared or known.is_computed) and not constants)
+    around = {value for item in constants for value in (item - step, item, item + step)}
+    return Tried(tuple(sorted(around)), is_all=True)
+
+
+def _default(kind: object) -> object:
+    return kind() if callable(kind) else None
+
+
+__all__ = ["Tried", "Values"]
