@@ -9,9 +9,9 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.play.scenario import Expectation
 from aseme_dsl.project.proving.results import Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope
-from aseme_dsl.project.proving.watched import Watched, is_timed
+from aseme_dsl.project.proving.watched import Watched, is_timed, named
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
-from aseme_dsl.proofs.explore.questions import stuck, unmet
+from aseme_dsl.proofs.explore.questions import Stuck, stuck, unmet
 from aseme_dsl.proofs.explore.search import Graph, Limits
 from aseme_dsl.runtime.chart.plan import Plan, Transition
 from aseme_dsl.runtime.monitor.rules import LeadsTo, Sometime
@@ -48,10 +48,11 @@ class Judge:
         if self._watch is not None:
             for number, item in enumerate(self._watch.observer.script.expectations):
                 yield self._expectation(number, item)
-        yield self._deadlock()
+        found = stuck(self._explored, self._graph)
+        yield self._deadlock(found)
         if any(agent.plan.branches for agent in self._explored.agents):
             yield self._seen("orphan messages", "orphan")
-            yield self._seen("non-local choice", "race")
+            yield self._choice(found)
             yield from self._agreement()
         yield self._dead()
         yield self._seen("failures", "failure", "circling")
@@ -60,7 +61,7 @@ class Judge:
 
     def _expectation(self, number: int, item: Expectation) -> Result:
         graph, timed = self._graph, is_timed(item.rule)
-        name = item.of
+        name = named(item)
         if number in graph.broken and (not timed or isinstance(item.rule, LeadsTo)):
             return self._refuted(name, "", graph.broken[number], item)
         found = unmet(graph, number) if not timed or isinstance(item.rule, LeadsTo | Sometime) else None
@@ -78,8 +79,14 @@ class Judge:
 
     # ---- what is asked of every team ---------------------------------------------------------
 
-    def _deadlock(self) -> Result:
-        found = stuck(self._explored, self._graph)
+    def _choice(self, found: Stuck | None) -> Result:
+        """Two agents that send past each other: neither takes what the other has sent."""
+        if found is None or found.past is None:
+            return self._seen("non-local choice", "race")
+        reason = f"{found.agent} and {found.past} have sent past each other, and {found.agent} waits for ever"
+        return self._refuted("non-local choice", reason, found.state)
+
+    def _deadlock(self, found: Stuck | None) -> Result:
         if found is None:
             return self._unbroken("deadlock", is_built_in=True)
         waiting = found.waiting
@@ -118,6 +125,8 @@ class Judge:
             return self._result("dead states", Verdict.PROVED, "", is_built_in=True)
         text = ", ".join(dead[:_SHOWN]) + (f" and {len(dead) - _SHOWN} more" if len(dead) > _SHOWN else "")
         why = self._incomplete()
+        if not why and self._explored.values.computes:
+            why = "the program computes with numbers, of which a few are tried"
         if why:
             reason = f"not reached: {text}; {why}"
             return self._result("dead states", Verdict.UNDECIDED, reason, is_built_in=True)
@@ -161,9 +170,8 @@ class Judge:
         is_built_in: bool = False,
     ) -> Result:
         span = None if item is None else item.span
-        title = name if item is None else item.span.text.strip()
         return Result(
-            name, self._scope.what, verdict, self._bounds(), reason, counterexample, span, is_built_in, title
+            name, self._scope.what, verdict, self._bounds(), reason, counterexample, span, is_built_in
         )
 
     def _bounds(self) -> str:
@@ -171,9 +179,10 @@ class Judge:
         parts = [self._scope.agents]
         network = "any delay" + (", data may be lost" if self._assumed.loses else "")
         parts.append(network)
-        parts += [f"at most {most} of {len(names)} crash" for most, names in self._assumed.crashes]
+        parts += [f"at most {most} of {len(names)} crash" for most, names in self._assumed.crashes if names]
         if graph.is_queue_cut:
-            parts.append(f"at most {self._limits.queue} messages on one way")
+            queue = self._limits.queue
+            parts.append(f"at most {queue} messages ({queue // 2} of topics) on one way")
         parts += sorted(self._explored.values.bounds.values())
         parts.append(f"{len(graph.parents)} states")
         return "; ".join(parts)

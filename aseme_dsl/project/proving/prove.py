@@ -49,17 +49,15 @@ def prove(
     found: list[Result] = []
     for scope in scopes_of(compiled.root, compiled.system, robots):
         told(f"exploring the {scope.what}")
-        found += _explored(scope, compiled, limits)
-    names = dict.fromkeys(name for item in found for name in (item.name, item.title))
+        found += _explored(scope, compiled, limits, asked)
+    names = dict.fromkeys(item.name for item in found)
     missing = next((name for name in asked if name not in names), None)
     if missing is not None:
-        raise LookupError(
-            f"nothing is called {missing}; there are {', '.join(dict.fromkeys(i.name for i in found))}"
-        )
-    return tuple(item for item in found if not asked or item.name in asked or item.title in asked)
+        raise LookupError(f"nothing is called {missing}; there are {', '.join(names)}")
+    return tuple(item for item in found if not asked or item.name in asked)
 
 
-def _explored(scope: Scope, compiled: Compiled, limits: Limits) -> Iterator[Result]:
+def _explored(scope: Scope, compiled: Compiled, limits: Limits, asked: Sequence[str]) -> Iterator[Result]:
     """The answers about one team."""
     own = compiled if scope.protocol is None else compile_root(scope.root)
     assert own.system is not None, [str(item) for item in own.diagnostics]
@@ -85,7 +83,14 @@ def _explored(scope: Scope, compiled: Compiled, limits: Limits) -> Iterator[Resu
         )
         if watch is not None:
             watch.begin(explored)
-        graph = search(explored, eyes, watch.monitors if watch is not None else None, limits)
+        wanted = () if watch is None else watch.numbers_of(asked)
+        graph = search(
+            explored,
+            eyes,
+            None if watch is None else watch.monitors,
+            limits,
+            lambda graph: 0 < len(asked) == len(wanted) and graph.broken.keys() >= set(wanted),
+        )
         yield from Judge(scope, explored, graph, watch, assumed, limits, own.system).results()
 
 

@@ -33,8 +33,6 @@ class Result:
     counterexample: tuple[str, ...] = ()
     span: Span | None = None
     is_built_in: bool = False
-    title: str = ""
-    """Its text in the document, where it has one."""
 
     @property
     def text(self) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from aseme_dsl.amola.expression import Expired, VariableValue, walk
 from aseme_dsl.play.conversations import Clauses
 from aseme_dsl.play.observer import Observer
-from aseme_dsl.play.scenario import Holds, Says, Script
+from aseme_dsl.play.scenario import Expectation, Holds, Says, Script
 from aseme_dsl.play.sight.insight import Insight, Live
 from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.search import Monitors
@@ -88,6 +88,12 @@ class Watched:
         assert self._explored is not None
         return Live(next(item.chart for item in self._explored.agents if item.name == agent))
 
+    def numbers_of(self, names: Sequence[str]) -> tuple[int, ...]:
+        """The expectations of these names."""
+        return tuple(
+            number for number, item in enumerate(self.observer.script.expectations) if named(item) in names
+        )
+
     # ---- what the search asks ----------------------------------------------------------------
 
     @property
@@ -137,6 +143,13 @@ class Watched:
             del clauses._talks[name]
 
 
+def named(item: Expectation) -> str:
+    """The name of a property; a clause is called as it is written."""
+    if item.of.startswith("clause"):
+        return " ".join(item.span.text.split()).removeprefix("clause ")
+    return item.of.removeprefix("property ").strip('"')
+
+
 def is_timed(rule: Rule) -> bool:
     """Whether a rule speaks of how long something takes."""
     match rule:
@@ -152,4 +165,4 @@ def is_timed(rule: Rule) -> bool:
             return type(rule).__name__ in ("At", "AfterFirst")
 
 
-__all__ = ["Watched", "is_timed", "layout_of", "names_in"]
+__all__ = ["Watched", "is_timed", "layout_of", "named", "names_in"]

@@ -135,9 +135,10 @@ class Acting:
             if not any(is_in(execution.label, state) for state in states):
                 continue
             for part in receivers(info, performative, message, [*self._plans.values()]):
-                answers = (None, *self._values.contents(message))
+                contents = self._values.contents(message)
+                answers = (None, *contents)
                 what = f"{performative} {message}"
-                text = f"{execution.activity} sends {{}} as {performative} to {part}"
+                text = f"{execution.activity} sends {what} to {part}{': {}' if len(contents) > 1 else ''}"
                 chosen = self._choices.of(("send", what, part), answers, text)
                 if chosen is not None:
                     with suppress(LookupError):  # it is not sent, and the activity would hear why
@@ -152,8 +153,8 @@ class Acting:
         for item in list(waiting):
             if (item.performative, item.message) not in lines and item.performative != inputs.LOST:
                 question = ("read", item.performative, item.message, item.sender)
-                text = f"{execution.activity} takes {item.performative} {item.message}: {{}}"
-                if self._choices.of(question, (True, False), text):
+                text = f"{execution.activity} takes {item.performative} {item.message}"
+                if self._choices.of(question, (True, None), text):
                     agent.requests.take_mail(execution, item.performative, item.message, item.sender)
 
     def prepared(self, agent: str, message: str) -> object:
@@ -182,6 +183,9 @@ class Free(Prepared):
         super().__init__()
         self._acting = acting
         self._agent = agent
+
+    def clear(self) -> None:
+        """There is nothing to forget."""
 
     def take(self, plan: Plan, branch: str, message: str, source: str) -> object:
         return self._acting.prepared(self._agent, message)

@@ -174,8 +174,16 @@ class Explored:
                 self._relevant[agent.role].forget(agent.chart, OPEN)
 
     def longest(self) -> int:
-        """How many messages, at the most, are on their way from one agent to another."""
-        return max(map(len, self.ways.ways.values()), default=0)
+        """How many messages, at the most, are on their way from one agent to another; of a topic, each counts
+        twice."""
+        weights = (
+            sum(1 if item.kind == "mail" else 2 for item in items) for items in self.ways.ways.values()
+        )
+        return max(weights, default=0)
+
+    def invitations(self, agent: Agent) -> list[AclMessage]:
+        """The agent messages that wait for a participant of an agent to be entered or free."""
+        return self.conversations._members.desks[agent.name].invitations.waiting()
 
     def writers(self) -> Mapping[str, frozenset[str]]:
         """The agents that may publish on each channel."""

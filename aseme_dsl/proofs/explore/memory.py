@@ -101,6 +101,8 @@ class Memory:
         talks = (f"{protocol}-{name}-" for protocol in protocols for name in self.senders)
         self._prefixes = frozenset((*(f"{name}-" for name in self.senders), *talks))
         self._classes: dict[type, _Class] = {}
+        self._texts: dict[str, tuple[str, int] | None] = {}
+        """Whether texts are names that count up, for those that were seen."""
 
     # ---- pictures ----------------------------------------------------------------------------
 
@@ -165,10 +167,11 @@ class Memory:
 
     def numbered(self, text: str) -> tuple[str, int] | None:
         """A name that counts up as what stands before the number, and the number."""
-        found = _NUMBERED.fullmatch(text)
-        if found is None or found[1] not in self._prefixes:
-            return None
-        return found[1], int(found[2])
+        if text not in self._texts:
+            found = _NUMBERED.fullmatch(text)
+            is_one = found is not None and found[1] in self._prefixes
+            self._texts[text] = (found[1], int(found[2])) if found is not None and is_one else None
+        return self._texts[text]
 
     def ordered(self, kind: type) -> Callable[[Any], object] | None:
         """What of an object of this class depends on the order in a dictionary."""
@@ -334,13 +337,16 @@ class _Keying:
         if value is None or kind is int or kind is bool or kind is float or kind is bytes:
             return value
         if kind is tuple:
-            if len(value) == 2 and type(value[1]) is int and value[0] in self._memory.senders:
+            if len(value) == 2 and type(value[1]) is int and self._is_sender(value[0]):
                 return value[0], self._renamed(f"{value[0]}-", value[1])  # an identity
             return tuple([self._value(part) for part in value])
         place = self._places.get(id(value))
         if place is not None:
             return "@", place
         return self._other(value)
+
+    def _is_sender(self, value: object) -> bool:
+        return type(value) is str and value in self._memory.senders
 
     def _other(self, value: Any) -> object:
         if isinstance(value, Enum):

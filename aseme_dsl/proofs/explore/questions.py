@@ -16,11 +16,13 @@ from aseme_dsl.runtime.team.outside import wait_for_input
 
 @dataclass(frozen=True, slots=True)
 class Stuck:
-    """An agent that waits for ever, and where, from a state on."""
+    """An agent that waits for ever, and where, from a state on. `past` is another one, if there is one: each
+    has sent the other a message that nothing takes."""
 
     agent: str
     waiting: Waiting
     state: int
+    past: str | None = None
 
 
 def stuck(explored: Explored, graph: Graph) -> Stuck | None:
@@ -34,7 +36,7 @@ def stuck(explored: Explored, graph: Graph) -> Stuck | None:
                     break
                 waiting = _waits(explored, graph, state, place, region)
                 if waiting is not None:
-                    found = [Stuck(agent.name, waiting, state)]
+                    found = [Stuck(agent.name, waiting, state, _past(explored, agent))]
                     break
     return found[0] if found else None
 
@@ -111,6 +113,26 @@ def _waits(explored: Explored, graph: Graph, state: int, place: int, region: int
     if agent.name in wait_for_input(needs, explored.writers()):
         return None
     return mine
+
+
+def _past(explored: Explored, agent: Agent) -> str | None:
+    """The agent with which one has sent past each other."""
+    senders = {other.name: _unread(explored, other) for other in explored.agents}
+    return next(
+        (name for name in senders[agent.name] if agent.name in senders.get(name, ())),
+        None,
+    )
+
+
+def _unread(explored: Explored, agent: Agent) -> frozenset[str]:
+    """Of whom agent messages wait for an agent, or are on their way to it."""
+    mail = {item.sender for waiting in agent.chart.mail.values() for item in waiting}
+    coming = {
+        sender
+        for (sender, receiver), items in explored.ways.ways.items()
+        if receiver == agent.name and any(item.kind == "mail" for item in items)
+    }
+    return frozenset(mail | coming | {item.sender for item in explored.invitations(agent)})
 
 
 # ---- what has to come -------------------------------------------------------------------------------

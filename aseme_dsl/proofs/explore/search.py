@@ -20,8 +20,8 @@ class Limits:
 
     states: int = 200_000
     seconds: float = 60.0
-    queue: int = 8
-    """So many messages, at the most, are on their way from one agent to another."""
+    queue: int = 4
+    """So many agent messages, at the most, are on their way from one agent to another; half of topics."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,13 +137,27 @@ class Monitors:
     met: Callable[[], set[int]] = set
 
 
-def search(explored: Explored, eyes: Eyes, monitors: Monitors | None, limits: Limits) -> Graph:
-    """All states, or as many as the limits allow."""
-    return _Search(explored, eyes, monitors or Monitors(), limits).run()
+def search(
+    explored: Explored,
+    eyes: Eyes,
+    monitors: Monitors | None,
+    limits: Limits,
+    is_enough: Callable[[Graph], bool] = lambda graph: False,
+) -> Graph:
+    """All states, or as many as the limits allow, or as are enough."""
+    return _Search(explored, eyes, monitors or Monitors(), limits, is_enough).run()
 
 
 class _Search:
-    def __init__(self, explored: Explored, eyes: Eyes, monitors: Monitors, limits: Limits) -> None:
+    def __init__(
+        self,
+        explored: Explored,
+        eyes: Eyes,
+        monitors: Monitors,
+        limits: Limits,
+        is_enough: Callable[[Graph], bool],
+    ) -> None:
+        self._is_enough = is_enough
         self._explored = explored
         self._eyes = eyes
         self._monitors = monitors
@@ -174,6 +188,8 @@ class _Search:
         return graph
 
     def _is_over(self) -> str | None:
+        if self._is_enough(self._graph):
+            return "what was asked for is refuted"
         if len(self._graph.parents) >= self._limits.states:
             return f"{self._limits.states} states"
         if process_time() > self._until:
@@ -188,11 +204,10 @@ class _Search:
         moves = list(explored.moves())
         graph.enabled[state] = frozenset(move.kind for move in moves if move.is_fair)
         edges: list[Edge] = []
-        for number in range(len(moves)):
+        for number, move in enumerate(moves):
             explored.choices.begin()
             while True:
                 explored.take_back(picture)
-                move = _numbered(explored.moves(), number)
                 edges += self._make(state, number, move)
                 if not explored.choices.again():
                     break
@@ -271,12 +286,6 @@ class _Search:
         for kind, text, at in self._eyes.seen:
             if (kind, text) not in known:
                 graph.sightings.append(Sighting(kind, text, at, state))
-
-
-def _numbered(moves: Iterator[Move], number: int) -> Move:
-    for _ in range(number):
-        next(moves)
-    return next(moves)
 
 
 def _places(agent: Agent) -> tuple[int, ...]:

@@ -64,6 +64,8 @@ class Values:
         """What the program computes with, so that a few values do not stand for all."""
         for plan in plans:
             _Reader(self, plan).read()
+        self.computes = any(item.is_computed for item in self._classes.values())
+        """Whether the program computes with numbers that something depends on."""
 
     # ---- what is asked -----------------------------------------------------------------------
 

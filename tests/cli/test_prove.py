@@ -1,0 +1,264 @@
+"""`asemec prove`: what it says of small systems with and without a mistake, exit codes and bounds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import Done, Here
+
+BUY = """\
+system Shop
+message Order { string what }
+message Price { int euros }
+aip buy {
+  participant buyer {
+    sends    request Order
+    receives inform Price, refuse Order
+    process  = Choose . Wait . (Pay | GoHome)
+  }
+  participant seller {
+    var there : bool = false
+    sends    inform Price, refuse Order
+    receives request Order
+    process  = Look . Close
+  }
+  clause Look@seller before Pay@buyer
+  control buyer {
+    enter Wait   : / send request Order { .. } to seller
+    enter Pay    : inform Price from seller
+    enter GoHome : refuse Order from seller
+  }
+  control seller {
+    enter Look  : request Order from buyer
+    enter Close : [there] / send inform Price { euros = 5 } to buyer
+    enter Close : else / send refuse Order { .. } to buyer
+  }
+}
+"""
+
+MEET = """\
+system Hall
+message Ask   { int n }
+message Reply { int n }
+aip meet {
+  participant left {
+    sends    request Ask, agree Reply
+    receives query_ref Ask, inform Reply
+    process  = Come . (Wait | Serve)
+  }
+  participant right {
+    sends    query_ref Ask, inform Reply
+    receives request Ask, agree Reply
+    process  = Come . (Wait | Serve)
+  }
+  control left {
+    enter Wait  : after(1s) / send request Ask { n = 1 } to right
+    enter Serve : query_ref Ask from right / send agree Reply { n = 1 } to right
+    leave Wait  : inform Reply from right
+  }
+  control right {
+    enter Wait  : after(1s) / send query_ref Ask { n = 1 } to left
+    enter Serve : request Ask from left / send inform Reply { n = 1 } to left
+    leave Wait  : agree Reply from left
+  }
+}
+"""
+
+LATE = """\
+system Office
+message Job { int n }
+aip ask {
+  participant boss {
+    sends    request Job
+    receives inform Job
+    process  = Think . Wait . (Praise | GiveUp)
+  }
+  participant worker {
+    sends    inform Job
+    receives request Job
+    process  = Work . Rest
+  }
+  outcome "It is done."       when Rest@worker
+  outcome "It was given up." when GiveUp@boss
+  control boss {
+    enter Wait   : / send request Job { n = 1 } to worker
+    enter Praise : inform Job from worker
+    enter GiveUp : after(10s)
+  }
+  control worker {
+    enter Work : request Job from boss
+    enter Rest : / send inform Job { n = 1 } to boss
+  }
+}
+"""
+
+FORGED = """\
+system Yard
+message Job { int n }
+aip carry {
+  participant manager {
+    sends    request Job
+    receives inform Job
+    process  = Call . Settle
+  }
+  participant carrier {
+    sends    inform Job by Estimate or Carry
+    receives request Job
+    process  = Estimate . Carry
+  }
+  clause Carry@carrier before Settle@manager
+  control manager {
+    enter Call   : / send request Job { n = 1 } to carrier
+    enter Settle : inform Job from carrier
+  }
+  control carrier { enter Estimate : request Job from manager }
+}
+"""
+
+CENTRES = """\
+system Pair
+message Who { int center }
+topic team { state Who from decider }
+srm decider {
+  liveness { decider = Decide }
+  activities { Decide writes team.state.Who }
+}
+srm player {
+  var number : int = 0
+  liveness { player = Wait . [Center] }
+  control player {
+    enter Center : [team.state.Who.center == number]
+    skip  Center : [team.state.Who.center != number]
+  }
+}
+team Pair {
+  referee : decider
+  one : player with number = 1
+  two : player with number = 2
+}
+property "one centre" { at most one Center }
+"""
+
+
+@pytest.fixture
+def prove(here: Here, folder: Path) -> object:
+    def call(text: str, *arguments: object) -> Done:
+        (folder / "it.aseme").write_text(text)
+        return here("prove", "it.aseme", *arguments)
+
+    return call
+
+
+def verdicts(done: Done) -> dict[str, str]:
+    """The verdicts by name, from JSON."""
+    assert done.json["format"] == 1
+    return {item["name"]: item["verdict"] for item in done.json["results"]}
+
+
+def test_a_protocol_without_a_mistake_is_proved_with_its_bounds(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(BUY)
+    assert done.code == 0, done.out
+    assert done.out.splitlines()[0] == (
+        "PROVED    Look@seller before Pay@buyer of protocol buy (it.aseme:16:3)"
+        " [1 buyer, 1 seller; any delay; 76 states]"
+    )
+    assert done.out.count("PROVED") == len(done.out.splitlines())
+
+
+def test_a_wait_that_nothing_ends_is_shown_with_the_shortest_run(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(BUY.replace("    enter Close : else / send refuse Order { .. } to buyer\n", ""), "deadlock")
+    assert done.code == 1
+    assert done.out == (
+        "REFUTED   deadlock of protocol buy: seller waits after Look for ever for [there]"
+        " [1 buyer, 1 seller; any delay; 435 states]\n"
+        "    1  buyer: Choose ends\n"
+        "    2  seller gets request Order of buyer\n"
+        "    3  seller: Look ends; seller: there is False\n"
+    )
+
+
+def test_a_message_that_nothing_takes_is_an_orphan(prove) -> None:  # type: ignore[no-untyped-def]
+    twice = "send inform Price { euros = 5 } to buyer; send inform Price { euros = 6 } to buyer"
+    text = BUY.replace("send inform Price { euros = 5 } to buyer", twice)
+    assert verdicts(prove(text, "--json")) | {"orphan messages": "REFUTED", "deadlock": "PROVED"} == verdicts(
+        prove(text, "--json")
+    )
+
+
+def test_two_that_choose_for_each_other_send_past_each_other(prove) -> None:  # type: ignore[no-untyped-def]
+    found = verdicts(prove(MEET, "--json"))
+    assert found["non-local choice"] == "REFUTED"
+    assert found["deadlock"] == "REFUTED"
+
+
+def test_a_deadline_that_crosses_the_answer_breaks_agreement(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(LATE, "agreement", "--json")
+    (item,) = done.json["results"]
+    assert (done.code, item["verdict"]) == (1, "REFUTED")
+    assert item["reason"] == 'both "It is done." and "It was given up." come of it'
+    assert item["counterexample"][-1] == "boss: 10 s have passed in start of (Praise | GiveUp)"
+    assert verdicts(prove(LATE, "--json"))["deadlock"] == "PROVED"
+
+
+def test_an_activity_that_may_send_the_answer_breaks_the_order(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(FORGED, "Carry@carrier before Settle@manager")
+    assert done.code == 1
+    assert "Estimate sends inform Job to manager" in done.out
+    mended = FORGED.replace("by Estimate or Carry", "by Carry")
+    assert prove(mended, "Carry@carrier before Settle@manager").code == 0
+
+
+def test_two_robots_take_the_same_place(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(CENTRES, "one centre", "--json")
+    (item,) = done.json["results"]
+    assert (done.code, item["verdict"]) == (1, "REFUTED"), item
+    assert "Who.center in 1, 2, 3" in item["bounds"]
+    assert sum("publishes" in line for line in item["counterexample"]) == 2
+    rule = "control decider { leave Decide : / write_messages.team.state.Who { center = 1 } }"
+    fixed = CENTRES.replace("activities { Decide writes team.state.Who }", rule)
+    assert prove(fixed, "one centre").code == 0
+
+
+def test_what_speaks_of_time_is_vacuous_or_was_cut_is_not_proved(prove) -> None:  # type: ignore[no-untyped-def]
+    clause = "every Look@seller leads to Close@seller within 5s"
+    timed = prove(BUY.replace("Look@seller before Pay@buyer", clause), clause, "--json")
+    (item,) = timed.json["results"]
+    assert (timed.code, item["verdict"]) == (3, "UNDECIDED"), item
+    assert item["reason"] == "it speaks of how long something takes"
+    never = BUY.replace("Look@seller before Pay@buyer", "at most one GoHome@buyer")
+    never = never.replace("  participant buyer {", "  participant buyer {\n    var no : bool = false")
+    never = never.replace("enter Wait   : / send", "enter Wait   : / no = false; send")
+    never = never.replace("refuse Order from seller", "refuse Order from seller [no]")
+    vacuous = prove(never, "at most one GoHome@buyer", "--json")
+    (item,) = vacuous.json["results"]
+    assert (vacuous.code, item["verdict"]) == (3, "UNDECIDED"), item
+    assert item["reason"] == "vacuous: what it speaks of never happens"
+    cut = prove(BUY, "deadlock", "--states", "3", "--json")
+    (item,) = cut.json["results"]
+    assert (cut.code, item["verdict"]) == (3, "UNDECIDED")
+    assert item["reason"] == "the search was cut after 3 states"
+    assert prove(BUY, "--states", "3").code == 3  # of the clause
+
+
+def test_a_crash_is_looked_at_where_it_is_assumed(prove) -> None:  # type: ignore[no-untyped-def]
+    assert prove(BUY, "deadlock").code == 0
+    team = (
+        "srm shop { plays buy.seller liveness { shop = seller } }\n"
+        "srm client { plays buy.buyer liveness { client = buyer } }\n"
+        "team Street { ann : client  bob : shop }\n"
+        'property "no matter" { assume at most 1 of shop crash  never ann in GoHome }\n'
+    )
+    found = prove(BUY + team, "deadlock", "--json").json["results"]
+    by_scope = {item["of"]: item for item in found}
+    assert by_scope["team"]["verdict"] == "REFUTED"
+    assert any("crashes" in line for line in by_scope["team"]["counterexample"])
+    assert by_scope["protocol buy"]["verdict"] == "PROVED"
+
+
+def test_wrong_use_and_files_with_errors(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(BUY, "deadlok")
+    assert done.code == 2
+    assert "nothing is called deadlok; there are Look@seller before Pay@buyer, deadlock," in done.err
+    assert prove(BUY.replace("Choose .", "Choose ..")).code == 1
