@@ -228,9 +228,9 @@ def test_what_speaks_of_time_is_vacuous_or_was_cut_is_not_proved(prove) -> None:
     assert (timed.code, item["verdict"]) == (3, "UNDECIDED"), item
     assert item["reason"] == "it speaks of how long something takes"
     never = BUY.replace("Look@seller before Pay@buyer", "at most one GoHome@buyer")
-    never = never.replace("  participant buyer {", "  participant buyer {\n    var no : bool = false")
-    never = never.replace("enter Wait   : / send", "enter Wait   : / no = false; send")
-    never = never.replace("refuse Order from seller", "refuse Order from seller [no]")
+    never = never.replace("  participant buyer {", "  participant buyer {\n    var no : int = 1")
+    never = never.replace("enter Wait   : / send", "enter Wait   : / no = 2; send")
+    never = never.replace("refuse Order from seller", "refuse Order from seller [no == 3]")
     vacuous = prove(never, "at most one GoHome@buyer", "--json")
     (item,) = vacuous.json["results"]
     assert (vacuous.code, item["verdict"]) == (3, "UNDECIDED"), item

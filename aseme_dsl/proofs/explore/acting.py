@@ -58,7 +58,7 @@ class Acting:
 
     def _writable(self, agent: Agent, execution: Execution) -> list[str]:
         """The variables that an activity may write: those that it declares, and of its participant those
-        that no line of the protocol writes."""
+        that no line of the protocol writes, but to give them their initial value."""
         known = self._writes.get((agent.role, execution.label))
         if known is None:
             inner = [

@@ -106,9 +106,13 @@ def by_lines(plan: Plan, branch: str) -> frozenset[tuple[str, str]]:
 
 
 def assigned(plan: Plan) -> frozenset[str]:
-    """The variables that lines of the document write."""
+    """The variables to which lines of the document give another value than the initial one."""
+    initial = {item.name: item.initial for item in plan.variables}
     return frozenset(
-        str(action[1]) for item in plan.transitions for action in item.actions if action[0] == "assign"
+        str(action[1])
+        for item in plan.transitions
+        for action in item.actions
+        if action[0] == "assign" and action[2] != ("const", initial.get(str(action[1])))
     )
 
 
