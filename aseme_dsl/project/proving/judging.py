@@ -120,13 +120,13 @@ class Judge:
         for plan in {agent.role: agent.plan for agent in self._explored.agents}.values():
             dead += _dead_in(plan, graph.visited.get(plan.name, set()), graph.taken.get(plan.name, set()))
         if not dead:
-            if graph.cut is None:
-                return self._unbroken("dead states", is_built_in=True)
             return self._result("dead states", Verdict.PROVED, "", is_built_in=True)
         text = ", ".join(dead[:_SHOWN]) + (f" and {len(dead) - _SHOWN} more" if len(dead) > _SHOWN else "")
         why = self._incomplete()
         if not why and self._explored.values.computes:
-            why = "the program computes with numbers, of which a few are tried"
+            why = "a few values are tried, and others may lead there"
+        if not why and graph.is_queue_cut:
+            why = "more messages may be on their way than are looked at"
         if why:
             reason = f"not reached: {text}; {why}"
             return self._result("dead states", Verdict.UNDECIDED, reason, is_built_in=True)
@@ -146,6 +146,8 @@ class Judge:
             return f"the search was cut after {self._graph.cut}"
         if self._explored.values.computed:
             return f"the program computes with {', '.join(sorted(self._explored.values.computed))}"
+        if self._explored.values.bounds:
+            return "a few values are tried, which do not stand for all"
         return self._explored.left_out
 
     def _refuted(self, name: str, reason: str, state: int, item: Expectation | None = None) -> Result:
@@ -157,7 +159,7 @@ class Judge:
             verdict = Verdict.UNDECIDED
         else:
             verdict = Verdict.REFUTED
-        lines = tuple(step.text for step in steps)
+        lines = tuple(step.text for step in steps) or ("at the start",)
         return self._result(name, verdict, reason, lines, item, item is None)
 
     def _result(

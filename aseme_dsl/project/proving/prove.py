@@ -22,9 +22,9 @@ from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root, options_of
 from aseme_dsl.project.playing.operate import generate_version, loaded_for
 from aseme_dsl.project.proving.judging import Judge
-from aseme_dsl.project.proving.results import Result
+from aseme_dsl.project.proving.results import Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope, scopes_of
-from aseme_dsl.project.proving.watched import Watched, layout_of, names_in
+from aseme_dsl.project.proving.watched import Watched, layout_of, named, names_in
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.search import Eyes, Limits, search
 from aseme_dsl.runtime.trace.trace import Listener
@@ -50,6 +50,8 @@ def prove(
     for scope in scopes_of(compiled.root, compiled.system, robots):
         told(f"exploring the {scope.what}")
         found += _explored(scope, compiled, limits, asked)
+        if scope.protocol is None:
+            found += _left_out(scope, compiled, found)
     names = dict.fromkeys(item.name for item in found)
     missing = next((name for name in asked if name not in names), None)
     if missing is not None:
@@ -92,6 +94,23 @@ def _explored(scope: Scope, compiled: Compiled, limits: Limits, asked: Sequence[
             lambda graph: 0 < len(asked) == len(wanted) and graph.broken.keys() >= set(wanted),
         )
         yield from Judge(scope, explored, graph, watch, assumed, limits, own.system).results()
+
+
+def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iterator[Result]:
+    """The properties and clauses of the whole team of which a smaller one says nothing."""
+    assert compiled.system is not None
+    whole = {agent.name: agent.role for team in compiled.system.teams[:1] for agent in team.agents}
+    inspection = inspect_files(compiled.root, None, options_of(compiled.configuration))
+    for team in (whole, dict(scope.team)):
+        watched = watched_of(inspection, team)
+        if watched.refused is not None:
+            reason, span = watched.refused.reason, watched.refused.span
+            yield Result(span.text, scope.what, Verdict.UNDECIDED, scope.agents, reason, (), span)
+            return
+        for item in watched.scripts[0].expectations:
+            if named(item) not in {other.name for other in found}:
+                reason = "it speaks of agents that are left out: raise --robots"
+                yield Result(named(item), scope.what, Verdict.UNDECIDED, scope.agents, reason, (), item.span)
 
 
 def _of_scope(script: Script, scope: Scope) -> Script:

@@ -44,7 +44,7 @@ class Acting:
         self._reads = 0
 
     def acts(self, execution: Execution) -> bool:
-        """Whether an activity may do something that others see, and go on."""
+        """Whether an activity may do something that others see, and continue."""
         info = execution.info
         agent = cast("Agent", execution.owner.agent)
         seen = self._watched[agent.role]
@@ -65,6 +65,7 @@ class Acting:
                 item.name.partition("@")[0]
                 for item in agent.plan.variables
                 if item.scope is not None
+                and not item.type.startswith("list of ")
                 and is_in(execution.label, item.scope)
                 and item.name not in assigned(agent.plan)
             ]
@@ -97,7 +98,8 @@ class Acting:
     def _set(self, agent: Agent, execution: Execution, name: str) -> None:
         """An activity writes a variable: what, is decided when it is read."""
         variable = agent.plan.variable_of(name, execution.label)
-        agent.chart.set_variable(variable.name, OPEN)
+        if not variable.type.startswith("list of "):
+            agent.chart.set_variable(variable.name, OPEN)
 
     def decide(self, role: str, agent: str, variable: str) -> object:
         """What an activity has written to a variable."""

@@ -1,4 +1,4 @@
-"""Choosing: what is left open in a move is decided when it is asked, each way in turn."""
+"""Choosing: what is left open in a move is decided when it is asked; one answer after another is tried."""
 
 from __future__ import annotations
 

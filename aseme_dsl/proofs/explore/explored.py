@@ -15,7 +15,7 @@ from aseme_dsl.proofs.explore.ages import Passing, asks_for_history, passing, th
 from aseme_dsl.proofs.explore.choosing import Choices
 from aseme_dsl.proofs.explore.memory import Memory, Picture
 from aseme_dsl.proofs.explore.relevant import Relevant
-from aseme_dsl.proofs.explore.staging import OPEN, StandsFor, events, staged
+from aseme_dsl.proofs.explore.staging import OPEN, StandsFor, events, lists_of, staged
 from aseme_dsl.proofs.explore.surroundings import Still, Underway, Ways
 from aseme_dsl.proofs.explore.team_layout import layout_of
 from aseme_dsl.proofs.explore.values import Values
@@ -144,6 +144,8 @@ class Explored:
         for agent in self.agents:
             if not thresholds_of(agent.plan)[1]:
                 return f"{agent.role} compares an age with something that is not constant"
+            if lists := lists_of(agent.plan):
+                return f"nothing is tried for the list {lists[0]}, which activities may write"
             if asks_for_history(agent.plan):
                 return f"{agent.role} asks for the history of a channel"
         return ""
@@ -226,7 +228,7 @@ class Explored:
                 yield Move(kind, text, partial(self._fail, execution), is_fair=False)
             if self._acting.acts(execution):
                 kind = ("act", execution.agent, execution.label)
-                text = f"{execution.agent}: {execution.activity} goes on"
+                text = f"{execution.agent}: {execution.activity} runs"
                 yield Move(kind, text, partial(self._acting.act, execution), is_fair=False)
 
     def _arrivals(self) -> Iterator[Move]:
@@ -344,7 +346,7 @@ def _called(item: Underway) -> str:
         return item.what
     given = item.give.args if isinstance(item.give, partial) else ()
     acl = next((part for part in given if isinstance(part, AclMessage)), None)
-    return "the word that it is gone" if acl is None else f"{acl.performative} {acl.message}"
+    return "the news of a loss" if acl is None else f"{acl.performative} {acl.message}"
 
 
 def _passed(plan: Plan, item: Passing) -> str:

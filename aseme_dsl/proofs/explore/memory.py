@@ -82,8 +82,14 @@ class _Class:
     has_dict: bool = False
 
 
-Picture = tuple[tuple[object, _Kind, Any], ...]
-"""Objects with how their contents are put back, and these."""
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """Objects with how their contents are put back, and these. The first ones, so many as are `keyed`, make a
+    difference."""
+
+    objects: tuple[tuple[object, _Kind, Any], ...]
+    keyed: int
+
 
 _MISSING = object()
 
@@ -112,7 +118,12 @@ class Memory:
         seen: set[int] = set()
         found: list[tuple[object, _Kind, Any]] = []
         todo = list(self._roots)
-        while todo:
+        later: list[object] = []
+        keyed = -1
+        while todo or later:
+            if not todo:  # what can only be reached by what makes no difference
+                keyed = len(found) if keyed < 0 else keyed
+                todo, later = later, []
             item = todo.pop()
             kind = known.get(type(item)) or self._class(type(item))
             if kind.kind in (_Kind.PLAIN, _Kind.VALUE) or id(item) in seen:
@@ -121,12 +132,16 @@ class Memory:
             content, inside = _content(item, kind)
             if kind.kind is not _Kind.TUPLE and kind.kind is not _Kind.CALL:
                 found.append((item, kind.kind, content))
-            todo.extend(inside)
-        return tuple(found)
+            if kind.unkeyed and kind.kind is _Kind.OBJECT:
+                for name, part in content.items():
+                    (later if name in kind.unkeyed else todo).append(part)
+            else:
+                todo.extend(inside)
+        return Picture(tuple(found), len(found) if keyed < 0 else keyed)
 
     def take_back(self, picture: Picture) -> None:
         """Let all objects hold what they held then."""
-        for item, kind, content in picture:
+        for item, kind, content in picture.objects:
             _PUT[kind](item, content)
 
     def _class(self, kind: type) -> _Class:
@@ -287,20 +302,12 @@ class _Keying:
 
     def __init__(self, memory: Memory, picture: Picture) -> None:
         self._memory = memory
-        self._picture = picture
-        self._places = {id(item): place for place, (item, _, _) in enumerate(picture)}
-        self._skipped = {
-            id(content[name])
-            for item, kind, content in picture
-            if kind is _Kind.OBJECT
-            for name in memory.class_of(type(item)).unkeyed
-            if name in content
-        }
+        self._objects = picture.objects[: picture.keyed]
+        self._places = {id(item): place for place, (item, _, _) in enumerate(self._objects)}
         self._numbers: dict[str, dict[int, int]] = {}
 
     def all(self, further: object) -> tuple[object, ...]:
-        kept = (item for item in self._picture if id(item[0]) not in self._skipped)
-        return (*(self._object(*item) for item in kept), self._value(further))
+        return (*(self._object(*item) for item in self._objects), self._value(further))
 
     def _object(self, item: object, kind: _Kind, content: Any) -> object:
         value = self._value

@@ -53,7 +53,7 @@ def _back(graph: Graph) -> dict[int, list[int]]:
 def _for_ever(
     graph: Graph, back: Mapping[int, list[int]], place: int, region: int, agent: Agent
 ) -> Iterator[int]:
-    """The states from which on a region of an agent stays where it is, whatever happens."""
+    """The states from which on a region of an agent stays where it is in all continuations."""
     where = [_leaf(places[place], region) for places in graph.places]
     label = agent.chart.REGIONS[region]
     moving = [

@@ -1,7 +1,7 @@
 """Relevant: what of a statechart can still make a difference where it stands; the rest is forgotten.
 
-A variable that nothing reads before it is written anew, a timer that nothing asks for, and the time since the
-entry of a state that has been left are the same in all states.
+A variable that nothing reads before it is written anew is the same in all states. So are a timer that
+nothing asks for, and the time since a state was entered that has been left.
 """
 
 from __future__ import annotations

@@ -165,7 +165,7 @@ class _Search:
         self._graph = Graph()
         self._numbers: dict[bytes, int] = {}
         self._crowded: set[int] = set()
-        """The states from which the search does not go on, as too many messages are on their way."""
+        """The states from which the search does not continue, as too many messages are on their way."""
         self._until = process_time() + limits.seconds
 
     def run(self) -> Graph:
@@ -240,10 +240,11 @@ class _Search:
         """
         explored, eyes = self._explored, self._eyes
         for sender, receiver, text in eyes.untaken:
-            if explored.late.intersection((sender, receiver)) or explored.crashed:
+            if explored.crashed:
                 continue
             if explored.arriving is None or not explored.arriving.crosses:
-                eyes.seen.append(("orphan", text, receiver))
+                if not explored.late.intersection((sender, receiver)):
+                    eyes.seen.append(("orphan", text, receiver))
                 continue
             if (receiver, sender) in explored.spurned:
                 eyes.seen.append(("race", text, receiver))

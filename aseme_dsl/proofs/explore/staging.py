@@ -81,7 +81,21 @@ def undecided(plan: Plan) -> frozenset[str]:
     return frozenset(
         item.name
         for item in plan.variables
-        if item.name.partition("@")[0] in declared or (item.scope is not None and item.name not in written)
+        if not item.type.startswith("list of ")
+        and (item.name.partition("@")[0] in declared or (item.scope is not None and item.name not in written))
+    )
+
+
+def lists_of(plan: Plan) -> tuple[str, ...]:
+    """The lists that activities may write."""
+    declared = {name for info in plan.activities for name in info.variables}
+    written = assigned(plan)
+    names = {
+        item.name: item.name.partition("@")[0] for item in plan.variables if item.type.startswith("list of ")
+    }
+    scoped = {item.name for item in plan.variables if item.scope is not None}
+    return tuple(
+        own for name, own in names.items() if own in declared or (name in scoped and name not in written)
     )
 
 
@@ -144,6 +158,7 @@ __all__ = [
     "assigned",
     "by_lines",
     "events",
+    "lists_of",
     "receivers",
     "staged",
     "undecided",

@@ -1,7 +1,7 @@
 """Surroundings of a team that is explored: no time passes, and what is on its way waits until it is let go.
 
-Time stands still. What time alone would bring (the end of an activity, a message on its way, a deadline) may
-come at any moment and in any order, so a run of any speed is among those that are explored.
+Time stands still. What time alone would bring is the end of an activity, a message on its way, or a
+deadline. Each may come at any moment and in any order, so runs of any speed are explored.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 What a program compares with constants is the same on both sides of each of them: so each constant, and one
 value beside and between them, stand for all. What it compares with other values, or computes with, is tried
-for a few values only. That is a bound of every answer, and is told with it.
+for a few values only. Every answer names these.
 """
 
 from __future__ import annotations
