@@ -100,6 +100,7 @@ USES = {
     "bench": Use(after=("--steps", "5", "--rounds", "1"), says="# "),
     "scaffold": Use(says="src/walker.aseme: 0 skeletons added\n"),
     "doctor": Use(says="sockets of a run, by transport\n"),
+    "export": Use(before=("mermaid",), says="files: 1 "),
     "prove": Use(after=("--states", "20"), says="[2 robot; any delay"),
 }
 """The commands that take a target."""
