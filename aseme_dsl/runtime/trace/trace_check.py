@@ -1,8 +1,8 @@
 """Trace check: whether a line has the members that its kind has in the schema, each of the right type.
 
-Readers rely on it: whoever has written a trace, a line that they are given has what it should have. Members
-and kinds that the schema does not know come from another version, and are not looked at. Nor are the bounds
-of numbers and texts, which do no reader any harm.
+Readers rely on it: a line that they are given has what it should have, also in a trace that was made by
+others. Members and kinds that the schema does not know come from another version, and are not looked at. Nor
+are the bounds of numbers and texts, which do no reader any harm.
 """
 
 from __future__ import annotations
