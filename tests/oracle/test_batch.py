@@ -39,7 +39,7 @@ from tests.support.batches import Together, made, without_compiling
 from tests.support.generated import system_of
 
 EXAMPLES = how_many(40)
-GROUPS = 4
+GROUPS = 2
 SIZE = 12
 STEPS = 12
 
