@@ -108,7 +108,7 @@ def is_chart(document: Element) -> bool:
 
 def read_chart(document: Element) -> ForeignChart:
     """The statechart of a file. Raises Unreadable, with the reason, for what is not one."""
-    return _Reader(document).read()
+    return _Reader(document).chart()
 
 
 @dataclass(slots=True)
@@ -127,7 +127,7 @@ class _Reader:
         self.model = next((top for top in self.tops if top.tag == "Model"), document)
         self.nodes: dict[int, _Node] = {}
 
-    def read(self) -> ForeignChart:
+    def chart(self) -> ForeignChart:
         roots = self._roots()
         if not roots:
             raise Unreadable("it has no state", self.model.place)

@@ -47,7 +47,7 @@ class Element:
 
 def read_markup(source: Source) -> Element:
     """The root element of an XML text. Raises Unreadable."""
-    return _Reader(source).read()
+    return _Reader(source).whole()
 
 
 def _local(name: str) -> str:
@@ -69,7 +69,7 @@ class _Reader:
         self.parser.StartDoctypeDeclHandler = self.doctype
         self.parser.buffer_text = False
 
-    def read(self) -> Element:
+    def whole(self) -> Element:
         try:
             for start in range(0, len(self.bytes), _CHUNK):
                 self.parser.Parse(self.bytes[start : start + _CHUNK], False)

@@ -55,7 +55,7 @@ class ForeignSystem:
         """The Python module with the functions of conditions."""
         return f"{self.name.lower()}_functions"
 
-    def read(self) -> None:
+    def gather(self) -> None:
         """Read all expressions, but for those that are problems: what only these use is not declared."""
         self.meaning = Meaning(self.meaning.known)
         problems = self.documents.problems
@@ -138,7 +138,7 @@ def read_system(
     name = as_name("".join(word[:1].upper() + word[1:] for word in words), "Imported")
     files = tuple(source.path for source in sources)
     system = ForeignSystem(name, files, plans, meaning, protos, modules, documents, protocols)
-    system.read()
+    system.gather()
     return system, tuple(found)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from aseme_dsl import outside
 from aseme_dsl.compiler.read.load import read_source
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.files import FileTooLarge, ForeignNotRead
@@ -68,7 +69,7 @@ class ForeignFiles:
                 )
                 if name not in done and other.is_file():
                     done.add(name)
-                    yield name, other.read_bytes()
+                    yield name, outside.read_bytes(other)
 
 
 def gather(paths: Sequence[Path]) -> ForeignFiles:

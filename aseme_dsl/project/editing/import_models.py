@@ -128,7 +128,7 @@ def _round(system: ForeignSystem, folder: Path, *, is_last: bool) -> tuple[list[
             if other is not None:
                 system.documents.problems[f"eac.{protocol.name}"], changed = other, True
     if changed:
-        system.read()
+        system.gather()
         return [], True
     found = [
         Diagnostic(ForeignNotRead(plan.chart.place.source.path, refused[number]), plan.chart.place)
@@ -141,7 +141,7 @@ def _round(system: ForeignSystem, folder: Path, *, is_last: bool) -> tuple[list[
     if -1 in refused:
         system.documents.requirements = Requirements()
     system.plans = [plan for number, plan in enumerate(system.plans) if number not in refused]
-    system.read()
+    system.gather()
     return found, bool(refused)
 
 

@@ -63,7 +63,7 @@ class Values:
         self.computed: set[str] = set()
         """What the program computes with, so that a few values do not stand for all."""
         for plan in plans:
-            _Reader(self, plan).read()
+            _Reader(self, plan).learn()
         self.computes = any(item.is_computed for item in self._classes.values())
         """Whether the program computes with numbers that something depends on."""
 
@@ -149,7 +149,7 @@ class _Reader:
     values: Values
     plan: Plan
 
-    def read(self) -> None:
+    def learn(self) -> None:
         """Learn what the plan does with values."""
         for item in self.plan.transitions:
             taken = next((str(event[2]) for event in item.events if event[0] == "received"), "")
