@@ -262,3 +262,27 @@ def test_wrong_use_and_files_with_errors(prove) -> None:  # type: ignore[no-unty
     assert done.code == 2
     assert "nothing is called deadlok; there are Look@seller before Pay@buyer, deadlock," in done.err
     assert prove(BUY.replace("Choose .", "Choose ..")).code == 1
+
+
+NEAR = """\
+system Eye
+message Ball { double distance  int number }
+topic eyes { state Ball }
+srm robot {
+  liveness { robot = (Look | Run | Jump)~ }
+  control robot {
+    enter Run  : [eyes.state.Ball.distance > 0.2 && eyes.state.Ball.distance < 0.5]
+    enter Jump : [abs(eyes.state.Ball.number) > 70]
+    enter Look : else
+  }
+}
+property "never runs"  { never robot in Run }
+property "never jumps" { never robot in Jump }
+"""
+
+
+def test_values_between_constants_are_tried_and_those_in_functions_are_not_all(prove) -> None:  # type: ignore[no-untyped-def]
+    found = verdicts(prove(NEAR, "--json"))
+    assert found["never runs"] == "REFUTED"
+    assert found["never jumps"] == "UNDECIDED"  # abs() is asked of a few numbers only
+    assert found["dead states"] == "UNDECIDED"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.system import System
@@ -12,7 +13,7 @@ from aseme_dsl.project.proving.scopes import Scope
 from aseme_dsl.project.proving.watched import Watched, is_timed, named
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, stuck, unmet
-from aseme_dsl.proofs.explore.search import Graph, Limits
+from aseme_dsl.proofs.explore.search import Graph, Limits, Step
 from aseme_dsl.runtime.chart.plan import Plan, Transition
 from aseme_dsl.runtime.monitor.rules import LeadsTo, Sometime
 
@@ -63,12 +64,12 @@ class Judge:
         graph, timed = self._graph, is_timed(item.rule)
         name = named(item)
         if number in graph.broken and (not timed or isinstance(item.rule, LeadsTo)):
-            return self._refuted(name, "", graph.broken[number], item)
+            return self._refuted(name, "", graph.way_with(graph.broken[number]), item)
         found = unmet(graph, number) if not timed or isinstance(item.rule, LeadsTo | Sometime) else None
         if found is not None:
             state, circle = found
             reason = "what is awaited never comes" if not circle else "what is awaited may never come"
-            return self._refuted(name, reason, state, item)
+            return self._refuted(name, reason, graph.way_to(state), item)
         if timed:
             return self._result(name, Verdict.UNDECIDED, "it speaks of how long something takes", item=item)
         if any(witness not in graph.met for witness in item.witnesses) and graph.cut is None:
@@ -84,7 +85,7 @@ class Judge:
         if found is None or found.past is None:
             return self._seen("non-local choice", "race")
         reason = f"{found.agent} and {found.past} have sent past each other, and {found.agent} waits for ever"
-        return self._refuted("non-local choice", reason, found.state)
+        return self._refuted("non-local choice", reason, self._graph.way_to(found.state))
 
     def _deadlock(self, found: Stuck | None) -> Result:
         if found is None:
@@ -94,13 +95,13 @@ class Judge:
         reason = (
             f"{found.agent} waits {waiting.where} {waiting.name} for ever{f' for {what}' if what else ''}"
         )
-        return self._refuted("deadlock", reason, found.state)
+        return self._refuted("deadlock", reason, self._graph.way_to(found.state))
 
     def _seen(self, name: str, *kinds: str) -> Result:
         first = next((item for item in self._graph.sightings if item.kind in kinds), None)
         if first is None:
             return self._unbroken(name, is_built_in=True)
-        return self._refuted(name, first.text, first.state)
+        return self._refuted(name, first.text, self._graph.way_with(first.at))
 
     def _agreement(self) -> Iterator[Result]:
         """Two outcomes of one protocol never come together."""
@@ -108,11 +109,11 @@ class Judge:
         if aip is None or sum(bool(item.when) for item in aip.outcomes) < 2:
             return
         reached = _Outcomes(aip, self._explored, self._graph)
-        state = reached.disagreement()
-        if state is None:
+        steps = reached.disagreement()
+        if steps is None:
             yield self._unbroken("agreement", is_built_in=True)
         else:
-            yield self._refuted("agreement", reached.text, state)
+            yield self._refuted("agreement", reached.text, steps)
 
     def _dead(self) -> Result:
         graph = self._graph
@@ -150,8 +151,9 @@ class Judge:
             return "a few values are tried, which do not stand for all"
         return self._explored.left_out
 
-    def _refuted(self, name: str, reason: str, state: int, item: Expectation | None = None) -> Result:
-        steps = self._graph.way_to(state)
+    def _refuted(
+        self, name: str, reason: str, steps: Sequence[Step], item: Expectation | None = None
+    ) -> Result:
         passes = any(step.passes for step in steps)
         if passes and self._assumed.times:
             why = f"abstract: the run that was found may not keep `{self._assumed.times[0]}`"
@@ -216,6 +218,18 @@ def _is_expected(plan: Plan, item: Transition, passed: set[str]) -> bool:
     return not kinds & _RARE and "not_understood" not in words and "cancel" not in words
 
 
+_Reached = tuple[int, frozenset[str]]
+"""A state, and the outcomes of which a place was entered on the way."""
+
+
+def _way(parents: Mapping[_Reached, tuple[_Reached, Step] | None], last: _Reached) -> list[Step]:
+    steps: list[Step] = []
+    while (before := parents[last]) is not None:
+        last, step = before
+        steps.append(step)
+    return steps[::-1]
+
+
 class _Outcomes:
     """Whether two outcomes of a protocol with conditions come together in one run of it."""
 
@@ -225,25 +239,23 @@ class _Outcomes:
         self._graph = graph
         self.text = ""
 
-    def disagreement(self) -> int | None:
-        """The nearest state in which places of two outcomes have been entered."""
-        graph = self._graph
+    def disagreement(self) -> list[Step] | None:
+        """The shortest run in which places of two outcomes are entered."""
         outcomes = [(item.text, self._labels(item.when)) for item in self._aip.outcomes if item.when]
-        reached: dict[int, frozenset[str]] = {0: frozenset()}
-        for state in range(1, len(graph.parents)):
-            before = graph.parents[state]
-            assert before is not None
-            source = before[0]
-            found = reached.get(source, frozenset())
-            for edge in graph.edges.get(source, ()):
-                if edge.target == state:
-                    found |= self._entered(outcomes, edge.taken)
-                    break
-            reached[state] = found
-            if len(found) > 1:
-                one, other = sorted(found)[:2]
+        first = 0, frozenset[str]()
+        parents: dict[_Reached, tuple[_Reached, Step] | None] = {first: None}
+        todo = deque([first])
+        while todo:
+            now = todo.popleft()
+            if len(now[1]) > 1:
+                one, other = sorted(now[1])[:2]
                 self.text = f'both "{one}" and "{other}" come of it'
-                return state
+                return _way(parents, now)
+            for edge in self._graph.edges.get(now[0], ()):
+                after = edge.target, now[1] | self._entered(outcomes, edge.taken)
+                if after not in parents:
+                    parents[after] = now, edge.step
+                    todo.append(after)
         return None
 
     def _labels(self, places: Iterable[str]) -> dict[str, frozenset[str]]:

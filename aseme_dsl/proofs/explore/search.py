@@ -43,23 +43,27 @@ class Edge:
     kind: Kind
     taken: frozenset[tuple[str, tuple[int, ...]]]
     """The transitions that agents have taken on it, those of a compound transition together."""
+    step: Step
+
+
+Arrival = tuple[int, Step] | None
+"""How a state was reached: a state, and the move that was made there; None for the first one."""
 
 
 @dataclass(frozen=True, slots=True)
 class Sighting:
-    """Something that was seen for the first time: in the last move on the way to a state."""
+    """Something that was seen for the first time, in a move."""
 
     kind: str
     text: str
-    at: str
-    state: int
+    at: Arrival
 
 
 @dataclass(slots=True)
 class Graph:
     """What a search has found. States have numbers in the order of their finding; 0 is the first."""
 
-    parents: list[tuple[int, Step] | None] = field(default_factory=list)
+    parents: list[Arrival] = field(default_factory=list)
     edges: dict[int, tuple[Edge, ...]] = field(default_factory=dict)
     """Of the states whose moves were all made."""
     enabled: dict[int, frozenset[Kind]] = field(default_factory=dict)
@@ -70,8 +74,8 @@ class Graph:
     """The expectations for which something is still awaited in each state."""
     pictures: dict[int, Picture] = field(default_factory=dict)
     sightings: list[Sighting] = field(default_factory=list)
-    broken: dict[int, int] = field(default_factory=dict)
-    """The state in which an expectation is broken, by its number."""
+    broken: dict[int, Arrival] = field(default_factory=dict)
+    """The move in which an expectation is broken first, by its number."""
     met: set[int] = field(default_factory=set)
     """The conditions that were met in some state."""
     visited: dict[str, set[str]] = field(default_factory=dict)
@@ -86,10 +90,15 @@ class Graph:
 
     def way_to(self, state: int) -> list[Step]:
         """The moves on the shortest way to a state."""
+        return self.way_with(self.parents[state])
+
+    def way_with(self, arrival: Arrival) -> list[Step]:
+        """The moves on the shortest way that ends with this one."""
         steps: list[Step] = []
-        while (before := self.parents[state]) is not None:
-            state, step = before
+        while arrival is not None:
+            state, step = arrival
             steps.append(step)
+            arrival = self.parents[state]
         return steps[::-1]
 
 
@@ -99,7 +108,7 @@ class Eyes:
     def __init__(self) -> None:
         self.taken: set[tuple[str, tuple[int, ...]]] = set()
         self.labels: dict[str, set[str]] = {}
-        self.seen: list[tuple[str, str, str]] = []
+        self.seen: list[tuple[str, str]] = []
         self.untaken: list[tuple[str, str, str]] = []
         """Agent messages that nothing has taken: sender, receiver, and what is to be said of it."""
 
@@ -120,9 +129,7 @@ class Eyes:
                 if record.get("performative") != "not_understood":
                     self.untaken.append((record["sender"], record["agent"], text))
             case "error":
-                self.seen.append(("failure", f"{record['agent']} fails: {record['reason']}", ""))
-            case "fault":
-                self.seen.append(("fault", f"{record['agent']}: {record['reason']}", ""))
+                self.seen.append(("failure", f"{record['agent']} fails: {record['reason']}"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,9 +180,9 @@ class _Search:
         try:
             self._explored.begin()
         except Circling as problem:
-            graph.sightings.append(Sighting("circling", str(problem), "", 0))
+            graph.sightings.append(Sighting("circling", str(problem), None))
         self._note(None)
-        self._look(0)
+        self._look(None)
         place = 0
         while place < len(graph.parents):
             if reason := self._is_over():
@@ -226,11 +233,12 @@ class _Search:
             return
         text = "; ".join((move.text, *explored.choices.said))
         self._judge()
-        target = self._note((state, Step(number, explored.choices.way(), text, move.passes)))
-        self._look(target)
+        step = Step(number, explored.choices.way(), text, move.passes)
+        target = self._note((state, step))
+        self._look((state, step))
         if circling is not None:
-            graph.sightings.append(Sighting("circling", circling, "", target))
-        yield Edge(target, move.kind, frozenset(eyes.taken))
+            graph.sightings.append(Sighting("circling", circling, (state, step)))
+        yield Edge(target, move.kind, frozenset(eyes.taken), step)
 
     def _judge(self) -> None:
         """Whether a message that nothing takes is more than late: its receiver has let no deadline pass.
@@ -244,24 +252,21 @@ class _Search:
                 continue
             if explored.arriving is None or not explored.arriving.crosses:
                 if not explored.late.intersection((sender, receiver)):
-                    eyes.seen.append(("orphan", text, receiver))
+                    eyes.seen.append(("orphan", text))
                 continue
             if (receiver, sender) in explored.spurned:
-                eyes.seen.append(("race", text, receiver))
+                eyes.seen.append(("race", text))
             explored.spurned.add((sender, receiver))
 
-    def _note(self, before: tuple[int, Step] | None) -> int:
+    def _note(self, before: Arrival) -> int:
         """The number of the state in which the team is."""
         explored, graph = self._explored, self._graph
         for place in self._monitors.broken():
-            graph.broken.setdefault(place, len(graph.parents))
+            graph.broken.setdefault(place, before)
         picture = explored.picture()
         key = explored.memory.key(picture)
         number = self._numbers.get(key)
         if number is not None:
-            for place, state in graph.broken.items():
-                if state == len(graph.parents):
-                    graph.broken[place] = number
             return number
         number = self._numbers[key] = len(graph.parents)
         if explored.longest() > self._limits.queue:
@@ -273,8 +278,8 @@ class _Search:
         graph.awaited.append(self._monitors.awaited())
         return number
 
-    def _look(self, state: int) -> None:
-        """Note what was seen in the move that has led here."""
+    def _look(self, move: Arrival) -> None:
+        """Note what was seen in a move."""
         graph = self._graph
         for agent in self._explored.agents:
             graph.visited.setdefault(agent.role, set()).update(
@@ -284,9 +289,9 @@ class _Search:
         for name, way in self._eyes.taken:
             graph.taken.setdefault(roles[name], set()).update(way)
         known = {(item.kind, item.text) for item in graph.sightings}
-        for kind, text, at in self._eyes.seen:
+        for kind, text in self._eyes.seen:
             if (kind, text) not in known:
-                graph.sightings.append(Sighting(kind, text, at, state))
+                graph.sightings.append(Sighting(kind, text, move))
 
 
 def _places(agent: Agent) -> tuple[int, ...]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
-from itertools import islice, product
+from itertools import islice, pairwise, product
 from typing import cast
 
 from aseme_dsl.runtime.chart.plan import Plan, Transition, Variable
@@ -22,7 +22,8 @@ MOST = 64
 """So many contents of one message are tried at the most."""
 
 _ORDER = ("==", "!=", "<", "<=", ">", ">=")
-_COMPUTE = ("+", "-", "*", "/", "//", "%", "neg")
+_PLAIN = frozenset(("!", "&&", "||", "has", "holds", "call", "evaluate", "age", "", "send"))
+"""What reads no more of a value than whether it is true or there, or hands it to a function."""
 
 Place = tuple[str, tuple[str, ...]]
 """Where a value stands: a variable or a type of message, and the path in it."""
@@ -205,30 +206,33 @@ class _Reader:
     def _variable_type(self, name: str) -> str | None:
         return next((item.type for item in self.plan.variables if item.name.partition("@")[0] == name), None)
 
-    def _term(self, term: object, taken: str) -> None:
-        """Something reads a value."""
+    def _term(self, term: object, taken: str, plainly: bool = True) -> None:
+        """Something reads a value: `plainly`, if no more than its truth or presence matters."""
         if not isinstance(term, tuple) or not term:
             return
         place = self._place(term, taken)
         if place is not None:
-            self.values.use(place).is_read = True
-            return
+            known = self.values.use(place)
+            known.is_read = True
+            known.is_computed |= not plainly
+            if term[0] != "call":
+                return
         word, *parts = term
         if word in _ORDER and len(parts) == 2:
             self._compare(parts[0], parts[1], taken)
-        if word in _COMPUTE:
-            for part in parts:
-                inner = self._place(part, taken)
-                if inner is not None:
-                    self.values.use(inner).is_computed = True
+            return
         for part in parts:
-            self._term(part, taken)
+            self._term(part, taken, word in _PLAIN)
 
     def _compare(self, one: object, other: object, taken: str) -> None:
+        """Values are compared: with a constant, with another value, or with what is computed."""
         left, right = self._place(one, taken), self._place(other, taken)
-        for place, constant in ((left, other), (right, one)):
-            if place is not None and isinstance(constant, tuple) and constant[:1] == ("const",):
-                self.values.use(place).constants.add(constant[1])
+        for place, value, against in ((left, one, other), (right, other, one)):
+            is_constant = isinstance(against, tuple) and against[:1] in (("const",), ("enum",))
+            self._term(value, taken, is_constant or self._place(against, taken) is not None)
+            match against:
+                case ("const", constant) if place is not None:
+                    self.values.use(place).constants.add(constant)
         if left is not None and right is not None:
             self.values.use(left).is_compared = True
             self.values.use(right).is_compared = True
@@ -323,7 +327,12 @@ def _numbers(known: _Class, constants: Sequence[float], step: float) -> Tried:
         few = tuple(type(step)(item) for item in FEW)
         found = sorted({*few, *constants})
         return Tried(tuple(found), is_all=not (known.is_compared or known.is_computed) and not constants)
-    around = {value for item in constants for value in (item - step, item, item + step)}
+    ordered = sorted(set(constants))
+    if type(step) is int:
+        around = {value for item in ordered for value in (item - 1, item, item + 1)}
+    else:
+        between = [(one + other) / 2 for one, other in pairwise(ordered)]
+        around = {ordered[0] - 1, *ordered, *between, ordered[-1] + 1}
     return Tried(tuple(sorted(around)), is_all=True)
 
 
