@@ -194,7 +194,8 @@ def test_a_failure_is_shrunk_and_saved_as_a_scenario(here: Here, folder: Path) -
     done = here("test", "good.aseme", "--save", "found.aseme")
     assert done.code == 1
     assert "  with home = 0, far = 18" in done.out.splitlines(), done.out
-    assert "  it fails without the inputs of line 19, 20, 22, too" in done.out.splitlines(), done.out
+    shown = "  in a shorter run, without the inputs of lines 19, 20, 22, it fails, too; that run is shown:"
+    assert shown in done.out.splitlines(), done.out
     saved = (folder / "found.aseme").read_text()
     assert (
         saved
@@ -232,11 +233,30 @@ def test_what_has_not_come_is_not_made_smaller_by_leaving_out_what_leads_to_it(
     done = here("test", "good.aseme")
     lines = done.out.splitlines()
     assert done.code == 1
-    assert "  it fails without the input of line 18, too" in lines, done.out
+    shown = "  in a shorter run, without the input of line 18, it fails, too; that run is shown:"
+    assert shown in lines, done.out
     assert (
         "    2.5 s  one  receives eyes.state.Seen { ball = false, home = true }, an input of the scenario"
         in lines
     ), done.out
+
+
+KNOWN = """
+scenario "it walks when it sees the ball" {
+  one : robot
+  at 500ms one receives eyes.state.Seen { ball = false  home = false }
+  at 2s    one in Walk
+  for 4s
+}
+"""
+
+
+def test_what_an_agent_knows_when_something_has_not_come_is_not_left_out(here: Here, folder: Path) -> None:
+    (folder / "good.aseme").write_text(GOOD + KNOWN)
+    done = here("test", "good.aseme")
+    assert done.code == 1
+    assert "shorter run" not in done.out
+    assert "receives eyes.state.Seen { ball = false, home = false }, an input of the scenario" in done.out
 
 
 LATE = """
@@ -301,3 +321,19 @@ def test_a_story_says_what_may_interrupt_a_wait(here: Here, folder: Path) -> Non
     assert (
         f"{waits}, or for [> when [t.signal.Stop.n > 0] (guard.aseme:7)\n" in here("test", "guard.aseme").out
     )
+
+
+def test_a_failure_in_a_table_shows_its_row(here: Here, folder: Path) -> None:
+    table = """
+scenario "it sees" {
+  one : robot
+  table (ball, expected) { (true, Walk) (false, Walk) }
+  at 500ms one receives eyes.state.Seen { ball = ball }
+  at 1500ms one in expected
+  for 2s
+}
+"""
+    (folder / "good.aseme").write_text(GOOD + table)
+    done = here("test", "good.aseme")
+    assert done.code == 1
+    assert "  with the row (false, Walk)" in done.out.splitlines(), done.out

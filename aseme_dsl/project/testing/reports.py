@@ -9,6 +9,7 @@ from aseme_dsl.diagnostics.junit import printable
 from aseme_dsl.diagnostics.render import excerpt
 from aseme_dsl.play.sight.story import told
 from aseme_dsl.project.testing.verdicts import ScenarioResult, Verdict
+from aseme_dsl.source import Span
 
 COLOURS = {"passed": "32", "failed": "31", "error": "31", "vacuous": "33"}
 """The colours of verdicts on a terminal, as ANSI codes."""
@@ -23,11 +24,17 @@ def explained(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:
         yield f"  {line}"
     if item.given:
         yield "  with " + ", ".join(f"{name} = {value}" for name, value in item.given.items())
+    if item.row is not None:
+        yield f"  with the row {item.row.text}"
     if item.dropped:
-        lines = ", ".join(str(span.line) for span in item.dropped)
-        yield f"  it fails without the {'inputs' if len(item.dropped) > 1 else 'input'} of line {lines}, too"
+        yield f"  in a shorter run, without {_inputs(item.dropped)}, it fails, too; that run is shown:"
     for line in told(item.story):
         yield f"    {line}"
+
+
+def _inputs(spans: Sequence[Span]) -> str:
+    lines = ", ".join(str(span.line) for span in spans)
+    return f"the input of line {lines}" if len(spans) == 1 else f"the inputs of lines {lines}"
 
 
 def github(results: Sequence[ScenarioResult]) -> str:

@@ -6,8 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from aseme_dsl.play.run import Played
-from aseme_dsl.play.scenario import Scenario, Script
-from aseme_dsl.runtime.monitor.rules import AfterFirst, At, InOrder, LeadsTo, Sometime
+from aseme_dsl.play.scenario import Receives, Scenario, Script, Stimulus
+from aseme_dsl.play.sight.deciding import agents_about
+from aseme_dsl.runtime.monitor.rules import AfterFirst, At, InOrder, LeadsTo, Sometime, conditions_of
 from aseme_dsl.source import Span
 
 MOST = 500
@@ -30,7 +31,8 @@ def shrunk(script: Script, inputs: Mapping[str, object], found: Played, play: Ru
     """Drop stimuli one by one, then move the values towards 0, as long as the same expectation is broken.
 
     What has not come does not come without stimuli, either. So such a failure is the same only if the agents
-    end in the same states.
+    end in the same states. What the agents in question know when it is broken, or have acted on, is kept: who
+    reads the smaller run would miss it.
     """
     left = MOST
 
@@ -45,8 +47,9 @@ def shrunk(script: Script, inputs: Mapping[str, object], found: Played, play: Ru
     needed = {item.rule.since for item in script.expectations if isinstance(item.rule, Sometime)}
     best = found
     dropped: list[Span] = []
+    known = _known(script, found) if _is_awaited(script, found) else ()
     for item in script.stimuli:
-        if item.trigger is None and item.moment in needed:
+        if (item.trigger is None and item.moment in needed) or item in known:
             continue
         smaller = replace(script, stimuli=tuple(other for other in script.stimuli if other is not item))
         run = fails(smaller, inputs)
@@ -68,6 +71,29 @@ def shrunk(script: Script, inputs: Mapping[str, object], found: Played, play: Ru
             if tried in (passing, failing):
                 break
     return Shrunk(best, values, tuple(dropped))
+
+
+def _known(script: Script, run: Played) -> tuple[Stimulus, ...]:
+    """The stimuli of which the agents may still know something that the broken expectation is about.
+
+    These are all but a message that a later one has replaced, on a channel without a history.
+    """
+    assert run.broken is not None
+    agents = agents_about(script.conditions, conditions_of(script.expectations[run.broken].rule))
+    found: list[Stimulus] = []
+    later: set[tuple[str, str]] = set()
+    for item in sorted(script.stimuli, key=lambda item: -item.moment):
+        act = item.act
+        is_about = agents is None or act.agent in agents
+        if not is_about or item.moment > run.end:
+            continue
+        is_plain = isinstance(act, Receives) and act.content.performative is None and item.trigger is None
+        if not isinstance(act, Receives) or not is_plain or ".data." in act.content.channel:
+            found.append(item)
+        elif (key := (act.agent, act.content.channel)) not in later:
+            later.add(key)
+            found.append(item)
+    return tuple(found)
 
 
 def _is_awaited(script: Script, run: Played) -> bool:

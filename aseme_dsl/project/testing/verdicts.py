@@ -64,6 +64,8 @@ class ScenarioResult:
     """The smaller scenario that fails, if one was made."""
     general: tuple[tuple[str, Span, bool], ...] = ()
     """What properties and clauses say, and whether what each speaks of has happened in some run."""
+    row: Span | None = None
+    """The row of the table with which it failed, if it has one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,9 +93,10 @@ def verdict_of(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played 
                 reason = f"assumption broken at {shown(since)} ({assumed.span}): {reason}"
             if item.of:
                 reason = f"{item.of}: {reason}"
-            return _result(
+            failed = _result(
                 scenario, Verdict.FAILED, cases, place, run.end, reason, item.span, run.inputs, _story(run)
             )
+            return replace(failed, row=scenario.scripts[cases[place].script].row)
     found = _missed_share(scenario, cases, played) or _vacuous(scenario, cases, played)
     if found is None:
         found = _result(scenario, Verdict.PASSED, cases, 0, played[0].end if played else 0)
