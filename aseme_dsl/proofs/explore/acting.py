@@ -16,7 +16,7 @@ from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.agent.prepared import Prepared
 from aseme_dsl.runtime.chart import inputs
 from aseme_dsl.runtime.chart.functions import find_function
-from aseme_dsl.runtime.chart.plan import Plan, is_in
+from aseme_dsl.runtime.chart.plan import Plan, Variable, is_in
 
 DRAWN = (0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.9999)
 """What stands for random numbers."""
@@ -105,7 +105,8 @@ class Acting:
         """What an activity has written to a variable."""
         plan = self._plans[role]
         found = next(item for item in plan.variables if item.name == variable)
-        answers = tuple(dict.fromkeys((found.initial, *self._values.of_variable(found))))
+        tried = (found.initial, *self._values.of_variable(found))
+        answers = tuple(dict.fromkeys(item for item in tried if _can_hold(found, item)))
         return self._choices.of(
             ("variable", agent, variable, self._anew()),
             answers,
@@ -176,6 +177,14 @@ class Acting:
         kinds: Mapping[str, tuple[object, ...]] = {"bool": (False, True)}
         answers = kinds.get(result) or self._values.results(name, result)
         return self._choices.of((agent, name, repr(arguments)), answers, f"{name}() is {{}}")
+
+
+def _can_hold(variable: Variable, value: object) -> bool:
+    """Whether a value is within the bounds of a variable."""
+    if variable.bounds is None or not isinstance(value, int | float):
+        return True
+    least, most = variable.bounds
+    return least <= value <= most
 
 
 class Free(Prepared):

@@ -107,7 +107,6 @@ class Eyes:
 
     def __init__(self) -> None:
         self.taken: set[tuple[str, tuple[int, ...]]] = set()
-        self.labels: dict[str, set[str]] = {}
         self.seen: list[tuple[str, str]] = []
         self.untaken: list[tuple[str, str, str]] = []
         """Agent messages that nothing has taken: sender, receiver, and what is to be said of it."""
