@@ -139,6 +139,9 @@ class _Lowering:
             self.names.id_of(state)
         self._refuse_activities()
         self._refuse_sharing()
+        for region, timers in self._timers.items():
+            for timer in timers:
+                self._timer(region, timer)  # also one that nothing starts
         root = self._vertices()
         variables = [self._variable(item) for item in self.chart.variables if item.name in self._used]
         settled = tuple(self._settled())

@@ -115,6 +115,13 @@ def test_an_argument_that_may_be_absent_would_fail_its_state() -> None:
     ]
 
 
+def test_a_timer_that_nothing_starts_is_declared() -> None:
+    """Engines take a name without a datum for an error, and look again for ever."""
+    text = LAMP.replace("touched or after(2s) [room", "when [expired(pace) && room")
+    (document,) = exported(text, Format.SCXML).values()
+    assert '<data id="timer_pace_0" expr="false"/>' in document
+
+
 def test_a_file_of_the_user_stays(lamp: Path, capsys: pytest.CaptureFixture[str]) -> None:
     own = lamp.parent / "export" / "iac.lamp.scxml"
     own.parent.mkdir()
