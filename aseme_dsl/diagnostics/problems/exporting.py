@@ -40,6 +40,7 @@ class Foreign(Enum):
     SIGNALS = "a condition on a signal, which is consumed when it is read"
     STAYING = "`on` without an event"
     STAYING_AROUND = "`on` of a state with concurrent regions"
+    STAYING_INSIDE = "`on` in a region of an AND that an event or `when` can leave"
     TIMED_STAYING = "`on` with `after`"
 
 

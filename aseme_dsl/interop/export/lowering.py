@@ -513,6 +513,17 @@ class _Lowering:
             concurrent = state.type is StateType.AND
             if concurrent and (state.label == transition.source or state.label.startswith(inside)):
                 self.values.refuse(Foreign.STAYING_AROUND, transition.span)
+        if self._is_overtaken(transition.source):
+            self.values.refuse(Foreign.STAYING_INSIDE, transition.span)
+
+    def _is_overtaken(self, source: str) -> bool:
+        """Whether a transition around the concurrent regions of a state may be enabled before they complete.
+
+        It is tried only if no region moves. Engines take it beside a transition that stays.
+        """
+        beyond = self.chart.ancestors(self.chart.region_of(source))
+        ways = (way for state in beyond for way in self.chart.outgoing(state.label) if not way.first)
+        return any(way.expression.events or way.expression.when for way in ways)
 
     # ---- actions ------------------------------------------------------------------------
 

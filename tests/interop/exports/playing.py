@@ -13,6 +13,7 @@ from itertools import cycle
 from typing import Any
 
 from aseme_dsl.amola.expression import After
+from aseme_dsl.amola.messages import Kind
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.codegen.plan import value_term
 from aseme_dsl.interop.export.lowering import lowered
@@ -192,6 +193,9 @@ class Recorder:
                 before = self.reference.variable(variable.name)
                 if before is None or isinstance(before, tuple) or is_dataclass(before):
                     return None
+                kind = next(item.type for item in self.chart.variables if item.name == variable.name)
+                if kind.kind is Kind.ENUM and not isinstance(before, Enum):
+                    before = getattr(self.made.messages, kind.name)(before)
                 return Written(variable.name, like(before, choices.number(0, 3)))
             case "arrival" if self.plan.channels:
                 info = choices.one_of(self.plan.channels)

@@ -89,7 +89,10 @@ def _is_kept(chart: Statechart, item: Transition) -> bool:
     if item.kind is TransitionKind.ON:
         inside = [s for s in chart.states if s.label == item.source or s.label.startswith(f"{item.source}.")]
         is_event = bool(item.expression.events) and not item.expression.when
-        return is_event and not any(state.type is StateType.AND for state in inside)
+        beyond = chart.ancestors(chart.region_of(item.source))
+        leaving = [way.expression for state in beyond for way in chart.outgoing(state.label)]
+        overtaken = any(expression.events or expression.when for expression in leaving)
+        return is_event and not overtaken and not any(state.type is StateType.AND for state in inside)
     if not item.changes_state:
         return True
     scope = chart.scope_of(item)
