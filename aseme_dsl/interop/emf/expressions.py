@@ -201,9 +201,20 @@ def _actions(text: str) -> Iterator[ForeignAction]:
             yield from _published(part)
 
 
+_PIECE = re.compile(r';|"(?:[^"\\]|\\.)*"?|[^;"]+')
+
+
 def _statements(text: str) -> Iterator[str]:
-    """What `;` separates, but not in quotes."""
-    yield from (found[0] for found in re.finditer(r'(?:[^;"]|"(?:[^"\\]|\\.)*"|")+', text))
+    """What `;` separates, but not in quotes; a quote that is not closed goes to the end."""
+    statement = ""
+    for piece in _PIECE.findall(text):
+        if piece != ";":
+            statement += piece
+        elif statement:
+            yield statement
+            statement = ""
+    if statement:
+        yield statement
 
 
 def _published(part: str) -> Iterator[ForeignAction]:
