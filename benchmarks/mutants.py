@@ -408,7 +408,7 @@ def judged(
 ) -> tuple[list[Judged], bool]:
     """The first mutants that compile, and those before them that do not; and whether all is known of them."""
     context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(jobs, context, _end_with_parent, max_tasks_per_child=25) as pool:
+    with ProcessPoolExecutor(jobs, context, _end_with_parent) as pool:
         first: list[tuple[Candidate, Judged]] = []
         waiting: deque[tuple[Candidate, Judged | Future[Judged]]] = deque()
         compiled = 0
