@@ -66,7 +66,7 @@ def command(
 ) -> int:
     """Prove; 1 if something is refuted, or the file has errors, 3 if something asked for is undecided."""
     from aseme_dsl.project.playing.operate import OperateError
-    from aseme_dsl.project.proving.prove import prove
+    from aseme_dsl.project.proving.prove import NotThere, prove
     from aseme_dsl.proofs.explore.search import Limits
     from aseme_dsl.runtime.version.loading import LoadError
 
@@ -78,7 +78,7 @@ def command(
     limits = Limits(states, budget * _NANOSECOND)
     try:
         found = prove(compiled, asked, robots, limits, progress.say)
-    except LookupError as problem:
+    except NotThere as problem:
         raise click.UsageError(str(problem)) from problem
     except (LoadError, OperateError) as problem:
         raise click.ClickException(str(problem)) from problem

@@ -286,3 +286,13 @@ def test_values_between_constants_are_tried_and_those_in_functions_are_not_all(p
     assert found["never runs"] == "REFUTED"
     assert found["never jumps"] == "UNDECIDED"  # abs() is asked of a few numbers only
     assert found["dead states"] == "UNDECIDED"
+
+
+def test_a_protocol_whose_participant_is_given_something_is_not_proved_alone(prove) -> None:  # type: ignore[no-untyped-def]
+    text = BUY.replace("    var there : bool = false", "    given there : bool")
+    done = prove(text)
+    assert (done.code, done.out) == (
+        3,
+        "UNDECIDED protocol buy of protocol buy: it cannot be played alone: `seller` is given no `there`"
+        " [1 buyer, 1 seller]\n",
+    )

@@ -8,6 +8,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from aseme_dsl.compiler.phases import inspect_files, watched_of
+from aseme_dsl.diagnostics import Severity
 from aseme_dsl.play.scenario import (
     Assumption,
     CrashesAssumed,
@@ -30,6 +31,10 @@ from aseme_dsl.proofs.explore.search import Eyes, Limits, search
 from aseme_dsl.runtime.trace.trace import Listener
 
 
+class NotThere(Exception):
+    """Nothing is called as something that was asked for; the text lists what there is."""
+
+
 def prove(
     compiled: Compiled,
     asked: Sequence[str],
@@ -42,7 +47,7 @@ def prove(
     With `robots` agents of each role, and of each participant, that has several. `told` hears what is done.
 
     Raises:
-        LookupError: nothing is called as one of `asked`; the text lists what there is.
+        NotThere: nothing is called as one of `asked`; the text lists what there is.
         OperateError, LoadError: the code of the system cannot be made.
     """
     assert compiled.system is not None
@@ -55,14 +60,18 @@ def prove(
     names = dict.fromkeys(item.name for item in found)
     missing = next((name for name in asked if name not in names), None)
     if missing is not None:
-        raise LookupError(f"nothing is called {missing}; there are {', '.join(names)}")
+        raise NotThere(f"nothing is called {missing}; there are {', '.join(names)}")
     return tuple(item for item in found if not asked or item.name in asked)
 
 
 def _explored(scope: Scope, compiled: Compiled, limits: Limits, asked: Sequence[str]) -> Iterator[Result]:
     """The answers about one team."""
     own = compiled if scope.protocol is None else compile_root(scope.root)
-    assert own.system is not None, [str(item) for item in own.diagnostics]
+    if own.system is None:
+        wrong = next(item for item in own.diagnostics if item.severity is Severity.ERROR)
+        reason = f"it cannot be played alone: {wrong.message}"
+        yield Result(scope.what, scope.what, Verdict.UNDECIDED, scope.agents, reason)
+        return
     inspection = inspect_files(scope.root, None, options_of(own.configuration))
     watched = watched_of(inspection, dict(scope.team))
     script = watched.scripts[0] if watched.refused is None else None
@@ -139,4 +148,4 @@ def assumed_by(assumptions: Sequence[Assumption], scope: Scope) -> Assumed:
     return Assumed(loses, crashes, fails, times)
 
 
-__all__ = ["assumed_by", "prove"]
+__all__ = ["NotThere", "assumed_by", "prove"]

@@ -69,9 +69,13 @@ class Acting:
                 and is_in(execution.label, item.scope)
                 and item.name not in assigned(agent.plan)
             ]
-            known = self._writes[agent.role, execution.label] = [
-                *dict.fromkeys((*execution.info.variables, *inner))
-            ]
+            there = {
+                item.name.partition("@")[0]
+                for item in agent.plan.variables
+                if item.scope is None or is_in(execution.label, item.scope)
+            }
+            declared = (name for name in execution.info.variables if name in there)  # of other roles, too
+            known = self._writes[agent.role, execution.label] = [*dict.fromkeys((*declared, *inner))]
         return known
 
     def end(self, execution: Execution) -> None:
