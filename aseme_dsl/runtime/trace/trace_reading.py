@@ -178,8 +178,10 @@ class TraceReader:
                         what = "the header of a trace" if number == 1 else "a line of a trace"
                         raise TraceError(f"{self.path}:{number}: {what} is wanted, not {_short(text)}")
                     if number == 1 and record.get("format", FORMAT) != FORMAT:
-                        other = f"the format {_short(str(record['format']))}"
-                        raise TraceError(f"{self.path} has {other}; this version reads the format {FORMAT}")
+                        found = record["format"]
+                        other = found if isinstance(found, int) else _short(str(found))
+                        text = f"{self.path} has the format {other}; this version reads the format {FORMAT}"
+                        raise TraceError(text)
                     self._check(number, record)
                     self.finished = record["kind"] == "finish"
                     yield Line(number, text, record)
