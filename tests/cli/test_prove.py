@@ -296,3 +296,13 @@ def test_a_protocol_whose_participant_is_given_something_is_not_proved_alone(pro
         "UNDECIDED protocol buy of protocol buy: it cannot be played alone: `seller` is given no `there`"
         " [1 buyer, 1 seller]\n",
     )
+
+
+def test_a_property_about_values_that_are_not_all_tried_is_not_proved(prove) -> None:  # type: ignore[no-untyped-def]
+    text = NEAR[: NEAR.index("property")].replace(
+        "srm robot {", "srm robot {\n  var tries : int = 0\n  activities { Look writes tries }"
+    )
+    text += 'property "few" { always robot has [tries < 3] }\n'
+    text += 'property "small" { never received Ball b [b.number > 900] }\n'
+    found = verdicts(prove(text, "--json"))
+    assert (found["few"], found["small"]) == ("UNDECIDED", "UNDECIDED")

@@ -10,7 +10,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.play.scenario import Expectation
 from aseme_dsl.project.proving.results import Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope
-from aseme_dsl.project.proving.watched import Watched, is_timed, named
+from aseme_dsl.project.proving.watched import Watched, is_timed, named, reads_what_is_tried
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, stuck, unmet
 from aseme_dsl.proofs.explore.search import Graph, Limits, Step
@@ -76,6 +76,11 @@ class Judge:
             return self._result(
                 name, Verdict.UNDECIDED, "vacuous: what it speaks of never happens", item=item
             )
+        assert self._watch is not None
+        plans = [agent.plan for agent in self._explored.agents]
+        if reads_what_is_tried(self._watch.observer.script, item, plans):
+            reason = "it asks for values, of which a few are tried"
+            return self._result(name, Verdict.UNDECIDED, reason, item=item)
         return self._unbroken(name, item=item)
 
     # ---- what is asked of every team ---------------------------------------------------------

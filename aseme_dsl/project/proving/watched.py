@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
-from aseme_dsl.amola.expression import Expired, VariableValue, walk
+from aseme_dsl.amola.expression import (
+    Age,
+    At,
+    Bound,
+    Call,
+    Expired,
+    Mean,
+    Member,
+    Value,
+    VariableValue,
+    walk,
+)
 from aseme_dsl.play.conversations import Clauses
 from aseme_dsl.play.observer import Observer
-from aseme_dsl.play.scenario import Expectation, Holds, Says, Script
+from aseme_dsl.play.scenario import AllOf, AnyOf, Expectation, Holds, NotSo, Says, Script
 from aseme_dsl.play.sight.insight import Insight, Live
 from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.search import Monitors
+from aseme_dsl.proofs.explore.staging import undecided
 from aseme_dsl.proofs.explore.surroundings import NOW
 from aseme_dsl.runtime.chart.board import NEVER
+from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import (
     LeadsTo,
     Never,
@@ -21,6 +34,7 @@ from aseme_dsl.runtime.monitor.rules import (
     Sometime,
     State,
     Verdict,
+    conditions_of,
     ended,
 )
 
@@ -150,6 +164,33 @@ def named(item: Expectation) -> str:
     return item.of.removeprefix("property ").strip('"')
 
 
+def reads_what_is_tried(script: Script, item: Expectation, plans: Iterable[Plan]) -> bool:
+    """Whether an expectation asks for values of which a few are tried: of messages or of activities."""
+    written = {name.partition("@")[0] for plan in plans for name in undecided(plan)}
+    todo = list(conditions_of(item.rule))
+    while todo:
+        condition = script.conditions[todo.pop()]
+        match condition:
+            case AllOf(parts=parts) | AnyOf(parts=parts):
+                todo += parts
+            case NotSo(part=part):
+                todo.append(part)
+            case Holds(value=value):
+                if any(_is_tried(part, written) for part in walk(value)):
+                    return True
+            case Says(condition=value) if value is not None:
+                return True
+            case _:
+                pass
+    return False
+
+
+def _is_tried(part: Value, written: Collection[str]) -> bool:
+    if isinstance(part, VariableValue):
+        return part.name.partition("@")[0] in written
+    return isinstance(part, Member | Bound | Age | At | Mean | Call)
+
+
 def is_timed(rule: Rule) -> bool:
     """Whether a rule speaks of how long something takes."""
     match rule:
@@ -165,4 +206,4 @@ def is_timed(rule: Rule) -> bool:
             return type(rule).__name__ in ("At", "AfterFirst")
 
 
-__all__ = ["Watched", "is_timed", "layout_of", "named", "names_in"]
+__all__ = ["Watched", "is_timed", "layout_of", "named", "names_in", "reads_what_is_tried"]
