@@ -306,3 +306,21 @@ def test_a_property_about_values_that_are_not_all_tried_is_not_proved(prove) -> 
     text += 'property "small" { never received Ball b [b.number > 900] }\n'
     found = verdicts(prove(text, "--json"))
     assert (found["few"], found["small"]) == ("UNDECIDED", "UNDECIDED")
+
+
+MODULE = """\
+system Keeper
+message Ball { int distance }
+topic vision { state Ball }
+srm keeper {
+  liveness { keeper = Stand . Dive }
+  modules { Vision every 40ms writes vision.state.Ball }
+  control keeper { enter Dive : when [vision.state.Ball.distance < 100] }
+}
+property "never dives" { never keeper in Dive }
+"""
+
+
+def test_what_a_module_publishes_is_an_input(prove) -> None:  # type: ignore[no-untyped-def]
+    found = verdicts(prove(MODULE, "--json"))
+    assert (found["never dives"], found["deadlock"], found["dead states"]) == ("REFUTED", "PROVED", "PROVED")

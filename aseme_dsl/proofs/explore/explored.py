@@ -94,6 +94,7 @@ class Explored:
         names = [name for name, _ in team]
         roles = dict.fromkeys(role for _, role in team)
         plans = [loaded.charts[role].PLAN for role in roles]
+        self._modules = tuple((plan.name, module) for plan in plans for module in plan.modules)
         self.values = Values(plans, loaded.messages, names)
         self._acting = acting = Acting(self.choices, self.values, plans)
         charts = {
@@ -148,6 +149,9 @@ class Explored:
                 return f"nothing is tried for the list {lists[0]}, which activities may write"
             if asks_for_history(agent.plan):
                 return f"{agent.role} asks for the history of a channel"
+        for role, module in self._modules:
+            if module.variables:
+                return f"the module {module.name} of {role} writes variables"
         return ""
 
     def begin(self) -> None:
@@ -269,13 +273,16 @@ class Explored:
                 yield Move(kind, text, partial(self._pass, agent, item.pass_), passes=True)
 
     def _free(self, agent: Agent) -> tuple[str, ...]:
-        """The channels that an agent reads and on which no agent publishes: inputs from outside."""
+        """The channels that an agent reads and on which no agent publishes: inputs from outside. What modules
+        publish is such an input, too."""
         writers = self.writers()
+        of_modules = {channel for _, module in self._modules for channel in module.writes}
         rules = {info.name: info for info in agent.plan.channels}
         return tuple(
             channel
             for channel in agent.chart.READERS
-            if channel in rules and (channel not in writers or rules[channel].is_from_outside)
+            if channel in rules
+            and (channel not in writers or channel in of_modules or rules[channel].is_from_outside)
         )
 
     def _given(self) -> Iterator[Move]:
