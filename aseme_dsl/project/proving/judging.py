@@ -9,7 +9,7 @@ from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.system import System
 from aseme_dsl.play.scenario import Expectation
 from aseme_dsl.project.proving.results import Result, Verdict
-from aseme_dsl.project.proving.scopes import Scope
+from aseme_dsl.project.proving.scopes import PREFIX, Scope
 from aseme_dsl.project.proving.watched import Watched, is_timed, named, reads_what_is_tried
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, stuck, unmet
@@ -209,12 +209,12 @@ def _dead_in(plan: Plan, visited: Iterable[str], taken: set[int]) -> list[str]:
     ways = [
         f"`{' '.join(item.text.split())}` ({item.at})"
         for number, item in enumerate(plan.transitions)
-        if number not in taken and _is_expected(plan, item, passed)
+        if number not in taken and _is_expected(item, passed)
     ]
     return [*dict.fromkeys(states), *dict.fromkeys(ways)]
 
 
-def _is_expected(plan: Plan, item: Transition, passed: set[str]) -> bool:
+def _is_expected(item: Transition, passed: set[str]) -> bool:
     """Whether a written transition should be taken in some run: one whose source is reached."""
     if not item.text or item.kind not in ("external", "on") or item.source not in passed:
         return False
@@ -269,7 +269,7 @@ class _Outcomes:
         for place in places:
             name, _, participant = place.partition("@")
             for agent in self._explored.agents:
-                if agent.role.removeprefix("proved_") == participant:
+                if agent.role.removeprefix(PREFIX) == participant:
                     labels = {
                         state.label for state in agent.plan.states if name in (state.name, state.activity)
                     }

@@ -82,7 +82,7 @@ def _explored(scope: Scope, compiled: Compiled, limits: Limits, asked: Sequence[
         own_script = None if script is None else _of_scope(script, scope)
         watch = Watched(own_script) if own_script is not None and own_script.expectations else None
         listeners: list[Listener] = [eyes] if watch is None else [eyes, watch.observer]
-        assumed = assumed_by(script.assumptions if script is not None else (), scope)
+        assumed = assumed_by(script.assumptions if script is not None else ())
         explored = Explored(
             loaded,
             scope.team,
@@ -134,7 +134,7 @@ def _of_scope(script: Script, scope: Scope) -> Script:
     return replace(script, expectations=kept)
 
 
-def assumed_by(assumptions: Sequence[Assumption], scope: Scope) -> Assumed:
+def assumed_by(assumptions: Sequence[Assumption]) -> Assumed:
     """What the surroundings may do, as a document says it."""
     crashes = tuple((item.most, item.agents) for item in assumptions if isinstance(item, CrashesAssumed))
     loses = any(isinstance(item, NetworkAssumed) and item.network.loss > 0 for item in assumptions)

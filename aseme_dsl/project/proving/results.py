@@ -14,10 +14,6 @@ class Verdict(StrEnum):
     UNDECIDED = "UNDECIDED"
 
 
-BUILT_IN = ("deadlock", "orphan messages", "non-local choice", "agreement", "dead states", "failures")
-"""What is asked without being written: see `docs/howto/prove.md`."""
-
-
 @dataclass(frozen=True, slots=True)
 class Result:
     """An answer. `of` is the team or the protocol, `bounds` say how far it goes.
@@ -54,4 +50,4 @@ class Result:
         }
 
 
-__all__ = ["BUILT_IN", "Result", "Verdict"]
+__all__ = ["Result", "Verdict"]

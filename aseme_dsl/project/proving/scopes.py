@@ -12,8 +12,8 @@ from aseme_dsl.amola.aip import Aip, Participant
 from aseme_dsl.amola.system import System
 from aseme_dsl.source import Source, is_library_path
 
-ROBOTS = 2
-"""So many agents stand for each role that has several, if nothing else is said."""
+PREFIX = "proved_"
+"""What stands before a participant in the name of the role that plays nothing else."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,11 +28,8 @@ class Scope:
     @property
     def agents(self) -> str:
         """`1 manager, 2 contractor`."""
-        counts = Counter(role.removeprefix(_PREFIX) for _, role in self.team)
+        counts = Counter(role.removeprefix(PREFIX) for _, role in self.team)
         return ", ".join(f"{count} {role}" for role, count in counts.items())
-
-
-_PREFIX = "proved_"
 
 
 def scopes_of(root: Path | Source, system: System, robots: int) -> Iterator[Scope]:
@@ -48,7 +45,7 @@ def scopes_of(root: Path | Source, system: System, robots: int) -> Iterator[Scop
 def scope_of(root: Path | Source, aip: Aip, robots: int) -> Scope:
     """A protocol alone: agents that play a participant once each, and do nothing else."""
     source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
-    roles = {part.name: f"{_PREFIX}{part.name}" for part in aip.participants}
+    roles = {part.name: f"{PREFIX}{part.name}" for part in aip.participants}
     text = "".join(
         f"\nsrm {role} {{ plays {aip.name}.{name} liveness {{ {role} = {name} }} }}"
         for name, role in roles.items()
@@ -82,4 +79,4 @@ def _team(system: System, robots: int) -> tuple[tuple[str, str], ...]:
     return tuple(kept)
 
 
-__all__ = ["ROBOTS", "Scope", "scope_of", "scopes_of"]
+__all__ = ["PREFIX", "Scope", "scope_of", "scopes_of"]

@@ -3,19 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import assert_never
 
-from aseme_dsl.amola.expression import (
-    Age,
-    At,
-    Bound,
-    Call,
-    Expired,
-    Mean,
-    Member,
-    Value,
-    VariableValue,
-    walk,
-)
+from aseme_dsl.amola import expression as e
 from aseme_dsl.play.conversations import Clauses
 from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import AllOf, AnyOf, Expectation, Holds, NotSo, Says, Script
@@ -27,12 +17,18 @@ from aseme_dsl.proofs.explore.surroundings import NOW
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import (
+    AfterFirst,
+    Always,
+    At,
+    Before,
+    InOrder,
     LeadsTo,
     Never,
     NotWithin,
     Rule,
     Sometime,
     State,
+    Until,
     Verdict,
     conditions_of,
     ended,
@@ -68,10 +64,10 @@ def names_in(script: Script | None) -> frozenset[str]:
     found: set[str] = set()
     for item in script.conditions:
         if isinstance(item, Holds):
-            for part in walk(item.value):
-                if isinstance(part, VariableValue):
+            for part in e.walk(item.value):
+                if isinstance(part, e.VariableValue):
                     found.add(part.name.partition("@")[0])
-                elif isinstance(part, Expired):
+                elif isinstance(part, e.Expired):
                     found.add(part.timer)
     return frozenset(found)
 
@@ -176,7 +172,7 @@ def reads_what_is_tried(script: Script, item: Expectation, plans: Iterable[Plan]
             case NotSo(part=part):
                 todo.append(part)
             case Holds(value=value):
-                if any(_is_tried(part, written) for part in walk(value)):
+                if any(_is_tried(part, written) for part in e.walk(value)):
                     return True
             case Says(condition=value) if value is not None:
                 return True
@@ -185,10 +181,10 @@ def reads_what_is_tried(script: Script, item: Expectation, plans: Iterable[Plan]
     return False
 
 
-def _is_tried(part: Value, written: Collection[str]) -> bool:
-    if isinstance(part, VariableValue):
+def _is_tried(part: e.Value, written: Collection[str]) -> bool:
+    if isinstance(part, e.VariableValue):
         return part.name.partition("@")[0] in written
-    return isinstance(part, Member | Bound | Age | At | Mean | Call)
+    return isinstance(part, e.Member | e.Bound | e.Age | e.At | e.Mean | e.Call)
 
 
 def is_timed(rule: Rule) -> bool:
@@ -200,10 +196,12 @@ def is_timed(rule: Rule) -> bool:
             return before != NEVER
         case Sometime(until=until):
             return until != NEVER
-        case NotWithin():
+        case NotWithin() | At() | AfterFirst():
             return True
+        case Always() | InOrder() | Before() | Until():
+            return False
         case _:
-            return type(rule).__name__ in ("At", "AfterFirst")
+            assert_never(rule)
 
 
 __all__ = ["Watched", "is_timed", "layout_of", "named", "names_in", "reads_what_is_tried"]

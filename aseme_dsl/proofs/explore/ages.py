@@ -35,13 +35,13 @@ def passing(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator
     if not chart.started or chart.finished or chart.failure is not None:
         return
     yield from _states(chart)
-    for number, board in enumerate(chart.boards()):
+    for board in chart.boards():
         if board is None:
             continue
         for name, due in board.timers.items():
             if due > NOW:
                 yield Passing("timer", name, 0, _expire(board, name))
-        yield from _messages(board, thresholds, number)
+        yield from _messages(board, thresholds)
 
 
 def _expire(board: Board, name: str) -> Callable[[], None]:
@@ -124,7 +124,7 @@ def asks_for_history(plan: Plan) -> bool:
     return False
 
 
-def _messages(board: Board, thresholds: Mapping[str, tuple[int, ...]], number: int) -> Iterator[Passing]:
+def _messages(board: Board, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator[Passing]:
     for channel, ages in thresholds.items():
         for sender, item in board._states.get(channel, {}).items():
             age = NOW - item.time

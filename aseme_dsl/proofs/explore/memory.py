@@ -176,9 +176,9 @@ class Memory:
 
     # ---- keys --------------------------------------------------------------------------------
 
-    def key(self, picture: Picture, further: object = None) -> bytes:
-        """The same for two states that differ in nothing but names that count up; `further` belongs to it."""
-        return blake2b(marshal.dumps(cast(Any, _Keying(self, picture).all(further))), digest_size=16).digest()
+    def key(self, picture: Picture) -> bytes:
+        """The same for two states that differ in nothing but names that count up."""
+        return blake2b(marshal.dumps(cast(Any, _Keying(self, picture).all())), digest_size=16).digest()
 
     def numbered(self, text: str) -> tuple[str, int] | None:
         """A name that counts up as what stands before the number, and the number."""
@@ -306,8 +306,8 @@ class _Keying:
         self._places = {id(item): place for place, (item, _, _) in enumerate(self._objects)}
         self._numbers: dict[str, dict[int, int]] = {}
 
-    def all(self, further: object) -> tuple[object, ...]:
-        return (*(self._object(*item) for item in self._objects), self._value(further))
+    def all(self) -> tuple[object, ...]:
+        return tuple(self._object(*item) for item in self._objects)
 
     def _object(self, item: object, kind: _Kind, content: Any) -> object:
         value = self._value

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.search import Edge, Graph
 from aseme_dsl.runtime.agent.agent import Agent
-from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.team.ending import Waiting, waits_of
 from aseme_dsl.runtime.team.outside import wait_for_input
 
@@ -82,14 +81,9 @@ def _moves(edge: Edge, where: list[int], state: int, agent: Agent, label: str) -
         return True
     plan = agent.plan
     return any(
-        name == agent.name
-        and any(_is_in_region(plan, plan.transitions[number].source, label) for number in way)
+        name == agent.name and any(plan.transitions[number].source.startswith(f"{label}.") for number in way)
         for name, way in edge.taken
     )
-
-
-def _is_in_region(plan: Plan, source: str, label: str) -> bool:
-    return source.startswith(f"{label}.")
 
 
 def _waits(explored: Explored, graph: Graph, state: int, place: int, region: int) -> Waiting | None:

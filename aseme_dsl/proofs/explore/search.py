@@ -138,8 +138,6 @@ class Monitors:
     awaited: Callable[[], frozenset[int]] = frozenset
     broken: Callable[[], Sequence[int]] = tuple
     """The expectations that are broken now, and were not before; from now on they count as kept."""
-    allows: Callable[[], bool] = lambda: True
-    """Whether what is assumed holds."""
     met: Callable[[], set[int]] = set
 
 
@@ -228,8 +226,6 @@ class _Search:
             explored.make(move)
         except Circling as problem:
             circling = str(problem)
-        if not self._monitors.allows():
-            return
         text = "; ".join((move.text, *explored.choices.said))
         self._judge()
         step = Step(number, explored.choices.way(), text, move.passes)
