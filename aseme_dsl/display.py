@@ -6,8 +6,9 @@ What draws them is above their classes, so `aseme_dsl` says what it is: `shown_b
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Protocol
+
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

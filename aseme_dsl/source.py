@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from aseme_dsl.records import dataclass
 
 STANDARD_INPUT = "<stdin>"
 """The path by which people know what came from `-`."""

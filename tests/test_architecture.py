@@ -40,6 +40,9 @@ LAYERS = {
 }
 """Each package, or module beside them, and its layer; a new one is entered here."""
 
+BELOW_ALL = {"records"}
+"""What every module may import, and imports none of them: how classes of data are made."""
+
 KNOWS_ONLY = {
     "amola": {"source", "display"},
     "diagnostics": {"source"},
@@ -99,12 +102,12 @@ def imported_units(path: Path) -> set[str]:
         parts = name.split(".")
         if parts[0] == "aseme_dsl":
             unit = parts[1] if len(parts) > 1 else "__init__"
-            units.add(unit if unit in LAYERS else "__init__")
+            units.add(unit if unit in {*LAYERS, *BELOW_ALL} else "__init__")
     return units
 
 
 def test_every_package_has_its_layer() -> None:
-    units = {unit_of(path) for path in modules()} - TOP
+    units = {unit_of(path) for path in modules()} - TOP - BELOW_ALL
     assert units <= set(LAYERS), "enter the new package in LAYERS"
 
 
@@ -113,12 +116,28 @@ def test_imports_run_downwards(path: Path) -> None:
     unit = unit_of(path)
     if unit in TOP:
         return
-    for other in imported_units(path) - {unit}:
+    if unit in BELOW_ALL:
+        assert imported_units(path) == set()
+        return
+    for other in imported_units(path) - {unit} - BELOW_ALL:
         if unit == "cli" and other == "__init__":
             continue  # the command prints the package's version and uses its public face
         assert other != "__init__", f"{unit} uses the public face of the package, which is above it"
         assert LAYERS[other] < LAYERS[unit], f"{unit} (layer {LAYERS[unit]}) uses {other} ({LAYERS[other]})"
         assert other in KNOWS_ONLY.get(unit, {other}), f"{unit} may not know {other}"
+
+
+def test_classes_of_data_are_made_late() -> None:
+    """What a module compiles when it is loaded, every start of `asemec` that loads it waits for."""
+    wrong = [
+        path.relative_to(PACKAGE).as_posix()
+        for path in modules()
+        if unit_of(path) not in BELOW_ALL
+        for node in ast.walk(ast.parse(path.read_text("utf-8"), str(path)))
+        if isinstance(node, ast.ImportFrom) and node.module == "dataclasses"
+        if any(alias.name == "dataclass" for alias in node.names)
+    ]
+    assert wrong == [], "write `from aseme_dsl.records import dataclass`"
 
 
 def imported_modules(path: Path, known: Mapping[str, Path]) -> set[str]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Fill, Literal, Value, value_text
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.messages import Bounds, Parameter, Type
 from aseme_dsl.display import Displayed
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

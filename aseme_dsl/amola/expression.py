@@ -6,11 +6,12 @@ Nesting is bounded by the compiler (E103), so walking an expression may recurse.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 from operator import add, eq, ge, gt, le, lt, mod, mul, ne, sub, truediv
 
 from aseme_dsl.amola.messages import AGENT, BOOL, DOUBLE, DURATION, INT, Bounds, Channel, Function, Kind, Type
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 # ---- values ------------------------------------------------------------------------------------

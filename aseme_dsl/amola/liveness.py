@@ -7,10 +7,11 @@ spelling, never by `==`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar, assert_never
 
 from aseme_dsl.amola.operators import Fixity, Operator, with_number
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _T = TypeVar("_T")

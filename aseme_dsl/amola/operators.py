@@ -7,9 +7,10 @@ mypy in each place that must know it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, StrEnum, auto
 from typing import Self
+
+from aseme_dsl.records import dataclass
 
 NUMBER = "n"
 """A number in a sign."""

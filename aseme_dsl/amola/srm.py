@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.amola.aip import DeclaredVariable, NamedFormula, Plays
 from aseme_dsl.amola.messages import Channel, Parameter
 from aseme_dsl.display import Displayed
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from functools import cached_property
 
@@ -22,6 +22,7 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.messages import Bounds, Channel, Type
 from aseme_dsl.amola.srm import Module
 from aseme_dsl.display import Displayed
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.expression import Literal
@@ -13,6 +13,7 @@ from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.display import Displayed
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint

@@ -8,7 +8,7 @@ import signal
 import sys
 import threading
 import time
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -58,6 +58,7 @@ from aseme_dsl.diagnostics.problems.running import (
     WithQuiet,
 )
 from aseme_dsl.project.settings.platform_settings import IN_PROCESS, PLATFORMS
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import click
@@ -11,6 +10,7 @@ import click
 from aseme_dsl import __version__
 from aseme_dsl.cli.shared import FORMAT, CommandT, FilePath, check_outputs, print_diagnostics
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, render_text
+from aseme_dsl.records import dataclass
 
 FORMATS = ("text", "json", "sarif", "github", "junit", "codequality")
 

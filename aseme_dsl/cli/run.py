@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
@@ -72,6 +71,7 @@ from aseme_dsl.diagnostics.problems.running import (
 )
 from aseme_dsl.diagnostics.problems.scenarios.network import NetworkInRealTime, NetworkNotSimulated
 from aseme_dsl.project.settings.platform_settings import IN_PROCESS, PLATFORMS, ZENOH
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence

@@ -7,7 +7,7 @@ import re
 import sys
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -29,6 +29,7 @@ from aseme_dsl.cli.shared import (
     targets_argument,
 )
 from aseme_dsl.diagnostics.problems.running import WithJson
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.diagrams.sequence.sequence import Row, SequenceDiagram

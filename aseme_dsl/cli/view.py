@@ -8,13 +8,13 @@ import queue
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from aseme_dsl.cli.shared import TARGET_HELP, colour_option, one_file, print_diagnostics, target_argument
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.editor.answers.diagram import Diagrams, LiveDrawing

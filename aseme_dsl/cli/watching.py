@@ -6,7 +6,6 @@ import gc
 import sys
 import time
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +13,7 @@ import click
 
 from aseme_dsl.cli.shared import plural, print_diagnostics
 from aseme_dsl.diagnostics import Diagnostic, Severity
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.project.building.project import Compiled

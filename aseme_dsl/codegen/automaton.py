@@ -8,13 +8,13 @@ steps without a message are silent. The result is deterministic and minimal: equ
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.expression import Received, Send, TransitionExpression
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition
 from aseme_dsl.codegen.moves import moves_of, subchart_of
+from aseme_dsl.records import dataclass
 
 LARGEST = 3000
 """So many configurations, and states of the automaton, are explored at the most."""

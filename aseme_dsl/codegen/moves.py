@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.amola.aip import AgentMessage, Participant
 from aseme_dsl.amola.expression import Send
 from aseme_dsl.amola.statechart import State, Statechart, StateType
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
     Age,
@@ -33,6 +32,7 @@ from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import OriginKind, Statechart, Transition, TransitionKind
 from aseme_dsl.codegen.code.values import may_fail
 from aseme_dsl.diagnostics.problems.running import AgentFeature, SingleFeature
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

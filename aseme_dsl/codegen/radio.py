@@ -16,11 +16,11 @@ An optional field has one more byte before it, which says whether it is present.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Literal
 
 from aseme_dsl.amola.messages import EnumType, Field, Kind, Message
 from aseme_dsl.amola.system import System
+from aseme_dsl.records import dataclass
 
 KIND_BYTES = 1
 SIZES = {Kind.BOOL: 1, Kind.ENUM: 1, Kind.INT: 4, Kind.DOUBLE: 4, Kind.DURATION: 4}

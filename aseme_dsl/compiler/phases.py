@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -29,6 +29,7 @@ from aseme_dsl.compiler.stages.uses import check_requirements, check_uses, compa
 from aseme_dsl.compiler.stages.whole import check_whole
 from aseme_dsl.compiler.types.scopes import TypedParticipant, TypedRole
 from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 if TYPE_CHECKING:

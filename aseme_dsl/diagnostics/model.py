@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import StrEnum
 
 from aseme_dsl.diagnostics.codes import CODES, GROUPS, Code
 from aseme_dsl.diagnostics.problem import Problem
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

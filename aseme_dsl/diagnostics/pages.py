@@ -17,12 +17,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 from pathlib import Path
 
 from aseme_dsl.diagnostics.codes import CODES
+from aseme_dsl.records import dataclass
 
 FILES = {"aseme": "team.aseme", "toml": "pyproject.toml", "proto": "messages.proto"}
 """What the file of a block is called, by its language."""

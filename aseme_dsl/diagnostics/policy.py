@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fnmatch import fnmatchcase
 from pathlib import Path
 
 from aseme_dsl.diagnostics.codes import CODES
 from aseme_dsl.diagnostics.model import Diagnostic, Severity
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

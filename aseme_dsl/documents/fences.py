@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 import shlex
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from aseme_dsl.records import dataclass
 
 SOURCE, DIAGRAM = "aseme", "aseme-diagram"
 """The languages of a block that is shown and drawn, and of one that is only drawn."""

@@ -6,7 +6,7 @@ import os
 import time
 from collections import OrderedDict
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from aseme_dsl.diagnostics import Diagnostic, Severity, render_text
@@ -19,6 +19,7 @@ from aseme_dsl.project.building.build import with_labels
 from aseme_dsl.project.building.draw import NoSuchDrawing, choose
 from aseme_dsl.project.building.project import Compiled, compile_root, path_of
 from aseme_dsl.project.files.stamp import CLOCK
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 _MOST = 16

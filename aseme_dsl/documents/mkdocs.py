@@ -8,8 +8,9 @@ from __future__ import annotations
 import os
 import zlib
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
+
+from aseme_dsl.records import dataclass
 
 try:
     from mkdocs.config import base

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.diagrams import Expressions, Layout, Options, PageSize
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.by_name import made
 
 _LAYOUTS = {**{str(item): (item,) for item in Layout}, "both": (Layout.NESTED, Layout.TREE)}

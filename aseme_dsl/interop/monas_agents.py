@@ -22,11 +22,12 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems import files as problems
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)

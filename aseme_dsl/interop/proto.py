@@ -6,7 +6,7 @@ import re
 import sys
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,6 +28,7 @@ from aseme_dsl.amola.messages import (
 from aseme_dsl.amola.python_names import free_name, taken_as_constant, taken_as_member, taken_as_type
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.files import GrpcToolsMissing, ProtocSays, ProtoNotRead
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.play.scenario import Condition, Expectation, InPlaces
 from aseme_dsl.play.sight.alarms import Alarms
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
 from aseme_dsl.runtime.trace.records import Record

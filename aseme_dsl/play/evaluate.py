@@ -7,13 +7,14 @@ so is what is computed of it; logic is that of conditions (`absent || true` is t
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import reduce
 from operator import add
 from typing import cast
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import DOUBLE, Function, Kind, Type
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.functions import FunctionError, find_function
 
 Told = Mapping[str, object]

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.play.evaluate import Told
 from aseme_dsl.play.sight.insight import Insight
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, State, is_in
 
 

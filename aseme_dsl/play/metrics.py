@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.play.coverage.measure import is_counted
 from aseme_dsl.play.coverage.serving import Place, Serving, serving
 from aseme_dsl.play.coverage.walks import Move, Walks
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace.records import Record, agents_of
 
 

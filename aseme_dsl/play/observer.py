@@ -6,7 +6,7 @@ import itertools
 import json
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import assert_never, cast
 
 from aseme_dsl.amola import expression as e
@@ -30,6 +30,7 @@ from aseme_dsl.play.sight.alarms import Alarms
 from aseme_dsl.play.sight.deciding import agents_about
 from aseme_dsl.play.sight.insight import Surroundings
 from aseme_dsl.play.sight.story import Happened, content_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, conditions_of, ended, seen

@@ -11,11 +11,12 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from time import perf_counter
 
 from aseme_dsl.play.inputs import Earlier, Messages, RecordedInputs, identity_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.renewal import renewed
 from aseme_dsl.runtime.agent.state_transfer import same_states
 from aseme_dsl.runtime.agent.untakable import Untakable

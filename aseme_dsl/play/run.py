@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Protocol, assert_never
 
@@ -24,6 +24,7 @@ from aseme_dsl.play.scenario import (
 from aseme_dsl.play.sight.insight import Present
 from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.play.stand_ins import NotComputed, finder, given_message, staged
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.monitor.rules import State

@@ -6,9 +6,9 @@ Conditions have numbers, their places in `Script.conditions`; each stands behind
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Value
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import Rule
 from aseme_dsl.runtime.team.network import Network
 from aseme_dsl.source import Span

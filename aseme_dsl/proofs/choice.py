@@ -17,7 +17,6 @@ What is worth saying is decided here, once:
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from aseme_dsl.amola import expression as e
@@ -32,6 +31,7 @@ from aseme_dsl.proofs.unknowns import (
     sources,
 )
 from aseme_dsl.proofs.ways import COMPLETION, MOST, Fork, forks, interruptions, paths
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.proofs.solver import Way, Witness

@@ -7,7 +7,6 @@ evaluation and divisions by zero are exact; doubles are real numbers, and string
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from typing import Any, assert_never, cast
@@ -39,6 +38,7 @@ from aseme_dsl.proofs.unknowns import (
     unknowns_of,
     written_size,
 )
+from aseme_dsl.records import dataclass
 
 _INT_BITS = 63
 _TEXTS = (Kind.STRING, Kind.BYTES, Kind.AGENT)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import Kind
@@ -25,6 +24,7 @@ from aseme_dsl.proofs.solver import Assumptions, Claim, Snapshot, Undecided, Way
 from aseme_dsl.proofs.states import facts_of_states
 from aseme_dsl.proofs.unknowns import CALL, PRESENCES, Key, identity, is_unknown_function, sources
 from aseme_dsl.proofs.ways import WHEN, paths
+from aseme_dsl.records import dataclass
 
 
 @dataclass(slots=True)

@@ -7,7 +7,6 @@ in turn gets the first possible value of a list: 0, the values that the conditio
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise
@@ -35,6 +34,7 @@ from aseme_dsl.proofs.unknowns import (
     presences,
     unknowns_of,
 )
+from aseme_dsl.records import dataclass
 
 _T = TypeVar("_T")
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import cast
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import BOOL, Bounds, ChannelKind, EnumType, Function, Kind, Message, Type
+from aseme_dsl.records import dataclass
 
 Key = tuple[object, ...]
 """Which unknown it is: two places that read the same in one snapshot have the same key."""

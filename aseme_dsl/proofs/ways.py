@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.statechart import Statechart, StateType, Transition
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

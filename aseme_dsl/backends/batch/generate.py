@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
 from typing import TypeGuard
@@ -31,6 +30,7 @@ from aseme_dsl.codegen.batch.generate import Array, BatchCode, generate_batch
 from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.running import NotBatch, NotBatchButPlain, SingleFeature
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.naming import class_name
 from aseme_dsl.runtime.plain.batch import COMPILED
 

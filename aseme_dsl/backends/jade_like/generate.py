@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, assert_never
 
@@ -23,6 +22,7 @@ from aseme_dsl.backends.shared.generate import (
     system_file,
 )
 from aseme_dsl.codegen.place import place
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.conversation.directory import service_of
 from aseme_dsl.runtime.message.acl import JSON
 from aseme_dsl.runtime.message.naming import class_name, module_name, usable

@@ -20,7 +20,6 @@ import keyword
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import assert_never
 
@@ -28,6 +27,7 @@ from aseme_dsl.amola.expression import After, duration_text
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, label_key
 from aseme_dsl.amola.system import System
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.naming import class_name
 
 POINTS = {StateType.START: "START", StateType.CONDITION: "CHOICE", StateType.END: "END"}

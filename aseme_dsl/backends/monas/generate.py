@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from aseme_dsl.amola.system import System
@@ -16,6 +15,7 @@ from aseme_dsl.backends.shared.generate import (
     source_of,
     system_file,
 )
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.naming import usable
 
 if TYPE_CHECKING:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.amola.statechart import Statechart
@@ -15,6 +14,7 @@ from aseme_dsl.codegen.plain.options import TAKEN, PlainOptions
 from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.running import AgentFeature, NotPlain, SingleFeature, Unsupported
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.naming import class_name, usable
 
 WATCHED = "_watched"

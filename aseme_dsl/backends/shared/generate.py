@@ -6,7 +6,7 @@ import hashlib
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
@@ -22,6 +22,7 @@ from aseme_dsl.codegen.place import in_docstring
 from aseme_dsl.codegen.plan import Sections, plan_sections, protocol_versions
 from aseme_dsl.codegen.seen import seen_by_roles
 from aseme_dsl.codegen.step.generate import StepCode, generate_step
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.naming import class_name, module_name, usable
 from aseme_dsl.source import is_library_path
 

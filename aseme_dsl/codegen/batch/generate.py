@@ -12,7 +12,6 @@ one place that says what a step does. Where the class has a slot (`self.r3`) or 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
@@ -21,6 +20,7 @@ from aseme_dsl.codegen.batch.numpy import ForNumpy
 from aseme_dsl.codegen.batch.simple import Function, simple
 from aseme_dsl.codegen.plain.generate import plain_steps
 from aseme_dsl.codegen.plain.options import PlainMethod, PlainSteps
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.plain.batch import TABLES
 
 LONG = 1000

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import assert_never
 
 from aseme_dsl.codegen.code.tree import (
@@ -54,6 +53,7 @@ from aseme_dsl.codegen.code.tree import (
 )
 from aseme_dsl.codegen.plain.names import BB
 from aseme_dsl.codegen.plain.options import PlainMethod
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.plain.plain import ROUNDS
 
 

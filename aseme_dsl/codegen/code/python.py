@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import assert_never
 
 from aseme_dsl.codegen.code import tree
+from aseme_dsl.records import dataclass
 
 Gates = Mapping[tree.Field, frozenset[tree.Expr]]
 """What says of many conditions that they still do not hold, with what on the blackboard they read."""

@@ -6,8 +6,9 @@ What uses what, and how a block ends, is asked of these, never of the text that 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import TypeAlias, assert_never
+
+from aseme_dsl.records import dataclass
 
 # ---- expressions --------------------------------------------------------------------------------
 

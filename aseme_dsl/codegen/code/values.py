@@ -8,7 +8,7 @@ messages that must be present to compute it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from types import MappingProxyType
 
 from aseme_dsl.amola.expression import (
@@ -80,6 +80,7 @@ from aseme_dsl.codegen.code.tree import (
     own_call,
 )
 from aseme_dsl.codegen.program.moves import may_raise, raises
+from aseme_dsl.records import dataclass
 
 Known = Mapping[Expr, Expr]
 """Where a message is known to be at this point, with the local that is it."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.codegen.code.tree import (
     Arm,
@@ -20,6 +20,7 @@ from aseme_dsl.codegen.code.tree import (
     when,
     within,
 )
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import VariableValue, walk
 from aseme_dsl.amola.statechart import State, StateType
@@ -31,6 +30,7 @@ from aseme_dsl.codegen.program import sizes
 from aseme_dsl.codegen.program.circling import circling
 from aseme_dsl.codegen.program.events import STEP
 from aseme_dsl.codegen.program.moves import assigned
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeAlias
 
 from aseme_dsl.codegen.code.tree import (
@@ -20,6 +20,7 @@ from aseme_dsl.codegen.code.tree import (
 )
 from aseme_dsl.codegen.plain.names import Method
 from aseme_dsl.codegen.program.events import OTHER, STEP
+from aseme_dsl.records import dataclass
 
 MOVED = "moved"
 """The local that says whether anything has moved."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from aseme_dsl.amola.expression import Call, Failed, Random
@@ -33,6 +32,7 @@ from aseme_dsl.codegen.code.tree import (
 from aseme_dsl.codegen.code.values import Names, function_key, may_fail
 from aseme_dsl.codegen.plain.options import TAKEN, PlainOptions
 from aseme_dsl.codegen.program.program import EventProgram
+from aseme_dsl.records import dataclass
 
 BB = Name("bb")
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import builtins
-from dataclasses import dataclass
 
 from aseme_dsl.codegen.code.tree import Block
+from aseme_dsl.records import dataclass
 
 TAKEN = frozenset(dir(builtins)) | {
     *(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Raised, TransitionExpression, VariableValue, values_of
 from aseme_dsl.amola.statechart import TransitionKind
@@ -12,6 +11,7 @@ from aseme_dsl.codegen.program.flat import FlatChart
 from aseme_dsl.codegen.program.following import Following
 from aseme_dsl.codegen.program.moves import assigned
 from aseme_dsl.codegen.program.uses import Uses
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

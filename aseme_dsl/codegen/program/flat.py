@@ -7,7 +7,6 @@ is active. The leaves of a composite have consecutive numbers.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.amola.expression import NEVER
@@ -18,6 +17,7 @@ from aseme_dsl.amola.statechart import (
     Transition,
     TransitionKind,
 )
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

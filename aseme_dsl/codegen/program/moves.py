@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
     Arithmetic,
@@ -22,6 +21,7 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.messages import DOUBLE, DURATION
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
 from aseme_dsl.codegen.program.flat import FlatChart
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

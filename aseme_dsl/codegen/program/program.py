@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.program.copies import copies_of
@@ -14,6 +12,7 @@ from aseme_dsl.codegen.program.history import History
 from aseme_dsl.codegen.program.registers import Registers
 from aseme_dsl.codegen.program.resting import Resting, resting
 from aseme_dsl.codegen.program.uses import Uses
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

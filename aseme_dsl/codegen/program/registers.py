@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.amola.expression import (
@@ -31,6 +30,7 @@ from aseme_dsl.amola.messages import DURATION, Type
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import State
 from aseme_dsl.codegen.program.flat import FlatChart
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,10 +9,10 @@ statechart no state is passed.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import NEVER, Failed, Outcome, StateValue, TransitionExpression
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

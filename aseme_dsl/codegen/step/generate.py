@@ -18,8 +18,6 @@ written by hand with care. The methods of the class, for region 3 and transition
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.program.program import lowered
@@ -34,6 +32,7 @@ from aseme_dsl.codegen.step.names import StepNames
 from aseme_dsl.codegen.step.resuming import Resuming
 from aseme_dsl.codegen.step.rounds import Rounds
 from aseme_dsl.codegen.step.taking import Taking
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

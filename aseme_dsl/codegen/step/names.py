@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.expression import (
     After,
@@ -20,6 +20,7 @@ from aseme_dsl.codegen.code.tree import (
 )
 from aseme_dsl.codegen.code.values import Names
 from aseme_dsl.codegen.program.program import Program
+from aseme_dsl.records import dataclass
 
 
 @dataclass

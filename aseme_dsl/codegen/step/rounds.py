@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.amola.expression import (
     taken_message,
     walk,
@@ -22,6 +20,7 @@ from aseme_dsl.codegen.step.actions import Actions
 from aseme_dsl.codegen.step.events import Events
 from aseme_dsl.codegen.step.names import Method, Part, StepNames, mail_name
 from aseme_dsl.codegen.step.taking import Taking
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

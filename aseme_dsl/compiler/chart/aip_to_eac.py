@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.statechart import Statechart
@@ -31,6 +31,7 @@ from aseme_dsl.diagnostics.problems.formulas import ParticipantWithoutProcess
 from aseme_dsl.diagnostics.problems.missing import ProtocolEmpty
 from aseme_dsl.diagnostics.problems.names import FormulaAmbiguous
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 
 PROCESS = "process"
 """The name of a participant's own formula."""

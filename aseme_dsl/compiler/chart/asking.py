@@ -6,7 +6,6 @@ After a `send` no agent has answered yet; a timer that is started has not expire
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
     COMPARE,
@@ -22,6 +21,7 @@ from aseme_dsl.amola.expression import (
     Value,
 )
 from aseme_dsl.amola.statechart import Statechart, Transition
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import chain
 
 from aseme_dsl.amola.aip import DeclaredVariable, Plays
@@ -36,6 +36,7 @@ from aseme_dsl.compiler.formula.renames import SAME, rename
 from aseme_dsl.compiler.names.resolve import Symbols
 from aseme_dsl.compiler.read.missing import Missing
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.amola.expression import (
     NEVER,
@@ -42,6 +42,7 @@ from aseme_dsl.diagnostics.problems.control import (
 from aseme_dsl.diagnostics.problems.statecharts import StateNotLeft, StateNotReached
 from aseme_dsl.diagnostics.problems.use import TimerNotStarted
 from aseme_dsl.proofs.unknowns import identity
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _POINTS = (StateType.START, StateType.CONDITION)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 
 from aseme_dsl.amola.aip import Plays
@@ -39,6 +39,7 @@ from aseme_dsl.diagnostics.problems.names import (
     ProtocolsInCircle,
 )
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 Player = tree.Srm | tree.Participant

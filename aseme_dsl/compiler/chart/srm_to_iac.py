@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.amola.aip import Plays
 from aseme_dsl.amola.statechart import Statechart
@@ -24,6 +24,7 @@ from aseme_dsl.diagnostics.problems.absences import (
 from aseme_dsl.diagnostics.problems.control import ControlOfProtocol
 from aseme_dsl.diagnostics.problems.formulas import RoleWithoutFormula
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import count
 from typing import assert_never
 
@@ -57,6 +57,7 @@ from aseme_dsl.diagnostics.problems.statecharts import (
     Unsound,
 )
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 
 _COMPOSITE = (StateType.OR, StateType.AND)
 

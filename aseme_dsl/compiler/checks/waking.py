@@ -9,7 +9,7 @@ list are reported wherever they do.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.expression import (
     After,
@@ -27,6 +27,7 @@ from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.control import ListOfTwoRegions, RegionsWakeEachOther
 from aseme_dsl.proofs.evaluate import value_of
 from aseme_dsl.proofs.unknowns import VARIABLE, Vocabulary
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _ROUNDS = 1000

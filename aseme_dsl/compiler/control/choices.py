@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 from aseme_dsl.amola.expression import Expired, Not, TransitionExpression, operands
@@ -38,6 +37,7 @@ from aseme_dsl.diagnostics.problems.expressions.conditions import BranchBehindOp
 from aseme_dsl.diagnostics.problems.formulas import LineNeverTaken, LoopMayBeEmpty
 from aseme_dsl.diagnostics.problems.missing import ControlMissing
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

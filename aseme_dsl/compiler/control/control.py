@@ -7,7 +7,7 @@ lines go wherever the protocol is played.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression, substituted_expression
 from aseme_dsl.amola.liveness import Formula
@@ -44,6 +44,7 @@ from aseme_dsl.diagnostics.problems.statecharts import (
     TransitionToRegion,
 )
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

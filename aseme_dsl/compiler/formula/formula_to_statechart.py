@@ -7,7 +7,7 @@ arrows into transitions. Formulas may be nested hundreds deep, so nothing here r
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from types import MappingProxyType
 from typing import assert_never
 
@@ -21,6 +21,7 @@ from aseme_dsl.compiler.formula.formulas import Formulas, dependencies_first
 from aseme_dsl.compiler.formula.renames import SAME, Renames, rename_value
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.formulas import TooManyStates
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 FRAME = 3

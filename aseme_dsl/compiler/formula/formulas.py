@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TypeVar, assert_never
 
 from aseme_dsl.amola.aip import NamedFormula
@@ -22,6 +22,7 @@ from aseme_dsl.diagnostics.problems.formulas import (
 )
 from aseme_dsl.diagnostics.problems.names import VerbAsName
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 
 _T = TypeVar("_T")
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from aseme_dsl.amola import expression
 from aseme_dsl.amola.expression import TransitionExpression
 from aseme_dsl.amola.messages import Type
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import assert_never
 
 from aseme_dsl.amola.liveness import Formula, canonical, names, rewritten, term_key, ungrouped
@@ -25,6 +25,7 @@ from aseme_dsl.diagnostics.problems.control import (
     TermAmbiguous,
 )
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 
 Played = Mapping[tuple[str, str], Formulas]
 

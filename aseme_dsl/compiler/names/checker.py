@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.messages import DOUBLE, INT, Type
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.diagnostics import Diagnostic, Problem, Related
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TypeVar
 
 from aseme_dsl.compiler.names.usecases import folded
@@ -17,6 +17,7 @@ from aseme_dsl.diagnostics.problems.absences import NoRole
 from aseme_dsl.diagnostics.problems.formulas import FormulaNotUsed, RoleWithoutFormula
 from aseme_dsl.grammar.formulas.expression import spelled
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _T = TypeVar("_T")

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.aip import AgentMessage
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.messages import Bounds, Type
 from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

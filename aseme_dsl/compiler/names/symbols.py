@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 from aseme_dsl.amola.messages import (
@@ -22,6 +22,7 @@ from aseme_dsl.amola.messages import (
 from aseme_dsl.amola.system import Team, agent_names
 from aseme_dsl.compiler.read.builtins import FUNCTIONS, NOWHERE
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

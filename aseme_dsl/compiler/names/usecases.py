@@ -7,10 +7,10 @@ if the use case says that it `realises` them.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.amola.operators import Operator
 from aseme_dsl.amola.suc import RoleType, Suc, UseCase, folded
+from aseme_dsl.records import dataclass
 
 _BUILT = (RoleType.SYSTEM, RoleType.ABSTRACT)
 

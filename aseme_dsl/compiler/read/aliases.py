@@ -10,7 +10,7 @@ requirements, scenarios and properties are its own.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from dataclasses import field, fields, is_dataclass, replace
 from enum import Enum
 from typing import TypeVar, cast
 
@@ -21,6 +21,7 @@ from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.diagnostics.problems import names as problems
 from aseme_dsl.grammar.formulas.expression import spelled
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _T = TypeVar("_T")

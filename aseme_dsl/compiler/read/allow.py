@@ -13,7 +13,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import fields, is_dataclass
 
 from aseme_dsl.diagnostics import (
     CODES,
@@ -28,6 +28,7 @@ from aseme_dsl.diagnostics import (
 from aseme_dsl.diagnostics.problems import settings as problems
 from aseme_dsl.grammar.parsing.parts import NO_PARTS, Layout
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _ADDRESSED = re.compile(r"(?://|/\*)\s*asemec\s*:\s*(.*)", re.DOTALL)

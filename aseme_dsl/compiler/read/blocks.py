@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.compiler.read.homonyms import told_apart
 from aseme_dsl.compiler.read.names import declared_twice
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeVar
 
 from aseme_dsl.amola.messages import BUILT_IN, Kind, Type
@@ -13,6 +13,7 @@ from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Diagnostic, Problem, Related
 from aseme_dsl.diagnostics.problems.absences import NoDeclaredType
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 D = TypeVar("D", bound=tree.Declaration)

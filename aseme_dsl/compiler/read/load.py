@@ -6,7 +6,7 @@ import os
 import re
 import stat
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,6 +18,7 @@ from aseme_dsl.diagnostics.problems import files as problems
 from aseme_dsl.diagnostics.problems.names import AliasOfProto
 from aseme_dsl.grammar.parsing.parts import NO_PARTS, InParts, Layout
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, library_path
 from aseme_dsl.standard_library import standard_library
 

@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from operator import is_
 from types import FunctionType
 from typing import Any, Protocol, TypeVar, cast
 
 from aseme_dsl.compiler.read.pieces import InPieces, finished
+from aseme_dsl.records import dataclass
 
 _T = TypeVar("_T")
 _K = TypeVar("_K", bound=Hashable)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.diagnostics import Diagnostic, Edit
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

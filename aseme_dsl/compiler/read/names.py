@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Concatenate, ParamSpec
 
 from aseme_dsl.compiler.read.builtins import PERFORMATIVES
@@ -16,6 +16,7 @@ from aseme_dsl.diagnostics import Diagnostic, Edit, Problem, Related, closest, s
 from aseme_dsl.diagnostics.problems.absences import NoPerformative, Unknown
 from aseme_dsl.diagnostics.problems.names import DeclaredTwice
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span, is_library_path
 
 P = ParamSpec("P")

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.amola.statechart import State, Statechart
 from aseme_dsl.compiler.read.blocks import Blocks
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import NoReturn, assert_never
 
 from aseme_dsl.amola.expression import Value
@@ -29,6 +29,7 @@ from aseme_dsl.grammar.text import statements as nodes
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.play import scenario as play
 from aseme_dsl.play.evaluate import not_evaluated
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.monitor import rules
 from aseme_dsl.runtime.team.network import Network

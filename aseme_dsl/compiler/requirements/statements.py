@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from dataclasses import field, fields, is_dataclass, replace
 from typing import assert_never
 
 from aseme_dsl.amola.aip import Aip
@@ -33,6 +33,7 @@ from aseme_dsl.diagnostics.problems.scenarios import statements as problems
 from aseme_dsl.grammar.formulas.statement import read_statements
 from aseme_dsl.grammar.text import statements as nodes
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.amola.liveness import Formula, names
 from aseme_dsl.amola.operators import Fixity, Operator
@@ -34,6 +33,7 @@ from aseme_dsl.diagnostics.problems.missing import (
     UseCaseWithoutFormula,
 )
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

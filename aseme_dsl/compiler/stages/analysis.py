@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from aseme_dsl.compiler.formula.formula_to_statechart import LARGEST
 from aseme_dsl.diagnostics.policy import NO_POLICY, Policy
 from aseme_dsl.display import Displayed
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System

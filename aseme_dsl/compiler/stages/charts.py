@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Statechart
@@ -23,6 +22,7 @@ from aseme_dsl.compiler.types.round_values import check_rounds
 from aseme_dsl.compiler.types.state_values import check_states
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.proofs.prover import Prover
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

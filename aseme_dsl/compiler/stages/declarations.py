@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from aseme_dsl.compiler.formula.holes import apart_from_holes
@@ -18,6 +18,7 @@ from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.stages.found import Found, With
 from aseme_dsl.compiler.types.scopes import global_scope
 from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

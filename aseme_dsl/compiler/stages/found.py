@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeVar
 
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.records import dataclass
 
 _T = TypeVar("_T")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import chain
 
 from aseme_dsl.amola.aip import Aip
@@ -31,6 +30,7 @@ from aseme_dsl.compiler.types.scopes import TypedParticipant, TypedRole, protoco
 from aseme_dsl.compiler.types.settings import settle
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import chain
 
 from aseme_dsl.amola.aip import Plays
@@ -33,6 +32,7 @@ from aseme_dsl.compiler.stages.processes import Described, Processes, Requiremen
 from aseme_dsl.compiler.types.modules import also_activities
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Fill, NewMessage, Value
 from aseme_dsl.amola.messages import DURATION, ChannelKind, Field, Kind, Message, Type
@@ -22,6 +21,7 @@ from aseme_dsl.diagnostics.problems.expressions.paths import (
     OptionalAssigned,
 )
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 Typed = Callable[[Checker, tree.Expression], Value | None]

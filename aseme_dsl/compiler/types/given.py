@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from aseme_dsl.amola.aip import DeclaredVariable
 from aseme_dsl.amola.expression import (
@@ -33,6 +33,7 @@ from aseme_dsl.diagnostics.problems.expressions.bounds import ResultWithOtherBou
 from aseme_dsl.diagnostics.problems.expressions.values import RandomInCondition
 from aseme_dsl.diagnostics.problems.names import ReservedName
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Value
 from aseme_dsl.amola.messages import Kind, Type
@@ -20,6 +18,7 @@ from aseme_dsl.diagnostics.problems.expressions.absences import (
     NoReasonOfLoss,
 )
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 
 NAMED_RESULTS = ("outcome", "reason")
 """The questions whose answer is a name that only they know."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.amola.aip import AgentMessage, DeclaredVariable
 from aseme_dsl.amola.expression import Literal
@@ -23,6 +23,7 @@ from aseme_dsl.diagnostics.problems.expressions.values import NoTypeOfVariable
 from aseme_dsl.diagnostics.problems.names import ReservedName
 from aseme_dsl.diagnostics.problems.talk import InitialAgent
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from aseme_dsl.amola.statechart import State, Statechart, StateType
+from aseme_dsl.records import dataclass
 
 Link = tuple[int, ...]
 """Transitions with the same two ends, by their place in the chart, in the order in which they are tried."""

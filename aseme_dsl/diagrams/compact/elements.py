@@ -5,8 +5,10 @@ All measures are px, from the top left corner; texts stand on their base line.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
+
+from aseme_dsl.records import dataclass
 
 Point = tuple[float, float]
 Link = tuple[int, ...]

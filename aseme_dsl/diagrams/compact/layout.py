@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.srm import Activity
@@ -16,6 +16,7 @@ from aseme_dsl.diagrams.compact.pen import PITCH, Placed, Room, text
 from aseme_dsl.diagrams.compact.plan import Plan
 from aseme_dsl.diagrams.compact.words import Words, width
 from aseme_dsl.diagrams.look.labels import fitted
+from aseme_dsl.records import dataclass
 
 _MARGIN = 14
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagrams.compact.blocks import inside
 from aseme_dsl.diagrams.compact.elements import Form, Picture, Shape
 from aseme_dsl.diagrams.compact.layout import Wanted, layout, scale
+from aseme_dsl.records import dataclass
 
 _LARGE = 0.67
 """A formula that is more of a page than this is closed only if there is no smaller one."""

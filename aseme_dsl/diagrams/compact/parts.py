@@ -8,7 +8,7 @@ time is linear in the states of each level.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import assert_never
 
@@ -54,6 +54,7 @@ from aseme_dsl.diagrams.compact.turns import (
     taller,
 )
 from aseme_dsl.diagrams.compact.words import Words
+from aseme_dsl.records import dataclass
 
 _CHOICE = 10
 """Half a diamond."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import assert_never
 
 from aseme_dsl.diagrams.compact.elements import Element, Line, Link, Look, Point, Shape, Stroke, Text, moved
 from aseme_dsl.diagrams.compact.words import INDENT, Words, indented, link_rows, width
+from aseme_dsl.records import dataclass
 
 PITCH = 14.5
 """From base line to base line."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.amola.statechart import OriginKind, State, Statechart, transition_text
 from aseme_dsl.diagrams.compact.blocks import Activity, Block, Closed, Group, Parallel, Part, inside
 from aseme_dsl.diagrams.compact.elements import Link
 from aseme_dsl.diagrams.compact.endings import Endings
 from aseme_dsl.diagrams.compact.words import Words
+from aseme_dsl.records import dataclass
 
 _TABLE = 3
 """More exits than this stand as a table in the state."""

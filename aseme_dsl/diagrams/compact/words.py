@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass
 from functools import lru_cache
 
 from aseme_dsl.amola.expression import (
@@ -26,6 +25,7 @@ from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, Transition, TransitionKind
 from aseme_dsl.diagrams.compact.elements import SIZES, Link, Look
 from aseme_dsl.diagrams.look.labels import room_for, wrapped
+from aseme_dsl.records import dataclass
 
 _CONSTANT = re.compile(r"\b[A-Z]\w*[a-z]\w*\.([A-Z][A-Z0-9_]+)\b")
 _CHANNEL = re.compile(r"\b(\w+)\.(state|signal|data)\.(\w+)")

@@ -7,11 +7,12 @@ same data, so that nothing can be drawn which is not checked.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from functools import lru_cache
 
 from aseme_dsl.diagrams.look.labels import Html, printable, short
+from aseme_dsl.records import dataclass
 
 _LONGEST = 3000
 """Characters of a tooltip, at most 15 000 when escaped: older versions read no string beyond 16 384."""

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
 from aseme_dsl.diagrams.look import dot
 from aseme_dsl.diagrams.look.dot import Sheet, Shown
 from aseme_dsl.display import Displayed
+from aseme_dsl.records import dataclass
 
 
 class Expressions(StrEnum):

@@ -6,10 +6,10 @@ import math
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from functools import lru_cache, partial
 
 from aseme_dsl.diagrams.look import style
+from aseme_dsl.records import dataclass
 
 _UNPRINTABLE = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]")
 _PIECES = re.compile(r"\S+\s*")

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.amola.statechart import OriginKind, State, Statechart, StateType, Transition, label_key
 from aseme_dsl.diagrams.look.drawing import NoSuchState
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

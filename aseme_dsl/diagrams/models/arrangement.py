@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.amola.statechart import State, StateType
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.diagrams.look.labels import text_width
 from aseme_dsl.diagrams.look.marks import name_lines
 from aseme_dsl.diagrams.look.view import View
+from aseme_dsl.records import dataclass
 
 _GAP = 22.0
 """About the distance between two rows of states, in points."""

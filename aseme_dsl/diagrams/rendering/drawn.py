@@ -6,10 +6,10 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
-from dataclasses import dataclass
 
 from aseme_dsl.diagrams.look.drawing import Drawing
 from aseme_dsl.diagrams.rendering.layout import TIME_LIMIT, DrawingFailed, GraphvizMissing, end_all, render
+from aseme_dsl.records import dataclass
 
 WHOLE = 1500
 """The most states that are tried in one picture: a larger one takes minutes, and is unreadable."""

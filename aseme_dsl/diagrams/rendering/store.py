@@ -7,12 +7,13 @@ import hashlib
 import os
 import tempfile
 from collections import OrderedDict
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.diagrams.look.drawing import Drawing
 from aseme_dsl.diagrams.rendering.layout import TIME_LIMIT, program, render
+from aseme_dsl.records import dataclass
 
 _REVISION = 2
 """To be raised when the same DOT text becomes another picture."""

@@ -6,13 +6,13 @@ A text stands between two neighbouring lifelines, beside the one it is about: so
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.diagrams.look.labels import fitted, room_for
 from aseme_dsl.diagrams.sequence.sequence import Mark, Row, SequenceDiagram, seconds
+from aseme_dsl.records import dataclass
 
 PITCH = 13.5
 """From base line to base line of two lines of text."""

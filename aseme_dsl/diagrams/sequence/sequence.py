@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from aseme_dsl.records import dataclass
 
 PAGE = 60
 """So many rows are one page: more are not looked at together."""

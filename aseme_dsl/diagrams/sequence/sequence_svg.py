@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from xml.sax.saxutils import escape
 
 from aseme_dsl.diagrams.look import style
@@ -12,6 +11,7 @@ from aseme_dsl.diagrams.look.drawing import PageSize
 from aseme_dsl.diagrams.look.labels import fitted, printable, room_for
 from aseme_dsl.diagrams.sequence.columns import EDGE, PITCH, Columns, Text
 from aseme_dsl.diagrams.sequence.sequence import DECLINING, PAGE, Arrow, Mark, Row, SequenceDiagram, seconds
+from aseme_dsl.records import dataclass
 
 _TITLE = 34.0
 _LONG = 15

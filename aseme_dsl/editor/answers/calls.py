@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.editor.files.index import Kind, Occurrence, Symbol, Use
 from aseme_dsl.editor.files.program import Program
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _CALLED = (Kind.FORMULA, Kind.ACTIVITY, Kind.PARTICIPANT, Kind.ALIAS)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -21,6 +20,7 @@ from aseme_dsl.grammar.parsing.expected import words_of
 from aseme_dsl.grammar.parsing.terminals import all_rules, parser_model
 from aseme_dsl.grammar.syntax.contexts import EXPRESSION_WORDS
 from aseme_dsl.grammar.text.lexer import Tokens
+from aseme_dsl.records import dataclass
 
 MOST = 4
 """How many constructs are shown of a word that several have."""

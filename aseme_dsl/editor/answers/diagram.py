@@ -7,7 +7,7 @@ element of the picture for that place. `elements` lead from each element back in
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from aseme_dsl.amola.statechart import State, Statechart, StateType
 from aseme_dsl.amola.system import System
@@ -29,6 +29,7 @@ from aseme_dsl.editor.files.index import Kind, Symbol
 from aseme_dsl.editor.files.program import Program, errors_in_texts
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 READABLE = 80

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.statechart import StateType
@@ -11,6 +11,7 @@ from aseme_dsl.editor.answers.hover import type_of
 from aseme_dsl.editor.files.index import Kind, Symbol, name_of
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

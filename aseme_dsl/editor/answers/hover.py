@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import names
@@ -23,6 +22,7 @@ from aseme_dsl.editor.files.program import Program
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.lexer import Tokens, clean
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _MOST = 8

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.editor.files.index import Kind, Occurrence, Symbol, Use
@@ -12,6 +11,7 @@ from aseme_dsl.editor.files.program import Program
 from aseme_dsl.editor.files.python_places import activity_place, outcome_places, target_place
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import fields, is_dataclass
 
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.compiler.read.pieces import InPieces
@@ -12,6 +12,7 @@ from aseme_dsl.editor.files.program import Program
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.lexer import Tokens, clean
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

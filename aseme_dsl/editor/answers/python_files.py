@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.diagnostics import Diagnostic
@@ -13,6 +12,7 @@ from aseme_dsl.editor.files.index import Kind, Symbol, Use
 from aseme_dsl.editor.files.program import Program
 from aseme_dsl.editor.files.python_places import offset_of
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.editor.files.index import Kind, Occurrence, Use
 from aseme_dsl.editor.files.positions import Lines
 from aseme_dsl.editor.files.view import View
+from aseme_dsl.records import dataclass
 
 TYPES = (
     "namespace",

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from enum import StrEnum
 
 from aseme_dsl.amola.liveness import ungrouped
@@ -26,6 +25,7 @@ from aseme_dsl.editor.changes.rewriting import Refused, differences, look, piece
 from aseme_dsl.editor.files.program import errors_in_texts
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 
 CLASS = "class"
 """The refactoring that makes a new file: see `activities.activity_class`."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from aseme_dsl.amola.liveness import Formula, names, ungrouped, walk
 from aseme_dsl.amola.operators import INFIX, Operator
@@ -25,6 +24,7 @@ from aseme_dsl.editor.changes.rewriting import (
 )
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 ALLOWED = frozenset(("N704",))

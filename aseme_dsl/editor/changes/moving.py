@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Container, Mapping, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.amola.liveness import Formula, ungrouped
 from aseme_dsl.compiler.formula.formula_to_statechart import Way
@@ -12,6 +11,7 @@ from aseme_dsl.compiler.formula.terms import Terms, way, ways
 from aseme_dsl.editor.changes.rewriting import Owner, Refused, Replaced
 from aseme_dsl.editor.typing.completion import spelled
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 
 Translate = Callable[[str, Way], Sequence[tuple[str, Way]]]
 """From a formula and a transition of it to the formulas and transitions that it is now."""

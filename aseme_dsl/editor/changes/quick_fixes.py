@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.amola.operators import INFIX, Operator
 from aseme_dsl.compiler.read.allow import OWN
@@ -12,6 +11,7 @@ from aseme_dsl.diagnostics import CODES, Diagnostic, Edit, Severity
 from aseme_dsl.diagnostics.problems.syntax.entries import OperatorToChoose
 from aseme_dsl.editor.changes.declaring import declarations
 from aseme_dsl.editor.files.view import View
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 
 from aseme_dsl.compiler.names.usecases import folded
@@ -18,6 +18,7 @@ from aseme_dsl.editor.files.program import Program, errors_in_texts
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.files.workspace import Workspace
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.naming import class_name, snake_case
 from aseme_dsl.source import Span
 from aseme_dsl.standard_library import standard_library

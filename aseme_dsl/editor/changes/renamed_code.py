@@ -6,12 +6,13 @@ import ast
 import io
 import tokenize
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from aseme_dsl.diagnostics import Edit
 from aseme_dsl.editor.files.index import Kind, Symbol
 from aseme_dsl.editor.files.python_places import outcome_places, read_python
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import field, fields
 from difflib import SequenceMatcher
 
 from aseme_dsl.amola.expression import action_text, events_text, value_text
@@ -21,6 +21,7 @@ from aseme_dsl.editor.files.place import begin_of_declaration, end_of_declaratio
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.reading.reading import format_source, parse
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text.lexer import clean
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _IMPORT = re.compile(r'import\s+"[^"\n]*"\s+as\s+(\w+)', re.ASCII)

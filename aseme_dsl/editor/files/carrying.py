@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable
-from dataclasses import dataclass
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

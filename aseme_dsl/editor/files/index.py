@@ -6,7 +6,7 @@ What a name in a node of the tree means is said in one line of `NAMES`; dotted n
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from dataclasses import field, fields, is_dataclass, replace
 from enum import StrEnum
 
 from aseme_dsl.amola.liveness import Argument, Formula, names
@@ -18,6 +18,7 @@ from aseme_dsl.compiler.types.given import supplied_names
 from aseme_dsl.grammar.formulas.statement import read_statements
 from aseme_dsl.grammar.text import statements as nodes
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.amola.liveness import Formula, names
@@ -15,6 +14,7 @@ from aseme_dsl.editor.files.comments import documentation
 from aseme_dsl.editor.files.program import Program
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 
 from aseme_dsl.editor.reading.reading import at_once
@@ -17,6 +16,7 @@ from aseme_dsl.grammar.parsing.parts import TooSlow
 from aseme_dsl.grammar.text.lexer import Tokens
 from aseme_dsl.grammar.text.recovery import declaration_begins
 from aseme_dsl.grammar.text.token import Token, token
+from aseme_dsl.records import dataclass
 
 _PIECE = re.compile(r'//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|"(?:[^"\\\n]|\\.)*"?|[{}]')
 _NAME_BEFORE = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z|[0-9]+(?:\.[0-9]*)*\Z")

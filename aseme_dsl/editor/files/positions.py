@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from aseme_dsl.records import dataclass
 
 _END_OF_LINE = re.compile(r"\r\n|\n|\r")
 

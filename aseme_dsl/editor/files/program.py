@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.compiler import Analysis
@@ -15,6 +14,7 @@ from aseme_dsl.diagnostics import Diagnostic, Severity, Suppressed
 from aseme_dsl.editor.files.index import Index, Occurrence, World, occurrences, world_of
 from aseme_dsl.grammar.parsing.parts import Layout
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _OF_PYTHON = frozenset(f"E{number}" for number in range(540, 547))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 from aseme_dsl.diagnostics import Diagnostic
@@ -12,6 +12,7 @@ from aseme_dsl.editor.files.index import Occurrence
 from aseme_dsl.editor.files.positions import Lines
 from aseme_dsl.editor.files.program import Program
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _WORD = re.compile(r"\w*", re.ASCII)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from typing import TypeVar, cast
 
@@ -28,6 +28,7 @@ from aseme_dsl.editor.files.view import View, carried
 from aseme_dsl.editor.reading.reading import parse
 from aseme_dsl.grammar.parsing.parts import InParts, Parts
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
 

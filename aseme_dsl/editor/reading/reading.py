@@ -15,7 +15,6 @@ import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from contextvars import ContextVar
-from dataclasses import dataclass
 from typing import ParamSpec, TypeVar, cast
 
 from aseme_dsl.diagnostics import Diagnostic
@@ -25,6 +24,7 @@ from aseme_dsl.grammar.layout import Formatted
 from aseme_dsl.grammar.parsing.copies import load
 from aseme_dsl.grammar.parsing.parts import TooSlow
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 _T = TypeVar("_T")

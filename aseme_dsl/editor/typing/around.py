@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property, lru_cache
 
 from aseme_dsl.amola.liveness import Formula, names
@@ -24,6 +24,7 @@ from aseme_dsl.grammar import parse
 from aseme_dsl.grammar.parsing.expected import Expected
 from aseme_dsl.grammar.parsing.parts import TooSlow
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.editor.files.known import Known
 from aseme_dsl.editor.files.place import Place
 from aseme_dsl.editor.typing.around import Around, name_of
 from aseme_dsl.grammar.parsing.expected import Expected
 from aseme_dsl.grammar.text.token import Token
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.amola.messages import Function, Type
 from aseme_dsl.compiler.names.scope import Scope
@@ -15,6 +14,7 @@ from aseme_dsl.editor.typing.ask import Ask
 from aseme_dsl.editor.typing.completion import parameters_of, slot_of
 from aseme_dsl.editor.typing.slots import Call
 from aseme_dsl.editor.typing.values import form_parameters, signature, type_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

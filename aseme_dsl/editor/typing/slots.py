@@ -7,12 +7,13 @@ These are flat lists of tokens for the grammar. Their structure is read by hand
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 from itertools import pairwise
 
 from aseme_dsl.compiler.read.builtins import PERFORMATIVES
 from aseme_dsl.grammar.text.token import Token, token
+from aseme_dsl.records import dataclass
 
 
 class SlotKind(StrEnum):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.operators import (
@@ -28,6 +28,7 @@ from aseme_dsl.diagnostics.problems.syntax.entries import Signs, Wanted
 from aseme_dsl.grammar.formulas.expression import read_arguments
 from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED, Malformed, is_hyphen, is_name
 from aseme_dsl.grammar.text.token import Token
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 DEEPEST = 1000

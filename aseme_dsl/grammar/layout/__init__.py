@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.syntax.entries import Hole
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 __all__ = ["Formatted", "format_source"]

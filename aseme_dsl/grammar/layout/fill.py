@@ -7,9 +7,10 @@ The tree is built and written without recursion, as formulas may be nested as de
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.grammar.layout.pieces import GLUED, Piece
+from aseme_dsl.records import dataclass
 
 WIDTH = 110
 """How long a line may be, comments at its end not counted."""

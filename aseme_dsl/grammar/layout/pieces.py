@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from aseme_dsl.records import dataclass
 
 GLUED = 1 << 30
 """The level of a place at which no line is broken."""

@@ -7,9 +7,11 @@ missing. Everything else (blanks, comments, where long lines are broken) follows
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from types import MappingProxyType
 from typing import TypeAlias
+
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 from aseme_dsl.grammar.layout.fill import STEP, WIDTH, fill, flat
 from aseme_dsl.grammar.layout.pieces import ORDER, Piece, Row
 from aseme_dsl.grammar.layout.rules import SHAPES, Line
+from aseme_dsl.records import dataclass
 
 WIDEST = 56
 """A cell that is wider does not make its column wider: it sticks out."""

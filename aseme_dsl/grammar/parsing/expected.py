@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import lru_cache
 
 from arpeggio import Match, NoMatch, OneOrMore, Optional, OrderedChoice, RegExMatch, Sequence, ZeroOrMore
@@ -22,6 +22,7 @@ from aseme_dsl.grammar.parsing.terminals import (
     skip_blanks,
 )
 from aseme_dsl.grammar.text.recovery import BLOCKS
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

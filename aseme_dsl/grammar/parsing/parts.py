@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import count, pairwise
 
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
@@ -19,6 +19,7 @@ from aseme_dsl.grammar.parsing.copies import moved
 from aseme_dsl.grammar.parsing.parse import MOST_MISTAKES, parse
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.grammar.text.recovery import BLOCKS, CLOSED_DECLARATION
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

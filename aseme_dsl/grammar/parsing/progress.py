@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Protocol
 
 from aseme_dsl.grammar.parsing.nodes import Node
 from aseme_dsl.grammar.text.lexer import Lexed
 from aseme_dsl.grammar.text.recovery import is_stray_brace
 from aseme_dsl.grammar.text.token import Token
+from aseme_dsl.records import dataclass
 
 
 class GrammarRule(Protocol):

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import Enum, auto
 
 from aseme_dsl.amola.operators import INFIX, NUMBER, POSTFIX, Operator, parts
@@ -30,6 +30,7 @@ from aseme_dsl.grammar.syntax.shape import (
     grammar,
     may_be_empty,
 )
+from aseme_dsl.records import dataclass
 
 
 class Kind(Enum):

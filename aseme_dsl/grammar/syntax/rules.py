@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.grammar.syntax.contexts import KEYWORDS, TOKENS, Context, Kind, Phrase, Piece, either
 from aseme_dsl.grammar.syntax.patterns import compact
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from arpeggio import Match, OneOrMore, OrderedChoice, RegExMatch, Repetition, ZeroOrMore
@@ -12,6 +11,7 @@ from arpeggio import Optional as Perhaps
 
 from aseme_dsl.grammar.parsing.progress import ParsingExpression
 from aseme_dsl.grammar.parsing.terminals import metamodel
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ several items match, Vim takes the one that was defined last; the lines are ther
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.grammar.syntax.contexts import (
     CONTENT,
@@ -23,6 +23,7 @@ from aseme_dsl.grammar.syntax.contexts import (
 )
 from aseme_dsl.grammar.syntax.patterns import vim
 from aseme_dsl.grammar.syntax.rules import STRAY
+from aseme_dsl.records import dataclass
 
 LINKS: dict[Kind, str] = {
     Kind.DECLARATION: "Statement",

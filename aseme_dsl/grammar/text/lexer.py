@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.amola.operators import INFIX_SIGNS, Operator
@@ -13,6 +12,7 @@ from aseme_dsl.diagnostics import Diagnostic, Problem
 from aseme_dsl.diagnostics.problems.syntax import characters
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.grammar.text.tree import Comment
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 HOLE = Operator.HOLE.value

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cache, lru_cache
 
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.grammar.text.lexer import Tokens
+from aseme_dsl.records import dataclass
 
 _NAME = r"[A-Za-z_]\w*"
 # How declarations begin: such that nothing in a block begins so, and others, which count at the margin only.

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.grammar.text.tree import Duration, Expression, Fill, Name, Path, Place, Text
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.team.network import Network
 from aseme_dsl.source import Span
 

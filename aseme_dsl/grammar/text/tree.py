@@ -6,9 +6,8 @@ not be read is missing here and has a diagnostic.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.amola.liveness import Formula
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

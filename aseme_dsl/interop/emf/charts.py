@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 from aseme_dsl.amola.operators import Operator
 from aseme_dsl.amola.statechart import StateType, label_key
 from aseme_dsl.interop.emf.markup import DEEPEST, Element, Unreadable
 from aseme_dsl.interop.emf.references import References
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _LABEL = re.compile(r"(?:0|[1-9][0-9]{0,6})(?:\.(?:0|[1-9][0-9]{0,6})){0,200}")

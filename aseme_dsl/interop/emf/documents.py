@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.interop.emf.identifiers import Names
 from aseme_dsl.interop.emf.report import Fate, Row
@@ -19,6 +19,7 @@ from aseme_dsl.interop.emf.requirements import (
     ForeignSrmRole,
     Requirements,
 )
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _TOKEN = re.compile(r"\?\w*\?|[A-Za-z_]\w*(?:-\w+)*|\|\||[0-9]+|\S", re.ASCII)

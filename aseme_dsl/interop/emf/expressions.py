@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from aseme_dsl.records import dataclass
 
 DEEPEST = 50
 """How deep parentheses may be nested."""

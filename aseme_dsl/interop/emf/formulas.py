@@ -8,7 +8,7 @@ differs from the templates anywhere has no formulas: the reason says where.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
 from aseme_dsl.amola.liveness import Formula, canonical, term_key, ungrouped
@@ -17,6 +17,7 @@ from aseme_dsl.amola.original_names import original_name
 from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.interop.emf.charts import SPELLINGS, ForeignChart, ForeignState
 from aseme_dsl.interop.emf.identifiers import is_name
+from aseme_dsl.records import dataclass
 
 Edge = tuple[str, str]
 """The labels of a transition's ends."""

@@ -6,9 +6,10 @@ Document types are refused, and with them all entities. Size, depth and number o
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from xml.parsers import expat
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 DEEPEST = 200

@@ -8,7 +8,7 @@ from __future__ import annotations
 import keyword
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.messages import BOOL, DOUBLE, INT, STRING, EnumType, Kind, Message, Type
@@ -35,6 +35,7 @@ from aseme_dsl.interop.emf.expressions import (
     parts_of,
 )
 from aseme_dsl.interop.emf.identifiers import Names, is_reserved
+from aseme_dsl.records import dataclass
 
 Key = tuple[str, str]
 """A message and the name of one of its fields."""

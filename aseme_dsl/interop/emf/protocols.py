@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.interop.emf.charts import ForeignChart, ForeignState
@@ -12,6 +12,7 @@ from aseme_dsl.interop.emf.meaning import Meaning
 from aseme_dsl.interop.emf.report import Fate, Row
 from aseme_dsl.interop.emf.requirements import ForeignProtocol
 from aseme_dsl.interop.emf.roles import RolePlan, RoleWriter, plan_role
+from aseme_dsl.records import dataclass
 
 
 @dataclass(slots=True)

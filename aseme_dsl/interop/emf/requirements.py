@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.interop.emf.charts import one_line
 from aseme_dsl.interop.emf.markup import Element, Unreadable
 from aseme_dsl.interop.emf.references import References
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 LONGEST = 20_000

@@ -7,7 +7,7 @@ them. The lines are written in that order.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from aseme_dsl.amola.messages import BOOL, DOUBLE, INT, STRING, Type
 from aseme_dsl.amola.statechart import StateType
@@ -17,6 +17,7 @@ from aseme_dsl.interop.emf.formulas import Edge, NoFormula, Reconstructed, formu
 from aseme_dsl.interop.emf.identifiers import Names, is_name
 from aseme_dsl.interop.emf.meaning import Meaning
 from aseme_dsl.interop.emf.report import Fate, Row
+from aseme_dsl.records import dataclass
 
 _COMPOSITE = (StateType.OR, StateType.AND)
 _SCALARS = {"bool": BOOL, "int": INT, "float": DOUBLE, "double": DOUBLE, "string": STRING, "String": STRING}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import PurePath
 
 from aseme_dsl.diagnostics import Diagnostic
@@ -29,6 +29,7 @@ from aseme_dsl.interop.emf.roles import (
     role_text,
     scalar_variables,
 )
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 CHARTS = (".eac", ".iac", ".model", ".sct", ".stct")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from xml.sax.saxutils import escape
 
 from aseme_dsl.amola.expression import (
@@ -22,6 +22,7 @@ from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition,
 from aseme_dsl.diagnostics.problems.exporting import Foreign
 from aseme_dsl.interop.export.lowering import Refusal
 from aseme_dsl.interop.export.names import Names
+from aseme_dsl.records import dataclass
 
 _MODEL = "http://www.omg.org/spec/BPMN/20100524/MODEL"
 _DRAWN = "http://www.omg.org/spec/BPMN/20100524/DI"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from itertools import pairwise
 from pathlib import PurePath
@@ -77,6 +77,7 @@ from aseme_dsl.interop.export.machine import (
 )
 from aseme_dsl.interop.export.names import Names
 from aseme_dsl.interop.export.values import PLAIN, Values
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 Path = tuple[Transition, ...]

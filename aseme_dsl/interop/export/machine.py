@@ -9,11 +9,12 @@ enabled.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from typing import assert_never
 
 from aseme_dsl.amola.expression import Value
+from aseme_dsl.records import dataclass
 
 SETTLED = "asemec.settled"
 """The internal event with which a step ends."""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.statechart import State, Statechart
+from aseme_dsl.records import dataclass
 
 _UNSAFE = re.compile(r"[^A-Za-z0-9]+")
 

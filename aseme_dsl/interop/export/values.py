@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from aseme_dsl.amola.expression import (
     Age,
@@ -60,6 +60,7 @@ from aseme_dsl.interop.export.machine import (
     opposite,
 )
 from aseme_dsl.interop.export.names import Names
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 PLAIN = (Kind.BOOL, Kind.INT, Kind.DOUBLE, Kind.STRING, Kind.DURATION, Kind.ENUM)

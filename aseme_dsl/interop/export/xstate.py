@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import assert_never
 
 from aseme_dsl.interop.export.machine import (
@@ -33,6 +33,7 @@ from aseme_dsl.interop.export.machine import (
     asks_for_states,
 )
 from aseme_dsl.interop.export.script import EcmaScript
+from aseme_dsl.records import dataclass
 
 Json = dict[str, object]
 

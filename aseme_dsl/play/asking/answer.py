@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import assert_never
 
 from aseme_dsl.play.asking.changes import Change, Holding, Lacking, Made, Moment, Tried, Waiting
@@ -12,6 +11,7 @@ from aseme_dsl.play.asking.said import Said
 from aseme_dsl.play.asking.search import STAGES, Found, Needed, Search, followed
 from aseme_dsl.play.asking.telling import Teller
 from aseme_dsl.play.asking.ways import Goal, Stage, leads, narrowed
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import Completed
 from aseme_dsl.runtime.chart.plan import is_in
 from aseme_dsl.runtime.time.clock import shown

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from functools import partial
 from random import Random
@@ -12,6 +12,7 @@ from typing import assert_never, cast
 from aseme_dsl.play.asking.parts import Fact, Part
 from aseme_dsl.play.asking.reading import MADE_UP, Reading, is_unknown, readings
 from aseme_dsl.play.replay import Model
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.following import Following, Shape
 from aseme_dsl.runtime.chart.functions import TYPES

@@ -7,7 +7,7 @@ its negation. All parts of a condition are evaluated each time, but for those th
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import assert_never
 
 from aseme_dsl.amola.expression import (
@@ -37,6 +37,7 @@ from aseme_dsl.amola.messages import BOOL
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.play.conditions import around, is_probe, meant, normal_form, shown_as
+from aseme_dsl.records import dataclass
 
 Fact = tuple[str, ...]
 """What a part says, without its negation: the same one wherever it means the same."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.play.asking.sending import Sent
 from aseme_dsl.play.inputs import identity_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.following import Following, Shape
 from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.chart.plan import Plan

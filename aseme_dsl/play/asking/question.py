@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 from difflib import get_close_matches
 
 from aseme_dsl.play.asking.names import named
 from aseme_dsl.play.asking.sending import places, published, sent_of
 from aseme_dsl.play.asking.ways import Goal
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, State
 
 DEPTH = 4

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
     Bound,
@@ -21,6 +20,7 @@ from aseme_dsl.amola.expression import (
     walk,
 )
 from aseme_dsl.play.asking.parts import Part
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 
 from aseme_dsl.play.asking.names import named
 from aseme_dsl.play.asking.past import Past
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.time.clock import shown
 
 

@@ -7,7 +7,7 @@ is found has happened in a trial, and does not happen when one of the changes is
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from heapq import heappop, heappush
 from typing import assert_never
 
@@ -29,6 +29,7 @@ from aseme_dsl.play.asking.changes import (
 from aseme_dsl.play.asking.parts import Denied, Fact, Joined, Part, Tree, parts_in
 from aseme_dsl.play.asking.reading import board_in
 from aseme_dsl.play.asking.ways import Goal, Map, Stage, known_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Completed, Crashed, Happened
 from aseme_dsl.runtime.chart.plan import Transition, is_in
 from aseme_dsl.runtime.trace.records import Record

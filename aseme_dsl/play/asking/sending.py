@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 
 Sent = tuple[str, str]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import assert_never
 
 from aseme_dsl.amola.expression import Age, At, Mean, value_text, walk
@@ -28,6 +28,7 @@ from aseme_dsl.play.asking.past import Past
 from aseme_dsl.play.asking.reading import Reading
 from aseme_dsl.play.asking.said import Said, where
 from aseme_dsl.play.asking.unsent import Unsent
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Completed, Crashed, Happened, Input
 from aseme_dsl.runtime.chart.plan import Plan, is_in
 from aseme_dsl.runtime.time.clock import shown

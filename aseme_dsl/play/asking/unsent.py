@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.play.asking.changes import Coming
 from aseme_dsl.play.asking.past import Past
 from aseme_dsl.play.asking.reading import Reading
 from aseme_dsl.play.asking.said import Back, Said, where
 from aseme_dsl.play.asking.sending import Sent, places
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import LOST
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, is_in
 from aseme_dsl.runtime.time.clock import shown

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from heapq import heappop, heappush
 
 from aseme_dsl.play.asking.changes import Ending
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import INACTIVE, Chart
 from aseme_dsl.runtime.chart.following import Shape
 from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in

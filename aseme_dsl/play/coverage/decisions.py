@@ -10,11 +10,11 @@ that differs of those that both have asked.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Value, value_text
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.play.conditions import normal_form, parts_of
+from aseme_dsl.records import dataclass
 
 HELD, NOT_HELD, NOT_ASKED = "TF-"
 

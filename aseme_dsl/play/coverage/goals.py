@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.amola.statechart import Origin
 from aseme_dsl.amola.suc import UseCase, folded
@@ -12,6 +11,7 @@ from aseme_dsl.play.coverage.measure import is_counted, written_formulas
 from aseme_dsl.play.coverage.seen import Seen
 from aseme_dsl.play.coverage.serving import Place, Serving, serving
 from aseme_dsl.play.scenario import InPlaces, Scenario
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

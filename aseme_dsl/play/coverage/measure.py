@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 
 from aseme_dsl.amola.expression import Literal, Value
@@ -13,6 +12,7 @@ from aseme_dsl.play.coverage.decisions import deciding, decisions_of
 from aseme_dsl.play.coverage.reach import Reach, never_holds, reach_of
 from aseme_dsl.play.coverage.seen import RoleSeen, Seen
 from aseme_dsl.play.coverage.serving import Place, Serving, serving
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import cast
 
 from aseme_dsl.amola.expression import Logic, Value, value_text
@@ -11,6 +11,7 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.play.conditions import around, shown_as
 from aseme_dsl.play.coverage.decisions import HELD, NOT_ASKED, NOT_HELD, Decision, decisions_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 
 Evaluations = dict[tuple[str, int], set[str]]

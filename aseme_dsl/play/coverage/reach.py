@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Literal, Logic, Named, Value
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition, TransitionKind
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.play.coverage.probes import Evaluations
 from aseme_dsl.play.coverage.walks import Walks
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace.records import Record
 
 

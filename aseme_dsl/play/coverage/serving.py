@@ -8,13 +8,13 @@ cases that it includes: it is reached if each of them is.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.amola.statechart import OriginKind, State, Statechart, StateType
 from aseme_dsl.amola.suc import RoleType, UseCase, folded
 from aseme_dsl.amola.system import System
 from aseme_dsl.play.coverage.reach import Reach
 from aseme_dsl.play.coverage.seen import Seen
+from aseme_dsl.records import dataclass
 
 Place = tuple[str, str]
 """A state: its role and its label."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.following import Change, Following, Shape
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 from aseme_dsl.runtime.chart.plan import State as PlanState

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import assert_never
 
 from aseme_dsl.play.scenario import (
@@ -19,6 +19,7 @@ from aseme_dsl.play.scenario import (
     Says,
     Script,
 )
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import Always, Never, conditions_of, renumbered
 
 

@@ -7,11 +7,12 @@ with the line of the step (`Kept`).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Protocol
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.play.scenario import Condition, Holds
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.message.as_json import to_json

@@ -11,12 +11,13 @@ import itertools
 import json
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from functools import partial
 from typing import cast
 
 from aseme_dsl.play.observer import KINDS, Observer
 from aseme_dsl.play.sight.insight import Asked, Insight, Kept, kept
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.team.team import Team
 from aseme_dsl.runtime.trace.records import Record, as_record

@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -20,6 +20,7 @@ from aseme_dsl.project.building.earlier import Earlier
 from aseme_dsl.project.files.manifest import hash_of
 from aseme_dsl.project.files.write import DISK, Disk, Planned, Written, write
 from aseme_dsl.project.settings.configuration import Configuration
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import STANDARD_INPUT, is_library_path
 
 if TYPE_CHECKING:

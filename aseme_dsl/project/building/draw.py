@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fnmatch import fnmatchcase
 from functools import partial
 from pathlib import Path, PurePath
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.project.files.write import DISK, Disk, Planned, Written, write
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, TypeVar
 
 from aseme_dsl.backends.backend import NOTHING_KNOWN, Known
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.grammar.parsing.parts import Layout, Lines, Numbers
 from aseme_dsl.project.files.write import Seen
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.diagrams import Drawing

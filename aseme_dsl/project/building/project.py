@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -28,6 +28,7 @@ from aseme_dsl.project.settings.configuration import (
     unknown_roles,
 )
 from aseme_dsl.project.settings.target import project_here, sources_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 if TYPE_CHECKING:

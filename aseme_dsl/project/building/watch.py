@@ -15,7 +15,7 @@ import glob
 import os
 import time
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,6 +26,7 @@ from aseme_dsl.project.files.inputs import is_searched
 from aseme_dsl.project.files.manifest import NAME as MANIFEST
 from aseme_dsl.project.files.stamp import CLOCK, Stamp, stamp_of
 from aseme_dsl.project.settings.configuration import FILE
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.project.building.workshop import Workshop

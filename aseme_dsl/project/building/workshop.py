@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.grammar.parsing.parts import InParts, Layout, Numbers, Parts
 from aseme_dsl.project.building.earlier import Earlier, KnownBuild
 from aseme_dsl.project.files.stamp import Stamp, stamp_of
 from aseme_dsl.project.files.write import Seen
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.compiler.read.missing import in_block
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.diagnostics.problems.python.code import AccessNotDeclared, HistoryNotDeclared
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.time.clock import nanoseconds
 from aseme_dsl.source import Span, is_library_path
 

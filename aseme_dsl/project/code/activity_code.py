@@ -10,7 +10,7 @@ import ast
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -65,6 +65,7 @@ from aseme_dsl.project.code.activity_pace import returns_at_once
 from aseme_dsl.project.code.activity_talk import Talk, parts_of, sent_by_lines, talk_in, unfit_talk, unsaid
 from aseme_dsl.project.code.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 

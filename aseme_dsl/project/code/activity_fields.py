@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from aseme_dsl.amola.messages import Field, Kind, Message
@@ -17,6 +16,7 @@ from aseme_dsl.backends.backend import message_modules
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.diagnostics.problems.python.code_words import NoMemberRead, ValueOfOtherType
 from aseme_dsl.project.code.activity_access import Place
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 if TYPE_CHECKING:

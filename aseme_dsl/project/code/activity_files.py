@@ -9,7 +9,6 @@ import ast
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeGuard
@@ -28,6 +27,7 @@ from aseme_dsl.diagnostics.problems.python.code import (
     NoCodeOfParticipant,
 )
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span, is_library_path
 

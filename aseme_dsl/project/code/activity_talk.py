@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from aseme_dsl.amola.aip import AgentMessage, Participant, answers_when_busy, plays_inside
@@ -24,6 +23,7 @@ from aseme_dsl.diagnostics.problems.python.code_words import (
     NotOfParticipant,
     SentByLine,
 )
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _TAKES = ("receive", "last_received")

@@ -9,7 +9,6 @@ from __future__ import annotations
 import ast
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from importlib.machinery import (
     EXTENSION_SUFFIXES,
@@ -36,6 +35,7 @@ from aseme_dsl.diagnostics.problems.python.code import (
 )
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
 from aseme_dsl.project.settings.configuration import Configuration, places_of_run
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _PLAIN = (ast.Constant, ast.JoinedStr, ast.List, ast.Tuple, ast.Dict, ast.Set)

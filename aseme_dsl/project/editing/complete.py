@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from aseme_dsl.compiler import Options, analyse
@@ -14,6 +14,7 @@ from aseme_dsl.project.editing.scaffold import scaffold
 from aseme_dsl.project.files.difference import unified
 from aseme_dsl.project.files.write import DISK, Disk, write_file, write_new, write_over
 from aseme_dsl.project.settings.configuration import find_configuration
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from aseme_dsl import outside
@@ -13,6 +13,7 @@ from aseme_dsl.project.building.project import Checked, check
 from aseme_dsl.project.files.difference import unified
 from aseme_dsl.project.files.inputs import Inputs
 from aseme_dsl.project.files.write import DISK, Disk, Written, write_over
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import STANDARD_INPUT, Source, is_library_path
 
 ROUNDS = 50

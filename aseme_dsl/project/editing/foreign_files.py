@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 
 from aseme_dsl import outside
@@ -14,6 +14,7 @@ from aseme_dsl.diagnostics.problems.files import FileTooLarge, ForeignNotRead
 from aseme_dsl.interop.emf.meaning import Known
 from aseme_dsl.interop.emf.system import MODELS
 from aseme_dsl.interop.proto import ProtoImport, files_behind, join, read_proto
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 LARGEST = 8_000_000

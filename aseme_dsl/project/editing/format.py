@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.compiler.read.load import read_source
@@ -14,6 +13,7 @@ from aseme_dsl.project.files.inputs import Inputs, find_inputs
 from aseme_dsl.project.files.write import DISK, Disk, write_over
 from aseme_dsl.project.settings.configuration import find_configuration
 from aseme_dsl.project.settings.target import sources_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

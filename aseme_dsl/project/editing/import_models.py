@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import tempfile
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 
 from aseme_dsl.compiler import analyse
@@ -20,6 +20,7 @@ from aseme_dsl.interop.emf.system import ForeignSystem, SystemText, read_system,
 from aseme_dsl.interop.monas_agents import modules_of
 from aseme_dsl.project.editing.foreign_files import ForeignFiles, gather
 from aseme_dsl.project.files.write import DISK, Disk, write_new
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 REPORT = "import-report.md"

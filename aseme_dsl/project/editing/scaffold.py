@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.compiler import Analysis, Options, analyse
 from aseme_dsl.compiler.formula.holes import apart_from_holes, as_notes
 from aseme_dsl.compiler.read.missing import insertions
 from aseme_dsl.diagnostics import Diagnostic, has_errors
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 _ROUNDS = 10

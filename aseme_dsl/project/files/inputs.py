@@ -6,13 +6,14 @@ import glob
 import os
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.compiler.read.load import LARGEST
 from aseme_dsl.diagnostics import Diagnostic, Problem
 from aseme_dsl.diagnostics.problems import files as wrong
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import STANDARD_INPUT, Source
 
 _TOKEN = re.compile(r'//[^\n]*|/\*.*?(?:\*/|\Z)|"(?:[^"\\\n]|\\.)*"|[{}]|\w+', re.DOTALL)

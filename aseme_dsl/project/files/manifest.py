@@ -6,12 +6,13 @@ import hashlib
 import json
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import lru_cache
 from pathlib import Path, PurePosixPath
 from types import MappingProxyType
 
 from aseme_dsl import outside
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import STANDARD_INPUT
 
 NAME = ".asemec.json"

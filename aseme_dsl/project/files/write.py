@@ -11,7 +11,7 @@ import signal
 import stat
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from importlib.util import cache_from_source
 from pathlib import Path
 from types import FrameType, MappingProxyType
@@ -33,6 +33,7 @@ from aseme_dsl.project.files.manifest import (
     seen_from_here,
 )
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
+from aseme_dsl.records import dataclass
 
 _Ts = TypeVarTuple("_Ts")
 

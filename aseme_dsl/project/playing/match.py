@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from multiprocessing import get_context
 from numbers import Real
 from pathlib import Path
@@ -31,6 +31,7 @@ from aseme_dsl.project.playing.match_team import (
     run_team,
 )
 from aseme_dsl.project.playing.play import PlayError, made_world
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 from aseme_dsl.runtime.world.body import AnyBody, AnyWorld, RadioMessage, fit_to_travel
 from aseme_dsl.runtime.world.lineup import AWAY, HOME, Lineup, seat_of

@@ -11,10 +11,10 @@ import signal
 import sys
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.world.body import BodyConnectionError, RadioMessage
 
 if TYPE_CHECKING:

@@ -7,9 +7,10 @@ machine that has measured it. Without a measurement, the dates on which the runs
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from datetime import datetime
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace.records import Record, agents_of
 
 

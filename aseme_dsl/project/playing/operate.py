@@ -6,7 +6,6 @@ import tempfile
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,6 +14,7 @@ from aseme_dsl import outside
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.project.building.build import Choice
 from aseme_dsl.project.playing.remote import RemoteError, Robot
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.version.versions import VERSIONS
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import inspect
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import contextmanager, nullcontext, suppress
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import field, fields, replace
 from numbers import Integral
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, cast
@@ -16,6 +16,7 @@ from aseme_dsl.diagnostics import Diagnostic, Problem, closest
 from aseme_dsl.diagnostics.problems import running as problems
 from aseme_dsl.diagnostics.problems.running import NotPlayed
 from aseme_dsl.project.settings.configuration import Configuration, RunConfiguration
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 from aseme_dsl.source import Source, Span
 

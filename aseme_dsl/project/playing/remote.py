@@ -5,11 +5,11 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl.project.settings.configuration import Configuration
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.control.operator_key import Key

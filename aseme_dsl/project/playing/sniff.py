@@ -6,12 +6,13 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from datetime import datetime
 from fnmatch import fnmatchcase
 
 from aseme_dsl.diagrams.sequence.sequence import Arrow, Lifeline, Mark, Row, SequenceDiagram, seconds
 from aseme_dsl.project.files.duration import duration
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace.records import Record, agents_of
 
 _AFTER = re.compile(r"\bafter\(([^)]*)\)")

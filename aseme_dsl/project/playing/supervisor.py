@@ -19,7 +19,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from types import FrameType
@@ -31,6 +31,7 @@ from aseme_dsl.play.sight.insight import Asked
 from aseme_dsl.play.sight.sightings import asked_text
 from aseme_dsl.project.playing.play import PlayError
 from aseme_dsl.project.settings.platforms import given_environment
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace.trace_files import USUAL, name_for
 
 if TYPE_CHECKING:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import TypedDict
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace.records import Record, Taken, agents_of
 from aseme_dsl.runtime.trace.state_names import StateNames
 from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of

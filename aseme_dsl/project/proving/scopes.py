@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.amola.aip import Aip, Participant
 from aseme_dsl.amola.system import System
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, is_library_path
 
 PREFIX = "proved_"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeGuard
 
@@ -16,6 +16,7 @@ from aseme_dsl.diagnostics.problems.settings import Fitting
 from aseme_dsl.project.files.duration import duration
 from aseme_dsl.project.settings.deployment import Deployment, TlsFiles, network_mistakes
 from aseme_dsl.project.settings.platform_settings import PLATFORMS, MangoConfiguration, SpadeConfiguration
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.by_name import made
 from aseme_dsl.runtime.time.clock import USUAL_LENGTH
 from aseme_dsl.source import Source, Span

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,7 @@ from aseme_dsl.diagnostics.problems.settings import (
     NoCertificates,
     NoEffectWithoutHosts,
 )
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.transport import Network

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from aseme_dsl.diagnostics.problems.settings import Unprotected
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.settings.deployment import network_mistakes, network_of
 from aseme_dsl.project.settings.platform_settings import IN_PROCESS, MANGO, SPADE, ZENOH
+from aseme_dsl.records import dataclass
 
 MULTICAST = "224.0.0.224:7446"
 

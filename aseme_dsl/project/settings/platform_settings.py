@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
+
+from aseme_dsl.records import dataclass
 
 IN_PROCESS, ZENOH, SPADE, MANGO = PLATFORMS = ("in_process", "zenoh", "spade", "mango")
 

@@ -13,7 +13,6 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypedDict
 
 from aseme_dsl.project.settings.platform_settings import (
@@ -23,6 +22,7 @@ from aseme_dsl.project.settings.platform_settings import (
     ZENOH,
     SpadeConfiguration,
 )
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     import subprocess

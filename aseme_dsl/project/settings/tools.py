@@ -6,8 +6,9 @@ import re
 import shutil
 import subprocess
 import sys
-from dataclasses import dataclass
 from importlib import metadata
+
+from aseme_dsl.records import dataclass
 
 OLDEST_PYTHON = (3, 11)
 

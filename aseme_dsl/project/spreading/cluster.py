@@ -8,13 +8,13 @@ import platform
 import threading
 import zipfile
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, TypeVar
 
 from aseme_dsl import outside
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from distributed import Client

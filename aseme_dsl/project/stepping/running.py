@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from aseme_dsl.play.observer import Observer
@@ -17,6 +17,7 @@ from aseme_dsl.project.stepping.picture import Picture, picture_of
 from aseme_dsl.project.stepping.session import Understood
 from aseme_dsl.project.testing.cases import inputs_of
 from aseme_dsl.project.testing.playing import world_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.driver.virtual import VirtualDriver
 from aseme_dsl.runtime.team.team import Team
 from aseme_dsl.runtime.trace.records import Record

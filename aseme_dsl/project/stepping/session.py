@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from aseme_dsl import outside
@@ -12,6 +12,7 @@ from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.diagnostics import Severity
 from aseme_dsl.play.scenario import Scenario, Script
 from aseme_dsl.project.building.project import Compiled, options_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import Sometime
 from aseme_dsl.source import Source
 

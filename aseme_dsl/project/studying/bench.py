@@ -12,7 +12,7 @@ import statistics
 import time
 import tracemalloc
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -22,6 +22,7 @@ from aseme_dsl.project.building.build import Choice, build
 from aseme_dsl.project.studying.course import Course, Runner, begun, doings, plain_begun, plain_player, player
 from aseme_dsl.project.studying.drawn import drawn_anew
 from aseme_dsl.project.studying.recorded import NobodyThere, Recording, recorded
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.plain.machine import Machine
 from aseme_dsl.runtime.plain.plain import ActivityFailed

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from importlib import import_module
 from random import Random
 from typing import NamedTuple, Protocol
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.inputs import (

@@ -6,11 +6,12 @@ import math
 import statistics
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cache
 
 from aseme_dsl.project.studying.study import Played, Run
 from aseme_dsl.project.studying.variation import Variant
+from aseme_dsl.records import dataclass
 
 SURE = 0.95
 """How often an interval contains what it is about, if that is distributed normally."""

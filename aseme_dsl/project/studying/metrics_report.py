@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from statistics import fmean, median
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.play.metrics import RunMetrics, Times, state_title
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.time.clock import shown
 
 Cell = str | int

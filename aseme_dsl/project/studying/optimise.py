@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +13,7 @@ from aseme_dsl.project.studying.findings import Row, best, rows, slowest, worth
 from aseme_dsl.project.studying.study import TIME, Case, StudyError
 from aseme_dsl.project.studying.study_report import Study, Untried
 from aseme_dsl.project.studying.variation import Knob, Variant, instead, variants, varied
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System

@@ -8,11 +8,12 @@ Where it does not, or where the trace does not say enough, the course ends, and 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from aseme_dsl.play.inputs import RecordedInputs, identity_of
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.inputs import (

@@ -8,7 +8,7 @@ not by random variation; runs are spread over processes.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from decimal import Decimal
 from numbers import Real
 from pathlib import Path
@@ -18,6 +18,7 @@ from aseme_dsl.project.settings.configuration import OUTPUT, Configuration
 from aseme_dsl.project.spreading.cluster import Cluster, Copied
 from aseme_dsl.project.spreading.spread import spread
 from aseme_dsl.project.studying.variation import Variant, quicker, varied
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System

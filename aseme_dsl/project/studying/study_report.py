@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.project.studying.findings import (
     Estimate,
@@ -21,6 +20,7 @@ from aseme_dsl.project.studying.findings import (
 from aseme_dsl.project.studying.study import TIME, Played
 from aseme_dsl.project.studying.table import table
 from aseme_dsl.project.studying.variation import Knob, Variant
+from aseme_dsl.records import dataclass
 
 _BUSIEST = 3
 _MOST_NAMED = 3

@@ -5,11 +5,12 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.project.files.duration import duration
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.expression import Literal

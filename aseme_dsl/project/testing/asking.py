@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from shlex import quote
@@ -25,6 +25,7 @@ from aseme_dsl.play.asking.ways import Goal, leading, may_lead
 from aseme_dsl.play.inputs import Earlier
 from aseme_dsl.play.replay import Difference, Model, NotReplayable, Replay
 from aseme_dsl.project.testing.replaying import compiled, generated
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.following import Shape
 from aseme_dsl.runtime.chart.inputs import Input

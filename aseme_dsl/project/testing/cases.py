@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from random import Random
 
 from aseme_dsl.play.scenario import Given, Scenario, Script
+from aseme_dsl.records import dataclass
 
 GIVEN = 100
 """With so many values of its inputs a scenario is played, if they are generated."""

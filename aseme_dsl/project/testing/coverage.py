@@ -6,7 +6,6 @@ import json
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
@@ -21,6 +20,7 @@ from aseme_dsl.play.replay import NotReplayable, Replay
 from aseme_dsl.project.files.inputs import is_folder
 from aseme_dsl.project.settings.target import builds_in, project_here
 from aseme_dsl.project.testing.replaying import generated, models_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.trace.packed import unpacked
 from aseme_dsl.runtime.trace.records import Record, TracedAgent, agents_of

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -19,6 +19,7 @@ from aseme_dsl.project.spreading.spread import spread
 from aseme_dsl.project.testing.cases import Case, cases_of
 from aseme_dsl.project.testing.shrinking import shrunk, text_of
 from aseme_dsl.project.testing.verdicts import NotRun, ScenarioResult, Verdict, verdict_of
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import ExitStack
-from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
@@ -13,6 +12,7 @@ from aseme_dsl.play.inputs import Messages
 from aseme_dsl.play.replay import Difference, Model, Models, NotReplayable, Replay
 from aseme_dsl.play.scenario import Refused
 from aseme_dsl.project.testing.watching import Watch, Watched, script_in
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.trace.packed import unpacked
 from aseme_dsl.runtime.trace.records import Record

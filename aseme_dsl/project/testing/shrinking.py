@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.play.run import Played
 from aseme_dsl.play.scenario import Receives, Scenario, Script, Stimulus
 from aseme_dsl.play.sight.deciding import agents_about
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import AfterFirst, At, InOrder, LeadsTo, Sometime, conditions_of
 from aseme_dsl.source import Span
 

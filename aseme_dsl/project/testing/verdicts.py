@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 from typing import assert_never
 
@@ -12,6 +12,7 @@ from aseme_dsl.play.scenario import Condition, Expectation, Failed, Faulty, InPl
 from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.project.playing.run_end import waits_text
 from aseme_dsl.project.testing.cases import Case
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import (
     AfterFirst,
     Always,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from aseme_dsl.play.evaluate import NotEvaluated
@@ -12,6 +11,7 @@ from aseme_dsl.play.scenario import Expectation, Refused, Script
 from aseme_dsl.play.sight.deciding import decided_by
 from aseme_dsl.play.sight.insight import Asked, Present, asked_by, kept
 from aseme_dsl.play.sight.sightings import LAG, Later, Reporter, Sighting
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import Verdict
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.source import Source, Span

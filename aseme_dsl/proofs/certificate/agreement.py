@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import NoReturn, assert_never
 
 from aseme_dsl.amola.aip import DeclaredVariable
@@ -42,6 +42,7 @@ from aseme_dsl.proofs.certificate.derivative import (
 from aseme_dsl.proofs.certificate.draws import draw_problem
 from aseme_dsl.proofs.certificate.meaning import Context, same
 from aseme_dsl.proofs.certificate.places import Placed, Places, places_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

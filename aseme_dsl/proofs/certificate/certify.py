@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.amola.system import System
 from aseme_dsl.proofs.certificate.agreement import Agreed, Comparison, NotCertified
 from aseme_dsl.proofs.certificate.claim import Claims, Process
 from aseme_dsl.proofs.certificate.places import Places, Unplaced
 from aseme_dsl.proofs.certificate.subcharts import compare_subcharts
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.aip import DeclaredVariable
 from aseme_dsl.amola.expression import TransitionExpression, Value
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.statechart import Argument
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -8,13 +8,13 @@ derivatives of one rest have the same step, and there are only finitely many res
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, auto
 from typing import assert_never
 
 from aseme_dsl.amola.liveness import Formula, ungrouped
 from aseme_dsl.amola.operators import Operator, Template
 from aseme_dsl.proofs.certificate.places import Edge, interrupting
+from aseme_dsl.records import dataclass
 
 
 class Reached(Enum):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from dataclasses import field, fields, is_dataclass, replace
 
 from aseme_dsl.amola.expression import (
     INSTANCE,
@@ -27,6 +27,7 @@ from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.messages import INT, Type
 from aseme_dsl.amola.statechart import Origin, OriginKind
 from aseme_dsl.proofs.certificate.claim import Play, Process
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

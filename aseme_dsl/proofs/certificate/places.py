@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import assert_never
 
 from aseme_dsl.amola.liveness import Formula, canonical, rewritten, term_key, ungrouped, walk
 from aseme_dsl.amola.operators import Operator, Template
 from aseme_dsl.proofs.certificate.claim import LabelLine, Line, Process
+from aseme_dsl.records import dataclass
 
 Edge = tuple[str, Formula]
 """A verb and the term (without parentheses) that it concerns."""

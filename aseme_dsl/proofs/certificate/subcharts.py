@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.amola.expression import (
     INSTANCE,
@@ -20,6 +20,7 @@ from aseme_dsl.amola.statechart import Argument, State, Statechart, StateType, T
 from aseme_dsl.amola.system import System
 from aseme_dsl.proofs.certificate.agreement import NotCertified
 from aseme_dsl.proofs.certificate.meaning import Context, member, same
+from aseme_dsl.records import dataclass
 
 
 def compare_subcharts(system: System, chart: Statechart, branches: Mapping[str, Context]) -> tuple[str, ...]:

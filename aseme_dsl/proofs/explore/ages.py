@@ -7,9 +7,10 @@ is moved back. Each may pass before each other one, as far as none is counted fr
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.proofs.explore.surroundings import NOW
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import NEVER, Board
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.inputs import Sample

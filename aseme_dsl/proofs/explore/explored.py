@@ -7,7 +7,6 @@ what runs.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 
 from aseme_dsl.proofs.explore.acting import Acting, Free
@@ -19,6 +18,7 @@ from aseme_dsl.proofs.explore.staging import OPEN, StandsFor, events, lists_of, 
 from aseme_dsl.proofs.explore.surroundings import Still, Underway, Ways
 from aseme_dsl.proofs.explore.team_layout import layout_of
 from aseme_dsl.proofs.explore.values import Values
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.channel.bus import Bus

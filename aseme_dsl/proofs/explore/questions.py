@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.search import Edge, Graph
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.team.ending import Waiting, waits_of
 from aseme_dsl.runtime.team.outside import wait_for_input

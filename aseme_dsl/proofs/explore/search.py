@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from time import process_time
 
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
 from aseme_dsl.proofs.explore.memory import Picture
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.trace.records import Record
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.context import Cancelled
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.chart.inputs import Identity

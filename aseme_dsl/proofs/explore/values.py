@@ -8,11 +8,12 @@ for a few values only. Every answer names these.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import IntEnum
 from itertools import islice, pairwise, product
 from typing import cast
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, Transition, Variable
 from aseme_dsl.runtime.message.as_json import member_types
 

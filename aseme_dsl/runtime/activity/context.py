@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass
 from typing import Any, Protocol, TypeVar, overload
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart import history
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Sample
 from aseme_dsl.runtime.conversation.directory import AgentDirectory, Directory, Offer, Withdraw

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import cast
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder
 from aseme_dsl.runtime.activity.checking import check_doing

@@ -12,9 +12,9 @@ from __future__ import annotations
 import importlib
 from collections.abc import Generator
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import partial
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, Executable, has_code, kind_of
 from aseme_dsl.runtime.activity.execution import Execution, Host

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, Executable, has_code, kind_of
 from aseme_dsl.runtime.activity.execution import Host
 from aseme_dsl.runtime.chart.plan import ActivityInfo

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity import access
 from aseme_dsl.runtime.activity.context import (
     Context,

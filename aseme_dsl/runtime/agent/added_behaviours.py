@@ -8,10 +8,10 @@ run again: at once if it has received a message, else after 10 ms.
 from __future__ import annotations
 
 from collections.abc import Generator, Hashable, Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, NoReturn, Protocol
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.data_store import HasDataStore
 from aseme_dsl.runtime.message.free import ACLMessage, MessageTemplate
 from aseme_dsl.runtime.time.clock import nanoseconds

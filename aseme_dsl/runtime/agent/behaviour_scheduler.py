@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Generator, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TypeVar, cast
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.execution import Host
 from aseme_dsl.runtime.activity.returning import frames_of, reason_of
 from aseme_dsl.runtime.agent.added_behaviours import Behaviour, CompositeBehaviour, Pause

@@ -12,10 +12,11 @@ Behaviours that a user adds beside the tree do act: they are in `added_behaviour
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
-from dataclasses import dataclass, is_dataclass
+from dataclasses import is_dataclass
 from itertools import pairwise
 from typing import Any, ClassVar, TypeVar, cast
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, Executable
 from aseme_dsl.runtime.activity.checking import fits
 from aseme_dsl.runtime.activity.execution import Host

@@ -10,9 +10,10 @@ The activities that only wait, or that fill in what a method has given already, 
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Sequence
-from dataclasses import dataclass, is_dataclass
+from dataclasses import is_dataclass
 from typing import Any, Literal, Protocol, assert_never, cast
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.activities import Executable
 from aseme_dsl.runtime.activity.context import Context
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage

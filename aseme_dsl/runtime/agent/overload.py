@@ -5,8 +5,7 @@ The first of each sort is recorded as a fault; the number, by a `crowd` line a s
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.execution import Host
 from aseme_dsl.runtime.chart.input_queue import CROWD, Intake
 from aseme_dsl.runtime.chart.plan import State

@@ -9,8 +9,9 @@ has prepared can be sent by the transition that cancels it, and is dropped then.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, is_in
 
 Branch = str | None

@@ -16,9 +16,10 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from random import Random
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.bounds import admits
 from aseme_dsl.runtime.chart.chart import INACTIVE, Chart

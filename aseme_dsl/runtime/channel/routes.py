@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import ChannelInfo, Plan, Term
 from aseme_dsl.runtime.ports import Receiver
 

@@ -7,8 +7,9 @@ follows by the rules of the semantics page ("Transitions"); nothing is decided h
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, Transition
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Literal, TypeVar, dataclass_transform, get_args
+
+from aseme_dsl.records import dataclass
 
 _T = TypeVar("_T")
 _EffectT = TypeVar("_EffectT")

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, Term
 
 _SETTLED = frozenset("const enum variable holds ! && || neg == != < <= > >= + - * / // %".split())

@@ -53,8 +53,9 @@ Durations are in ns; ("duration", value) cuts a computed one to whole ns.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
+
+from aseme_dsl.records import dataclass
 
 Term = tuple[object, ...]
 Kind = tuple[str, str, str]

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TypeAlias
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import LOST, Addressed, AgentMessage, Settled
 
 REMEMBERED = 100

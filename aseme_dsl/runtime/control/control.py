@@ -33,13 +33,14 @@ import itertools
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING
 
 from aseme_dsl.outside import loads
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.control.control_log import PROGRAM, ControlLog, Origin
 from aseme_dsl.runtime.control.replies import AgentStatus, Reply
 from aseme_dsl.runtime.team.swap import Swap, Version, version_of

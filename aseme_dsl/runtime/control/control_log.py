@@ -6,8 +6,9 @@ import threading
 import time
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.team.team import Team

@@ -14,9 +14,10 @@ import re
 import secrets
 import stat
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.version.versions import IS_POSIX, VersionError, check_place
 
 SECRET_BYTES = 32

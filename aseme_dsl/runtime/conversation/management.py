@@ -20,10 +20,10 @@ from __future__ import annotations
 import itertools
 import json
 from collections.abc import Callable, Container, Iterable
-from dataclasses import dataclass
 from datetime import datetime
 
 from aseme_dsl import outside
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.conversation import management_sl
 from aseme_dsl.runtime.conversation.directory import (
     Change,

@@ -6,8 +6,8 @@ Both directions go through the JSON form of `management`, which has FIPA's names
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage, Span
 from aseme_dsl.runtime.message.acl_text import AclTextError
 from aseme_dsl.runtime.message.sl import LANGUAGES, Form, Term, Variable, dumps, loads

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeVar
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Reason
 from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation.invitations import Invitations, Part

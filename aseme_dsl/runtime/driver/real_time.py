@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import QUEUE
 from aseme_dsl.runtime.conversation.participation import MESSAGES
 from aseme_dsl.runtime.time.clock import MILLISECOND, SECOND

@@ -7,9 +7,9 @@ goes a `FipaMessage`, which has the same parameters as FIPA has them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from datetime import datetime
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import Identity, made_often
 
 PERFORMATIVES = (

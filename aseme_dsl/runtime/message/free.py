@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, is_dataclass, replace
+from dataclasses import is_dataclass, replace
 from typing import Any, NoReturn
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.acl import performative_of
 
 _TEXTS = ("protocol", "conversation_id", "ontology", "language", "reply_with", "in_reply_to", "sender")

@@ -14,9 +14,9 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from datetime import datetime
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.acl import Span, Word
 from aseme_dsl.runtime.message.acl_text import DEEPEST, AclTextError, Reader, moment_text, shown, string_text
 

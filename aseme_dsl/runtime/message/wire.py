@@ -10,13 +10,14 @@ import base64
 import json
 import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, is_dataclass
+from dataclasses import is_dataclass
 from enum import IntEnum
 from functools import cached_property
 from types import NoneType
 from typing import TYPE_CHECKING, Protocol, TypeVar, cast, get_args
 
 from aseme_dsl import outside
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.as_json import from_json, member_types, to_json
 from aseme_dsl.runtime.message.by_name import made
 from aseme_dsl.runtime.message.checked import check as check  # for generated modules

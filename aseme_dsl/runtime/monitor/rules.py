@@ -8,10 +8,11 @@ are included; all times are in ns.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 from typing import assert_never
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import NEVER
 
 

@@ -14,9 +14,10 @@ import re
 import threading
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.acl import fipa_name, performative_of
 from aseme_dsl.runtime.platform.acl_headers import OURS
 from aseme_dsl.runtime.platform.platform import Headers

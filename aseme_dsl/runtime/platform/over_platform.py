@@ -15,9 +15,10 @@ import threading
 import time
 from collections import deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, performative_of
 from aseme_dsl.runtime.platform import acl_headers
 from aseme_dsl.runtime.platform.acl_headers import OURS

@@ -16,10 +16,11 @@ import threading
 import time
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 from xml.sax.saxutils import quoteattr
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.platform import stanza
 from aseme_dsl.runtime.platform.platform import Headers, Refused
 from aseme_dsl.runtime.transport.port import TransportError

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, State, Transition
 from aseme_dsl.runtime.team.outside import Need, need_of, wait_for_input
 

@@ -17,9 +17,10 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.time.clock import MILLISECOND
 from aseme_dsl.runtime.time.timers import Scheduler

@@ -7,8 +7,8 @@ another agent that does so. All others wait for each other.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, Transition
 
 _COUNTS = ("invited", "answered", "all_answered")

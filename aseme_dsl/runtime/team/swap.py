@@ -11,10 +11,11 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, has_code, kind_of
 from aseme_dsl.runtime.activity.modules import code_of
 from aseme_dsl.runtime.agent.behaviours import agent_class

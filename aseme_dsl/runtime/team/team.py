@@ -6,13 +6,14 @@ import signal
 import threading
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from pathlib import Path
 from types import FrameType
 from typing import cast
 
 from aseme_dsl.display import Displayed
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.activities import ActivityFinder, Executable
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.channel.bus import Bus

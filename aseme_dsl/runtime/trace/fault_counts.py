@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from aseme_dsl.records import dataclass
 
 MOST_FAULTS = 1000
 """After so many different faults, further ones are counted together."""

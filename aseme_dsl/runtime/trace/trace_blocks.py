@@ -8,12 +8,13 @@ import re
 import struct
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from io import BufferedReader
 from itertools import takewhile
 from typing import Protocol
 
 from aseme_dsl import outside
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace.trace_check import LATEST
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST
 

@@ -19,10 +19,10 @@ import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl import outside
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.transport.port import TransportError
 
 ROOM = 32

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import Identity, Reason
 from aseme_dsl.runtime.time.clock import Clock
 from aseme_dsl.runtime.time.timers import Scheduler

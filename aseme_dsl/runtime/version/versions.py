@@ -13,11 +13,13 @@ import stat
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from importlib.abc import ExecutionLoader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import ModuleType
+
+from aseme_dsl.records import dataclass
 
 VERSIONS = "versions"
 """The folder inside an output folder with the versions that teams were changed to."""

@@ -20,8 +20,9 @@ from __future__ import annotations
 
 import pickle
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias, TypeVar, runtime_checkable
+
+from aseme_dsl.records import dataclass
 
 PerceptT_co = TypeVar("PerceptT_co", covariant=True)
 CommandT_contra = TypeVar("CommandT_contra", contravariant=True)

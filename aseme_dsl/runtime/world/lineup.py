@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from aseme_dsl.records import dataclass
 
 HOME, AWAY = "home", "away"
 """The two sides of a match."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+
+from aseme_dsl.records import dataclass
 
 
 def _check(number: float, what: str) -> None:

@@ -6,9 +6,10 @@ import random
 import threading
 from collections import deque
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from heapq import heappop, heappush
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.world.body import RadioMessage
 
 MILLISECOND = 1_000_000

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import chain
 
 from aseme_dsl.amola.aip import Aip, Participant, Plays, answers_when_busy, plays_inside
@@ -17,6 +17,7 @@ from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.talk import NoAgentPlays, TooFewAgents, WaitsForEver
+from aseme_dsl.records import dataclass
 
 _SHOWN = 4
 """How many related places a problem shows at most."""

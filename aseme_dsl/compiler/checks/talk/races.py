@@ -7,7 +7,6 @@ a while, both may have chosen before either knows.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, combinations
 
@@ -22,6 +21,7 @@ from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems.talk import SendsRace
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 LARGEST = 20_000

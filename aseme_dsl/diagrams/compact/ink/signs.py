@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 from aseme_dsl.diagrams.compact.elements import Point
+from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

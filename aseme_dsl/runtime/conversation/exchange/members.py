@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import Reason
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.conversation.directory import Directory

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.free import Text
 from aseme_dsl.runtime.message.wire import Schema, WireError
 

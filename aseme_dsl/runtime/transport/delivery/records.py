@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.stream import Incoming, Outgoing, Samples
