@@ -40,7 +40,8 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
     default="diagrams",
     show_default=True,
     type=FilePath(),
-    help="Directory of the diagrams; for one diagram also a file, or - for standard output.",
+    help="Directory of the diagrams; for one diagram also a file, or - for standard output. A PDF file takes"
+    " several diagrams, one a page.",
 )
 @click.option(
     "--format",
@@ -96,6 +97,7 @@ def command(
 ) -> int:
     """Draw and write; 1 if the file has errors or a drawing cannot be made or written."""
     from aseme_dsl.diagrams import FORMATS, DrawingFailed, Expressions, Layout, NoSuchState, Options, PageSize
+    from aseme_dsl.diagrams.rendering.pdf import joined
     from aseme_dsl.project.building.build import with_labels
     from aseme_dsl.project.building.draw import (
         NoSuchDrawing,
@@ -135,7 +137,7 @@ def command(
         chosen = choose(system, models, options)
         if expressions is not None and any(item.picture for item in chosen):
             raise click.UsageError("--expressions is for --layout nested and --layout tree: add one of them.")
-        if to_file and len(chosen) != 1:
+        if to_file and (not chosen or (len(chosen) > 1 and format_ != "pdf")):
             names = ", ".join(item.name for item in chosen) or "none"
             raise click.UsageError(
                 f"{output} is a file for one diagram, but {len(chosen)} are selected: {names}."
@@ -151,17 +153,18 @@ def command(
             )
         finally:
             progress.end()
+        if to_file and len(drawn.files) != len(chosen):
+            raise click.ClickException(f"{'; '.join(drawn.notes)}: name a directory instead of {output}")
+        content = joined(drawn.files) if to_file else b""
     except (NoSuchDrawing, NoSuchState) as problem:
         raise click.UsageError(f"{problem}.") from problem
     except DrawingFailed as problem:
         raise click.ClickException(str(problem)) from problem
-    if to_file and len(drawn.files) != 1:
-        raise click.ClickException(f"{'; '.join(drawn.notes)}: name a directory instead of {output}")
     if output == "-":
-        sys.stdout.buffer.write(drawn.files[0][1])
+        sys.stdout.buffer.write(content)
         return 0
     if to_file:
-        written = write_file(Path(output), marked(drawn.files[0][1], f".{format_}", "diagram"))
+        written = write_file(Path(output), marked(content, f".{format_}", "diagram"))
     else:
         written = into_folder(compiled.system, Path(output), drawn, force=force)
     notes = (*drawn.notes, *(larger_than_a_screen(chosen) if page is None else ()))

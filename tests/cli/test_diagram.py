@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -64,6 +65,33 @@ def test_one_file_takes_one_drawing(here: Here, folder: Path) -> None:
     assert done.code == 2
     assert "is a file for one diagram, but 2 are selected" in done.err
     assert not (folder / "all.svg").exists()
+
+
+def test_a_pdf_takes_several_drawings_one_a_page(here: Here, folder: Path) -> None:
+    pypdf = pytest.importorskip("pypdf")
+    if not writes_pdf():
+        pytest.skip("this Graphviz writes no PDF")
+    done = here("diagram", "good.aseme", "--page", "a4", "-o", "robot.pdf")
+    assert done.code == 0, done.err
+    document = pypdf.PdfReader(folder / "robot.pdf")
+    assert [item.title for item in document.outline] == ["srm.robot", "iac.robot"]
+    assert ["Walk" in page.extract_text() for page in document.pages] == [True, True]
+    width, height = (float(side) for side in document.pages[1].mediabox[2:])
+    assert (round(width), round(height)) == (842, 595)
+    assert here("diagram", "good.aseme", "--page", "a4", "-o", "robot.pdf").out == "files: 1 unchanged\n"
+
+
+def test_a_pdf_of_several_drawings_needs_a_package(
+    here: Here, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if not writes_pdf():
+        pytest.skip("this Graphviz writes no PDF")
+    monkeypatch.setitem(sys.modules, "pypdf", None)
+    done = here("diagram", "good.aseme", "-o", "robot.pdf")
+    assert done.code == 1
+    assert "pip install 'aseme-dsl[pdf]'" in done.err
+    assert not (folder / "robot.pdf").exists()
+    assert here("diagram", "good.aseme", "iac.robot", "-o", "robot.pdf").code == 0
 
 
 def test_a_statechart_in_one_file(here: Here, folder: Path) -> None:

@@ -85,6 +85,8 @@ def test_what_xml_cannot_hold_is_made_visible() -> None:
         ("one two three", 7, ("one two", "three")),
         ("WalkTowardsOpponentGoal", 12, ("WalkTowards", "OpponentGoal")),
         ("a_very_long_name", 7, ("a_very_", "long_", "name")),
+        ("/ start_timer(patience, 30min)", 17, ("/ start_timer(", "patience, 30min)")),
+        ("[outcome(Consider) == yes]", 17, ("[outcome(", "Consider) == yes]")),
         ("xxxxxxxxxx", 4, ("xxxx", "xxxx", "xx")),
         ("", 5, ("",)),
         ("one\ntwo", 9, ("one", "two")),

@@ -13,7 +13,7 @@ from aseme_dsl.records import dataclass
 
 _UNPRINTABLE = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]")
 _PIECES = re.compile(r"\S+\s*")
-_HUMPS = re.compile(r"(?<=[_.])|(?<=[a-z0-9])(?=[A-Z])")
+_HUMPS = re.compile(r"(?<=[_.(])|(?<=[a-z0-9])(?=[A-Z])")
 
 # How far each character from blank to tilde takes a line of Arial or Helvetica, in thousandths of its size.
 _ADVANCES = (
