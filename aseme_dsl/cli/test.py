@@ -84,6 +84,7 @@ if TYPE_CHECKING:
     help="Append the smallest case of each failure to FILE, as a scenario.",
 )
 @folder_option("--stories", text="Directory for a sequence diagram (SVG) of each failure.")
+@folder_option("--traces", text="Directory for a trace of each failure, for `asemec why` and `whynot`.")
 @click.option(
     "--format",
     "form",
@@ -106,6 +107,7 @@ def command(
     wanted: Wanted,
     saved: Path | None,
     stories: Path | None,
+    traces: Path | None,
     form: str | None,
     as_json: bool,
     colour: str,
@@ -148,7 +150,10 @@ def command(
             crew,
             progress.say,
             seen,
+            traces,
         )
+    except OSError as problem:
+        raise click.ClickException(f"--traces: {problem}.") from problem
     except ClusterError as problem:
         raise click.ClickException(f"{problem}.") from problem
     finally:

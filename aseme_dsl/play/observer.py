@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import itertools
-import json
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field
 from typing import assert_never, cast
 
 from aseme_dsl.amola import expression as e
@@ -27,26 +24,17 @@ from aseme_dsl.play.scenario import (
     Script,
 )
 from aseme_dsl.play.sight.alarms import Alarms
-from aseme_dsl.play.sight.deciding import agents_about
+from aseme_dsl.play.sight.guards import told
 from aseme_dsl.play.sight.insight import Surroundings
-from aseme_dsl.play.sight.story import Happened, content_of
-from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.chart.board import NEVER
+from aseme_dsl.play.sight.standing import standing
+from aseme_dsl.play.sight.story import Happened, agents_text
+from aseme_dsl.play.sight.storyteller import About, Storyteller
+from aseme_dsl.play.sight.subject import Next, about, all_parts, question, spoken
+from aseme_dsl.play.sight.words import Said, few, leaf_names, went_wrong
 from aseme_dsl.runtime.chart.plan import Plan
-from aseme_dsl.runtime.monitor.rules import State, Verdict, View, conditions_of, ended, seen
-from aseme_dsl.runtime.time.clock import shown
-from aseme_dsl.runtime.trace.records import Record, Taken
-
-LAST, FEWEST = 8, 3
-"""A failure shows so many of the last things that happened to an agent; fewer of each of many."""
-_MOST_UNREAD = 1000
-"""Of so many messages it is known who has not received them."""
-
-OUTSIDE = "input"
-"""The sender of what a scenario gives without one."""
-BY_SCENARIO = ", an input of the scenario"
-_LONG = 100
-"""Longer conditions and actions of a step are cut off (characters)."""
+from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
+from aseme_dsl.runtime.team.ending import Waiting
+from aseme_dsl.runtime.trace.records import Record
 
 KINDS = frozenset(
     (
@@ -70,18 +58,6 @@ KINDS = frozenset(
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
-    """A message as its sender has sent it: on a channel, or (`performative`) to other agents."""
-
-    what: str
-    kind: str
-    performative: str | None
-    sender: str
-    content: Told
-    moment: int
-
-
-@dataclass(frozen=True, slots=True)
 class _Happening:
     """What is new at a point."""
 
@@ -99,9 +75,17 @@ _NONE: frozenset[str] = frozenset()
 class Observer:
     """Follows one run. A listener of its trace; `settled` is asked at the end of each instant."""
 
-    def __init__(self, script: Script, inputs: Mapping[str, object], *, goes_on: bool = False) -> None:
+    def __init__(
+        self,
+        script: Script,
+        inputs: Mapping[str, object],
+        *,
+        goes_on: bool = False,
+        teller: Storyteller | None = None,
+    ) -> None:
         """What comes after an expectation was broken is not part of the run, unless it `goes_on`."""
         self.script = script
+        self._teller = teller
         self._goes_on = goes_on
         self.states = [State() for _ in script.expectations]
         self.met: set[int] = set()
@@ -109,7 +93,9 @@ class Observer:
         self.broken: int | None = None
         """The first expectation that was broken, of those that every run has to meet."""
         self.read = ""
-        """What the broken condition has read: `one has n = 4`."""
+        """What the broken condition has read: `one has n = 4`, `one is in Walk`."""
+        self.reached: dict[int, int] = {}
+        """When an expectation has come as far as it is (ns)."""
         self.given: set[tuple[str, int]] = set()
         """The identities of what the scenario has given in the name of an agent."""
         self.failures: dict[str, str] = {}
@@ -122,11 +108,6 @@ class Observer:
         self._clauses = Clauses(script.expectations, script.conditions, self._alarms)
         self._inputs = inputs
         self._agents = {name: Followed() for name, _ in script.team}
-        self._last: dict[str, dict[str, tuple[int, Happened]]] = {name: {} for name, _ in script.team}
-        """What has happened to an agent, each as it happened last, with its number; the newest comes last."""
-        self._happened = itertools.count()
-        self._unread: dict[tuple[str, int], set[str]] = {}
-        """Who has not received yet what was sent lately."""
         self._said: dict[tuple[str, int], Said] = {}
         self._arrived: dict[tuple[str, str, int], int] = {}
         self._held: frozenset[int] = frozenset()
@@ -180,12 +161,13 @@ class Observer:
                 branches = {info.label: info.protocol for info in self._plan(record["agent"]).branches}
                 self._clauses.conversation(record, branches[record["branch"]], self._now)
                 self._take_clauses()
-            case "activity" if record["what"] in ("end", "crash"):
-                self._note(record["agent"], ending(record), is_step=True)
+            case "activity" if record["what"] in ("end", "crash") and self._teller is not None:
+                self._teller.end(record)
             case "lost" | "unexpected" | "unsent" | "refused" | "expired":
                 if record["kind"] == "unexpected":  # it has arrived
                     sender, number = record["input"]
-                    self._unread.get((str(sender), int(number)), set()).discard(record["agent"])
+                    if self._teller is not None:
+                        self._teller.arrived(record["agent"], (str(sender), int(number)))
                 self._note(record["agent"], went_wrong(record))
 
     # ---- time --------------------------------------------------------------------------------
@@ -271,7 +253,6 @@ class Observer:
             followed.active = frozenset(label for leaf in leaves for label in around(leaf))
         followed.has_begun = True
         entered = set(followed.active - before)
-        inside = followed.leaves
         if "configuration" in record:
             followed.leaves = tuple(record["configuration"])
         received = []
@@ -286,8 +267,10 @@ class Observer:
                 followed.count(plan, self._counted, new)
             if plan.name == self._roles[agent]:
                 entered |= new
-        if record["taken"]:
-            self._add(*stepping(self._now, agent, plan, inside, followed.leaves, record["taken"]))
+        if record["taken"] and self._teller is not None:
+            self._teller.step(
+                self._now, agent, plan, followed.leaves, record["taken"], lambda: self._known(agent)
+            )
         if self._timers:
             self._wake_for_timers(agent)
         self._look(_Happening({agent: frozenset(entered)}, received=tuple(received)))
@@ -309,19 +292,10 @@ class Observer:
                 self._around.at(moment, self.look)
 
     def _receive(self, agent: str, said: Said, identity: tuple[str, int]) -> None:
-        self._unread.get(identity, set()).discard(agent)
-        if said.sender == agent:
-            self._has_received(agent, said, identity)
-            return
-        text = f"receives {said.what}{content_of(said.content)}"
-        if said.sender != OUTSIDE:
-            text += f" from {said.sender}"
-        if said.sender not in self._agents:
-            text += BY_SCENARIO
-        item = Happened(self._now, agent, text, peer=said.sender)
-        # What a scenario gives is different each time.
-        key = f"receives {said.what} {said.sender}" if said.sender in self._agents else text
-        self._add(key, item)
+        if self._teller is not None:
+            self._teller.arrived(agent, identity)
+            if said.sender != agent:
+                self._teller.received(self._now, agent, said)
         self._has_received(agent, said, identity)
 
     def _has_received(self, agent: str, said: Said, identity: tuple[str, int]) -> None:
@@ -354,13 +328,9 @@ class Observer:
         self._said[agent, record["sequence"]] = said
         if record["kind"] != "radio_received" and sender in self._agents:
             number = int(record["sequence"])
-            item = replace(sending(said, record.get("to", [])), number=number)
-            if agent not in self._agents or (agent, number) in self.given:
-                item = replace(item, text=item.text + BY_SCENARIO, sent=item.sent + BY_SCENARIO)
-            self._add(f"sends {what}", item)
-            self._unread[agent, number] = self._agents.keys() & set(record.get("to", ()))
-            if len(self._unread) > _MOST_UNREAD:
-                del self._unread[next(iter(self._unread))]
+            if self._teller is not None:
+                is_given = agent not in self._agents or (agent, number) in self.given
+                self._teller.sent(said, agent, number, record.get("to", []), is_given)
             self._look(_Happening(sent=said))
 
     def _plan(self, agent: str) -> Plan:
@@ -371,95 +341,77 @@ class Observer:
         assert self._surroundings is not None
         return self._surroundings
 
-    def _note(self, agent: str, text: str, *, is_step: bool = False) -> None:
+    def _note(self, agent: str, text: str) -> None:
         """Something has happened to an agent."""
-        self._add(text, Happened(self._now, agent, text, is_step=is_step))
+        if self._teller is not None:
+            self._teller.note(self._now, agent, text)
 
-    def _add(self, key: str, item: Happened) -> None:
-        """Something has happened to an agent; what has the same `key` is the same once more."""
-        last = self._last.get(item.agent)
-        if last is not None:
-            before = last.pop(key, None)
-            times = 1 if before is None else before[1].times + 1
-            last[key] = next(self._happened), replace(item, times=times)
+    def story(self, waits: Mapping[str, Sequence[Waiting]]) -> tuple[Happened, ...]:
+        """What led to the end of the run, or to the broken expectation, and where each agent is then.
 
-    def story(self) -> tuple[Happened, ...]:
-        """The last things that happened to the agents that the broken expectation is about, in their order.
-
-        Of others there is what they have exchanged with those, and how they have crashed or failed. At the
-        end stands where each agent is.
+        `waits` is what each agent waits for.
         """
-        about: frozenset[str] | None = None
-        if self.broken is not None:
-            rule = self.script.expectations[self.broken].rule
-            about = agents_about(self.script.conditions, conditions_of(rule))
-        chosen = frozenset(self._last) if about is None else about
-        most = max(FEWEST, LAST // max(1, len(chosen) // 2))
-        found = []
-        for name, last in self._last.items():
-            items = list(last.values())
-            if name not in chosen:
-                items = [item for item in items if _concerns(item[1], chosen)]
-            found += items[-most if name in chosen else -FEWEST :]
-        if not any(isinstance(self.script.conditions[number], Says) for number in self._asked()):
-            found = [item for item in found if not item[1].sent or item[1].to]  # nothing depends on it
-        ordered = [self._with_missing(item) for _, item in sorted(found, key=lambda numbered: numbered[0])]
-        sent = {(item.moment, item.agent, name) for item in ordered for name in item.to}
-        story = [item for item in ordered if (item.moment, item.peer, item.agent) not in sent]
+        teller = self._teller
+        if teller is None:
+            return ()
+        subject = self._about()
         end = self._now if self.broken is None else self.states[self.broken].at
-        story += [item for item in self._cuts(end) if item.agent in chosen]
-        story.sort(key=lambda item: item.moment)
-        return (*story, *(self._standing(name, end) for name in self._agents if name in chosen))
+        story = list(teller.story(subject, self.script.cuts, end, self._plan))
+        for name, followed in self._agents.items():
+            if subject.agents is None or name in subject.agents:
+                place = subject.places.get(name, frozenset())
+                given = (self._plan(name), waits.get(name, ()), followed.leaves, place)
+                story += standing(name, end, *given, teller.guards, self._known(name))
+        return tuple(story)
+
+    def _about(self) -> About:
+        """What the story is about."""
+        if self.broken is None:
+            return About()
+        rule, state = self.script.expectations[self.broken].rule, self.states[self.broken]
+        return about(self.script, rule, state, self._plan, self.reached.get(self.broken))
+
+    @property
+    def question(self) -> Next | None:
+        """What to ask next about the broken expectation."""
+        if self.broken is None:
+            return None
+        rule, state = self.script.expectations[self.broken].rule, self.states[self.broken]
+        return question(self.script, rule, state, self._held, self._plan)
 
     def _asked(self) -> Iterator[int]:
-        """The conditions that the broken expectation is made of, with all their parts."""
-        if self.broken is None:
-            return
-        waiting = list(conditions_of(self.script.expectations[self.broken].rule))
-        while waiting:
-            number = waiting.pop(0)
-            yield number
-            match self.script.conditions[number]:
-                case AllOf(parts=parts) | AnyOf(parts=parts):
-                    waiting += parts
-                case NotSo(part=part):
-                    waiting.append(part)
+        """The conditions that decide on the broken expectation, with all their parts."""
+        if self.broken is not None:
+            rule, state = self.script.expectations[self.broken].rule, self.states[self.broken]
+            yield from all_parts(self.script.conditions, spoken(rule, state))
 
     def _values(self) -> Iterator[str]:
-        """What the expressions of the broken expectation read at this moment."""
+        """What the broken expectation reads at this moment: where agents are, and values."""
         for number in self._asked():
             condition = self.script.conditions[number]
             if isinstance(condition, Holds):
                 known = self._known(condition.agent)
                 read = [part for part in e.walk(condition.value) if isinstance(part, _READ)]
-                said = [f"{e.value_text(part)} = {_told(part, value_of(part, known))}" for part in read]
+                said = [f"{e.value_text(part)} = {told(part, value_of(part, known))}" for part in read]
                 if said:
                     yield f"{condition.agent} has {', '.join(dict.fromkeys(said))}"
+            elif isinstance(condition, InPlaces):
+                yield from self._located(condition)
 
-    def _cuts(self, end: int) -> Iterator[Happened]:
-        """How agents were cut off until the end."""
-        for cut in self.script.cuts:
-            others = [name for name in self._agents if name not in cut.agents]
-            if cut.first <= end and others:
-                until = "" if cut.last == NEVER else f" until {shown(cut.last)}"
-                for agent in self._agents:
-                    away = others if agent in cut.agents else sorted(cut.agents)
-                    yield Happened(cut.first, agent, f"is cut off from {', '.join(away)}{until}")
-
-    def _with_missing(self, item: Happened) -> Happened:
-        """A message that was sent, with those who have not received it."""
-        missing = [name for name in item.to if name in self._unread.get((item.agent, item.number), ())]
-        if not missing:
-            return item
-        but = f"; not received by {', '.join(missing)}"
-        return replace(item, text=item.text + but, sent=item.sent + but)
-
-    def _standing(self, agent: str, moment: int) -> Happened:
-        """Where an agent is now."""
-        followed = self._agents[agent]
-        inside = leaf_names(self._plan(agent), followed.leaves) if followed.leaves else []
-        text = f"is in {' and '.join(inside)}" if inside else "is in no state"
-        return Happened(moment, agent, text, stands=True)
+    def _located(self, condition: InPlaces) -> Iterator[str]:
+        """Where the agents are of which a condition speaks."""
+        found: dict[str, list[str]] = {}
+        for name, labels in condition.places.items():
+            plan, followed = self._plan(name), self._agents[name]
+            beside = {
+                leaf
+                for leaf in followed.leaves
+                if leaf in plan.by_label and all(plan.are_concurrent(leaf, label) for label in labels)
+            }
+            leaves = [leaf for leaf in followed.leaves if leaf not in beside] or followed.leaves
+            found.setdefault(few(leaf_names(plan, leaves)) or "no state", []).append(name)
+        for inside, names in found.items():
+            yield f"{agents_text(names)} {'is' if len(names) == 1 else 'are'} in {inside}"
 
     # ---- what is seen ------------------------------------------------------------------------
 
@@ -552,6 +504,8 @@ class Observer:
     def _take(self, place: int, state: State) -> None:
         if state is self.states[place]:
             return
+        if state.stage != self.states[place].stage:
+            self.reached[place] = self._now
         self.states[place] = state
         item = self.script.expectations[place]
         if item.protocol is None:
@@ -564,15 +518,6 @@ class Observer:
 
 _READ = e.VariableValue | e.Member | e.Age | e.Outcome
 """The parts of an expression whose values say why a condition does not hold."""
-
-
-def _told(part: e.Value, value: object) -> str:
-    """A value as people read it."""
-    if value is None:
-        return "absent"
-    if isinstance(part, e.Age) and isinstance(value, int):
-        return shown(value)
-    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
 
 
 def _messages(says: Says, happening: _Happening) -> Iterable[tuple[str, Said]]:
@@ -601,89 +546,4 @@ def _aged(conditions: Iterable[Condition]) -> Mapping[str, frozenset[int]]:
     return {channel: frozenset(items) for channel, items in found.items()}
 
 
-def _concerns(item: Happened, agents: frozenset[str]) -> bool:
-    """Whether others see what has happened to an agent: these agents, or all."""
-    if item.to or item.peer:
-        return item.peer in agents or not agents.isdisjoint(item.to)
-    return not item.is_step
-
-
-def leaf_names(plan: Plan, labels: Iterable[str]) -> list[str]:
-    """What people call the innermost active states; where the first inside one is awaited, `before` that."""
-    states = (plan.by_label[label] for label in labels if label in plan.by_label)
-    names = (plan.called(state) for state in states if state.type != "AND")
-    found = list(dict.fromkeys(re.sub("^start of ", "before ", name) for name in names))
-    busy = [name for name in found if not name.startswith("before ")]
-    return busy or found
-
-
-def stepping(
-    moment: int, agent: str, plan: Plan, before: Sequence[str], after: Sequence[str], taken: Sequence[Taken]
-) -> tuple[str, Happened]:
-    """What people call a step: which innermost states it left and entered, why, and where that stands.
-
-    The first is the same for all steps that take the same transitions.
-    """
-    entered = {label for way in taken for label in entered_by(plan, way["transitions"])}
-    left = leaf_names(plan, (label for label in before if label not in after or label in entered))
-    new = leaf_names(plan, (label for label in after if label not in before or label in entered))
-    terms = (plan.by_label[label] for label in sorted(entered) if label not in after)
-    around = next((state.name for state in terms if state.name.isidentifier()), None)
-    where = f" in {around}" if around is not None and len(new) == 1 and new != [around] else ""
-    if not new:
-        text = f"takes a transition in {' and '.join(leaf_names(plan, after)) or plan.name}"
-    elif left:
-        text = f"{' and '.join(left)} -> {' and '.join(new)}{where}"
-    else:
-        text = f"enters {' and '.join(new)}{where}"
-    said = [way for way in taken if way["text"]]
-    why = "; ".join(" ".join(way["text"].split()) for way in said)
-    if why:
-        text += f" : {why if len(why) <= _LONG else f'{why[: _LONG - 1]}…'}"
-    places = [plan.transitions[way["transitions"][-1]].at for way in said or taken[-1:]]
-    key = " ".join(str(number) for way in taken for number in way["transitions"])
-    return key, Happened(moment, agent, text, ", ".join(dict.fromkeys(places[:2])), is_step=True)
-
-
-def way(plan: Plan, source: str, target: str) -> str:
-    """What people call a transition that is taken."""
-    left, entered = plan.by_label[source], plan.by_label[target]
-    if left.type == "START":
-        return f"enters {plan.called(entered)}"
-    return f"{plan.called(left)} -> {plan.called(entered)}"
-
-
-def sending(said: Said, receivers: Iterable[str]) -> Happened:
-    """What people call the sending of a message."""
-    to = tuple(name for name in receivers if name != said.sender)
-    sent = f"{said.what}{content_of(said.content)}"
-    text = f"sends {sent} to {', '.join(to)}" if to else f"sends {sent}, which no other agent reads"
-    return Happened(said.moment, said.sender, text, sent=sent, to=to)
-
-
-def went_wrong(record: Record) -> str:
-    """What people call a message that did not arrive, or that its receiver cannot take."""
-    what = f"{record.get('performative', '')} {record.get('message', '')}".strip()
-    match record["kind"]:
-        case "lost":
-            what = str(record.get("channel") or "an agent message")
-            return f"{what} to {record['peer']} is lost: {record['reason']}"
-        case "unexpected":
-            return f"does not expect {what} from {record['sender']}: {record['reason']}"
-        case "unsent":
-            return f"{what} is not sent: {record['reason']}"
-        case "expired":
-            return f"{record['channel']} has expired: nothing has taken it"
-        case _:
-            return f"{record['channel']} is not published: {record['reason']}"
-
-
-def ending(record: Record) -> str:
-    """What people call the end of an activity."""
-    how = record.get("outcome") or record.get("reason")
-    return (
-        f"{record['activity']} {'returns' if record['what'] == 'end' else 'fails'}{f': {how}' if how else ''}"
-    )
-
-
-__all__ = ["KINDS", "Observer", "Said", "ending", "way"]
+__all__ = ["KINDS", "Observer"]

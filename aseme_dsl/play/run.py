@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import partial
+from pathlib import Path
+from types import MappingProxyType
 from typing import Protocol, assert_never
 
+from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.play.coverage.probes import Recorder
 from aseme_dsl.play.evaluate import NotEvaluated
 from aseme_dsl.play.observer import Observer
@@ -21,14 +24,16 @@ from aseme_dsl.play.scenario import (
     Script,
     Stimulus,
 )
+from aseme_dsl.play.sight.guards import Guards
 from aseme_dsl.play.sight.insight import Present
 from aseme_dsl.play.sight.story import Happened
+from aseme_dsl.play.sight.storyteller import Storyteller
+from aseme_dsl.play.sight.subject import Next
 from aseme_dsl.play.stand_ins import NotComputed, finder, given_message, staged
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.monitor.rules import State
-from aseme_dsl.runtime.team.ending import Waiting
 from aseme_dsl.runtime.team.faults import Faults, Partition
 from aseme_dsl.runtime.team.team import Team, TeamError, make_team
 from aseme_dsl.runtime.trace.records import Record
@@ -59,14 +64,16 @@ class Played:
     failures: Mapping[str, str]
     faults: tuple[str, ...]
     story: tuple[Happened, ...]
-    waits: Mapping[str, tuple[Waiting, ...]]
-    """What each agent waits for at the end."""
     ends: Mapping[str, frozenset[str]]
     """The labels of the states that each agent is in at the end."""
     read: str = ""
     """What the broken condition has read when it was not so."""
     assumption: tuple[Assumption, int] | None = None
     """The assumption that held no longer first, and since when."""
+    reached: Mapping[int, int] = field(default_factory=dict)
+    """When an expectation has come as far as it is (ns)."""
+    question: Next | None = None
+    """What to ask next about the broken expectation."""
 
 
 class Watch(Protocol):
@@ -96,17 +103,21 @@ def play(
     listeners: Sequence[Callable[[Record], None]] = (),
     recorder: Recorder | None = None,
     watch: Watch | None = None,
+    drawn: Mapping[str, Statechart] = MappingProxyType({}),
+    trace: Path | None = None,
 ) -> Played:
     """Play a script with a seed and values for its inputs, up to `until` (ns).
 
     The run is in a `world`, if the script has one. `listeners` are given the records of the run, too;
-    `recorder` takes what probes see, and `watch` follows the instants.
+    `recorder` takes what probes see, and `watch` follows the instants. `drawn` are the statecharts of the
+    roles, whose conditions the story shows, and `trace` is the file in which the run is recorded.
 
     Raises:
         NotPlayable: the code of an activity cannot be loaded, a value cannot be computed.
     """
     inputs = {**script.values, **inputs}
-    observer = Observer(script, inputs)
+    teller = Storyteller((name for name, _ in script.team), Guards(drawn))
+    observer = Observer(script, inputs, teller=teller)
     acting = {item.activity: item for item in script.activities}
     is_alone = script.world is None
     charts = {role: staged(chart, acting, is_alone) for role, chart in loaded.charts.items()}
@@ -126,6 +137,7 @@ def play(
             world=world,
             listeners=(observer, *listeners),
             faults=_faults(script, seed),
+            trace=trace,
         )
         result = team.run()
     except NotComputed as problem:
@@ -147,11 +159,12 @@ def play(
         broken,
         observer.failures,
         tuple(observer.faults),
-        observer.story(),
-        {agent.name: agent.waits for agent in result.agents},
+        observer.story({agent.name: agent.waits for agent in result.agents}),
         observer.places(),
         observer.read,
         observer.assumed.broken,
+        observer.reached,
+        observer.question,
     )
 
 

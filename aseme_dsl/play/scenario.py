@@ -151,7 +151,7 @@ class Expectation:
     """A rule, with its place. It is vacuous if one of the `witnesses` was met in no run.
 
     `of` says of which property or clause it is, if it is not of the scenario itself. With a `protocol` it is
-    about each conversation of that.
+    about each conversation of that. `parts` are the places of the conditions of the rule, in their order.
     """
 
     rule: Rule
@@ -160,6 +160,7 @@ class Expectation:
     share: Share | None = None
     of: str = ""
     protocol: str | None = None
+    parts: tuple[Span, ...] = ()
 
 
 # ---- what happens -----------------------------------------------------------------------------------
@@ -283,7 +284,8 @@ class Script:
     expectations: tuple[Expectation, ...]
     inputs: tuple[Given, ...]
     values: Mapping[str, object]
-    row: Span | None
+    cells: Mapping[str, str]
+    """What the row gives the columns, as the file has it."""
     until: int
     """The end of the run (ns)."""
     is_open: bool

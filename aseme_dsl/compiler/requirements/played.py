@@ -84,7 +84,7 @@ def watched(
     span = next((item.title.span for file in files for item in file.must_hold), Span(Source("", ""), 0, 0))
     try:
         lowering = _Lowering(check, places, span, {}, {})
-        script = lowering.script((), properties(files), None, may_fail=True)
+        script = lowering.script((), properties(files), may_fail=True)
     except _NotPlayed as problem:
         return play.Scenario("", span, (), problem.refused)
     return play.Scenario("", span, (script,))
@@ -104,15 +104,15 @@ def _scenario(
     points = sum(given) if given else None
     try:
         tables = [statement for statement in statements if isinstance(statement, nodes.Table)]
-        rows: list[tuple[tuple[tree.Expression, ...], Span | None]] = [
-            row for table in tables for row in table.rows
-        ] or [((), None)]
+        rows: list[tuple[tree.Expression, ...]] = [cells for table in tables for cells, _ in table.rows] or [
+            ()
+        ]
         columns = [column.text for table in tables for column in table.columns]
         scripts = tuple(
             _Lowering(check, places, title, dict(zip(columns, cells, strict=True)), bound).script(
-                statements, always, span
+                statements, always
             )
-            for cells, span in rows
+            for cells in rows
         )
     except _NotPlayed as problem:
         return play.Scenario(name, title, (), problem.refused, points)
@@ -148,7 +148,6 @@ class _Lowering:
         self,
         statements: Sequence[nodes.Statement],
         always: Sequence[tuple[str, nodes.Statement]],
-        row: Span | None,
         may_fail: bool = False,
     ) -> play.Script:
         """What is played; `always` is what the properties say."""
@@ -186,7 +185,7 @@ class _Lowering:
             tuple(self.expectations),
             inputs,
             values,
-            row,
+            {name: cell.span.text for name, cell in self.row.items()},
             *_end(statements),
             next((item.world for item in setups if item.word == "world"), None),
             tuple(self.assumptions),
@@ -253,9 +252,15 @@ class _Lowering:
         return len(self.conditions) - 1
 
     def _expect(
-        self, rule: rules.Rule, span: Span, share: nodes.Share | None, witnesses: tuple[int, ...] = ()
+        self,
+        rule: rules.Rule,
+        span: Span,
+        share: nodes.Share | None,
+        witnesses: tuple[int, ...] = (),
+        parts: tuple[nodes.Condition, ...] = (),
     ) -> None:
-        self.expectations.append(play.Expectation(rule, span, witnesses, _share(share)))
+        spans = tuple(part.span for part in parts)
+        self.expectations.append(play.Expectation(rule, span, witnesses, _share(share), parts=spans))
 
     # ---- statements ------------------------------------------------------------------------------
 
@@ -307,18 +312,19 @@ class _Lowering:
                 last = item.times[1].nanoseconds if item.word == "from" else NEVER
                 self._cut(hit, moment, last)
             case "at", nodes.Reached(condition=condition):
-                self._expect(rules.At(self._condition(condition, about), moment), item.span, item.share)
+                rule = rules.At(self._condition(condition, about), moment)
+                self._expect(rule, item.span, item.share, (), (condition,))
             case "at", _:
                 self.stimuli.append(play.Stimulus(self._act(item.event), moment, item.span))
             case "by", nodes.Reached(condition=condition):
                 since = max((earlier for earlier in given if earlier < moment), default=0)
-                rule = rules.Sometime(self._condition(condition, about), since, moment)
-                self._expect(rule, item.span, item.share)
+                some = rules.Sometime(self._condition(condition, about), since, moment)
+                self._expect(some, item.span, item.share, (), (condition,))
             case "after", nodes.Reached(condition=condition):
                 assert item.of is not None
                 trigger = self._condition(item.of, about)
                 first = rules.AfterFirst(trigger, moment, self._condition(condition, about))
-                self._expect(first, item.span, item.share, (trigger,))
+                self._expect(first, item.span, item.share, (trigger,), (item.of, condition))
             case "after", nodes.Receives() | nodes.Raises():
                 assert item.of is not None
                 trigger = self._condition(item.of, about)
@@ -326,39 +332,42 @@ class _Lowering:
             case "within", nodes.Reached(condition=condition):
                 assert item.of is not None
                 trigger, then = self._condition(item.of, about), self._condition(condition, about)
-                self._expect(rules.LeadsTo(trigger, then, moment), item.span, item.share, (trigger,))
+                leads = rules.LeadsTo(trigger, then, moment)
+                self._expect(leads, item.span, item.share, (trigger,), (item.of, condition))
             case _:
                 _refuse(item, "it is not played yet")
 
     def _rule(self, item: nodes.Rule) -> None:
         about = self._about(item)
-        found = tuple(self._condition(condition, about) for condition in item.conditions)
+        parts = tuple(item.conditions)
+        found = tuple(self._condition(condition, about) for condition in parts)
         within = None if item.within is None else item.within.nanoseconds
         match item.word, found:
             case "always", (first,):
-                self._expect(rules.Always(first), item.span, item.share)
+                self._expect(rules.Always(first), item.span, item.share, (), parts)
             case "never", (first,):
                 several = self.conditions[first]
                 witnesses = several.parts if isinstance(several, play.AllOf) else ()
-                self._expect(rules.Never(first), item.span, item.share, witnesses)
+                self._expect(rules.Never(first), item.span, item.share, witnesses, parts)
             case "no before", (first,):
                 assert within is not None
-                self._expect(rules.Never(first, within), item.span, item.share)
+                self._expect(rules.Never(first, within), item.span, item.share, (), parts)
             case "no within", (first, second):
                 assert within is not None
                 rule = rules.NotWithin(first, second, within)
-                self._expect(rule, item.span, item.share, (second,))
+                self._expect(rule, item.span, item.share, (second,), parts[::-1])
             case "eventually", (first,):
                 until = NEVER if within is None else within
-                self._expect(rules.Sometime(first, 0, until), item.span, item.share)
+                self._expect(rules.Sometime(first, 0, until), item.span, item.share, (), parts)
             case "in order", _:
-                self._expect(rules.InOrder(found), item.span, item.share)
+                self._expect(rules.InOrder(found), item.span, item.share, (), parts)
             case "leads to", (first, second):
-                self._expect(rules.LeadsTo(first, second, within), item.span, item.share, (first,))
+                leads = rules.LeadsTo(first, second, within)
+                self._expect(leads, item.span, item.share, (first,), parts)
             case "before", (first, second):
-                self._expect(rules.Before(first, second), item.span, item.share, (second,))
+                self._expect(rules.Before(first, second), item.span, item.share, (second,), parts)
             case "until", (first, second):
-                self._expect(rules.Until(first, second), item.span, item.share)
+                self._expect(rules.Until(first, second), item.span, item.share, (), parts)
             case _:
                 _refuse(item, "it is not played yet")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator, Mapping
 
-from aseme_dsl.play.observer import ending, way
+from aseme_dsl.play.sight.words import ending, way
 from aseme_dsl.project.stepping.picture import AgentPicture, StateLine, Value
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.time.clock import shown

@@ -30,7 +30,7 @@ from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.following import Shape
 from aseme_dsl.runtime.chart.inputs import Input
 from aseme_dsl.runtime.chart.plan import Plan
-from aseme_dsl.runtime.time.clock import shown
+from aseme_dsl.runtime.time.clock import at_text, shown
 from aseme_dsl.runtime.trace.records import Record, agents_of
 from aseme_dsl.runtime.trace.trace_reading import Line, TraceReader, fitting
 
@@ -316,11 +316,6 @@ def _texts_of(transition: int) -> Iterator[str]:
 
 def _holds_one(texts: Collection[str], line: str) -> bool:
     return any(text in line for text in texts)
-
-
-def at_text(moment: int) -> str:
-    """A moment as `--at` takes it."""
-    return shown(moment).replace(" ", "")
 
 
 def _ways(record: Record) -> tuple[tuple[int, ...], ...]:

@@ -18,15 +18,19 @@ from aseme_dsl.project.spreading.cluster import Cluster, Copied
 from aseme_dsl.project.spreading.spread import spread
 from aseme_dsl.project.testing.cases import Case, cases_of
 from aseme_dsl.project.testing.shrinking import shrunk, text_of
+from aseme_dsl.project.testing.story_pictures import file_names
 from aseme_dsl.project.testing.verdicts import NotRun, ScenarioResult, Verdict, verdict_of
 from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
+    from aseme_dsl.amola.statechart import Statechart
     from aseme_dsl.amola.system import System
     from aseme_dsl.project.building.build import Choice
     from aseme_dsl.project.building.project import Compiled
     from aseme_dsl.project.settings.configuration import Configuration
 
+TRACE = ".jsonl.gz"
+"""The end of the name of a trace."""
 MANY = 20
 """So many runs one process makes before another one is of use."""
 
@@ -44,6 +48,9 @@ class _Job:
     world: str | None
     probed: Probed | None
     """What is measured, if coverage is."""
+    charts: Mapping[str, Statechart]
+    """The statecharts of the roles."""
+    trace: Path | None = None
 
 
 def scenarios_in(compiled: Compiled, bound: Mapping[str, str] = MappingProxyType({})) -> tuple[Scenario, ...]:
@@ -64,10 +71,12 @@ def play_scenarios(
     crew: int | Cluster,
     told: Callable[[str], None] = lambda text: None,
     seen: Seen | None = None,
+    traces: Path | None = None,
 ) -> tuple[ScenarioResult, ...]:
     """The verdicts on scenarios, in their order. `told` is given how much is done.
 
-    What the runs reach of the system is added to `seen`, if it is given.
+    What the runs reach of the system is added to `seen`, if it is given. Into the folder `traces` a trace of
+    each failure is written, of the run that is shown.
 
     Raises:
         ClusterError: the cluster cannot be used.
@@ -79,7 +88,9 @@ def play_scenarios(
 
     project = configuration.folder.resolve()
     cases = [cases_of(scenario, seeds) for scenario in scenarios]
-    measured = None if seen is None else probed(with_labels(system, choice.labels))
+    labelled = with_labels(system, choice.labels)
+    measured = None if seen is None else probed(labelled)
+    charts = {chart.name: chart for chart in labelled.iacs}
     with TemporaryDirectory(prefix="asemec-test-") as folder:
         package, _ = generate_version(system if measured is None else measured.system, Path(folder), choice)
         jobs = [
@@ -92,6 +103,7 @@ def play_scenarios(
                 _end(scenario, part, configuration.length),
                 world_of(scenario.scripts[part[0].script], configuration),
                 measured,
+                charts,
             )
             for scenario, mine in zip(scenarios, cases, strict=True)
             for part in (_parts(mine) if scenario.refused is None else ())
@@ -115,10 +127,11 @@ def play_scenarios(
             [run for _ in _parts(mine) for run in next(found).runs] if scenario.refused is None else []
             for scenario, mine in zip(scenarios, cases, strict=True)
         ]
+        names = file_names(item.name for item in scenarios)
         jobs_of = {id(job.cases[0]): job for job in jobs}
         results = [
-            _smaller(scenario, mine, own, jobs_of)
-            for scenario, mine, own in zip(scenarios, cases, runs, strict=True)
+            _smaller(scenario, mine, own, jobs_of, None if traces is None else traces / f"{name}{TRACE}")
+            for scenario, mine, own, name in zip(scenarios, cases, runs, names, strict=True)
         ]
     if seen is not None:
         for item in played:
@@ -133,8 +146,12 @@ def _smaller(
     cases: Sequence[Case],
     runs: Sequence[Played | NotRun],
     jobs: Mapping[int, _Job],
+    trace: Path | None,
 ) -> ScenarioResult:
-    """The verdict on a scenario; that of a failure is about a smaller run in which it fails, too."""
+    """The verdict on a scenario; that of a failure is about a smaller run in which it fails, too.
+
+    This run is recorded in `trace`, if that is given.
+    """
     result = verdict_of(scenario, cases, runs)
     broken = (n for n, run in enumerate(runs) if isinstance(run, Played) and run.broken is not None)
     place = next(broken, None)
@@ -143,8 +160,6 @@ def _smaller(
     case, found = cases[place], runs[place]
     script = scenario.scripts[case.script]
     assert isinstance(found, Played)
-    if not script.stimuli and not script.inputs:
-        return result
     part = next(part for part in _parts(cases) if any(one is case for one in part))
     job = jobs[id(part[0])]
 
@@ -152,8 +167,18 @@ def _smaller(
         (run,) = _play(replace(job, script=smaller, cases=(replace(case, inputs=inputs),))).runs
         return run if isinstance(run, Played) else None
 
+    def recorded(smaller: Script, inputs: Mapping[str, object], result: ScenarioResult) -> ScenarioResult:
+        if trace is None:
+            return result
+        trace.parent.mkdir(parents=True, exist_ok=True)
+        _play(replace(job, script=smaller, cases=(replace(case, inputs=inputs),), trace=trace, probed=None))
+        return replace(result, trace=trace)
+
+    if not script.stimuli and not script.inputs:
+        return recorded(script, case.inputs, result)
     best = shrunk(script, case.inputs, found, play_again)
     again = verdict_of(scenario, (replace(case, inputs=best.inputs),), (best.run,))
+    again = recorded(best.script, best.inputs, again)
     return replace(
         again, runs=result.runs, dropped=best.dropped, shrunk=text_of(scenario, script, best, case.seed)
     )
@@ -209,7 +234,9 @@ def _play(job: _Job) -> _Done:
                 real = activities_in(job.activities)
                 world = made_world(job.world, case.seed) if job.world is not None else None
                 given = (case.seed, case.inputs, real, job.until, world)
-                found.append(play(loaded, job.script, *given, follow, recorder))
+                found.append(
+                    play(loaded, job.script, *given, follow, recorder, drawn=job.charts, trace=job.trace)
+                )
             except PlayError as problem:
                 found.append(NotRun(problem.problem.message))
             except NotPlayable as problem:

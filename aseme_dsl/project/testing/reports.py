@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from shlex import quote
 
 from aseme_dsl.diagnostics.github import command
 from aseme_dsl.diagnostics.junit import printable
@@ -24,12 +25,16 @@ def explained(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:
         yield f"  {line}"
     if item.given:
         yield "  with " + ", ".join(f"{name} = {value}" for name, value in item.given.items())
-    if item.row is not None:
-        yield f"  with the row {item.row.text}"
+    if item.row:
+        yield "  with the row " + ", ".join(f"{name} = {cell}" for name, cell in item.row.items())
     if item.dropped:
         yield f"  in a shorter run, without {_inputs(item.dropped)}, it fails, too; that run is shown:"
     for line in told(item.story):
         yield f"    {line}"
+    if item.question and item.trace is not None:
+        yield f"  ask next: {item.question} {quote(str(item.trace))}"
+    elif item.question:
+        yield f"  ask next: {item.question} TRACE (`asemec test --traces DIR` writes it)"
 
 
 def _inputs(spans: Sequence[Span]) -> str:

@@ -24,6 +24,7 @@ class Shrunk:
     """A smaller run in which the same expectation is broken, and the stimuli that it does not need."""
 
     run: Played
+    script: Script
     inputs: Mapping[str, object]
     dropped: tuple[Span, ...]
 
@@ -71,7 +72,7 @@ def shrunk(script: Script, inputs: Mapping[str, object], found: Played, play: Ru
             tried = _between(passing, failing, given.is_whole)
             if tried in (passing, failing):
                 break
-    return Shrunk(best, values, tuple(dropped))
+    return Shrunk(best, script, values, tuple(dropped))
 
 
 def _known(script: Script, run: Played) -> tuple[Stimulus, ...]:

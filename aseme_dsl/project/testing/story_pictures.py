@@ -13,14 +13,19 @@ from aseme_dsl.project.testing.verdicts import ScenarioResult
 
 def pictures(results: Iterable[ScenarioResult]) -> Iterator[tuple[str, str]]:
     """An SVG for each result with a story, with a name for its file; names are different."""
-    names: set[str] = set()
-    for item in results:
-        if not item.story:
-            continue
-        plain = re.sub(r"[^\w.-]+", "-", item.name).strip("-.") or "scenario"
-        name = next(it for it in (plain, *(f"{plain}-{n}" for n in range(2, 10_000))) if it not in names)
-        names.add(name)
+    all_ = [item for item in results if item.story]
+    for name, item in zip(file_names(item.name for item in all_), all_, strict=True):
         yield f"{name}.svg", drawn(diagram_of(item))
+
+
+def file_names(titles: Iterable[str]) -> list[str]:
+    """A name for a file for each scenario, all different."""
+    names: dict[str, None] = {}
+    for title in titles:
+        plain = re.sub(r"[^\w.-]+", "-", title).strip("-.") or "scenario"
+        name = next(it for it in (plain, *(f"{plain}-{n}" for n in range(2, 10_000))) if it not in names)
+        names[name] = None
+    return list(names)
 
 
 def diagram_of(result: ScenarioResult) -> SequenceDiagram:
@@ -40,4 +45,4 @@ def _row(item: Happened) -> Row:
     return Mark(item.moment, item.agent, item.line)
 
 
-__all__ = ["diagram_of", "pictures"]
+__all__ = ["diagram_of", "file_names", "pictures"]

@@ -2,31 +2,19 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import assert_never
+from pathlib import Path
 
 from aseme_dsl.play.run import Played
-from aseme_dsl.play.scenario import Condition, Expectation, Failed, Faulty, InPlaces, Scenario, Script
+from aseme_dsl.play.scenario import Scenario
 from aseme_dsl.play.sight.story import Happened
-from aseme_dsl.project.playing.run_end import waits_text
 from aseme_dsl.project.testing.cases import Case
-from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.monitor.rules import (
-    AfterFirst,
-    Always,
-    At,
-    Before,
-    InOrder,
-    LeadsTo,
-    Never,
-    NotWithin,
-    Sometime,
-    Until,
-)
+from aseme_dsl.project.testing.reasons import broken
 from aseme_dsl.runtime.monitor.rules import Verdict as Shown
-from aseme_dsl.runtime.time.clock import shown
+from aseme_dsl.runtime.time.clock import at_text, readable
 from aseme_dsl.source import Span
 
 
@@ -65,8 +53,12 @@ class ScenarioResult:
     """The smaller scenario that fails, if one was made."""
     general: tuple[tuple[str, Span, bool], ...] = ()
     """What properties and clauses say, and whether what each speaks of has happened in some run."""
-    row: Span | None = None
-    """The row of the table with which it failed, if it has one."""
+    row: Mapping[str, str] = field(default_factory=dict)
+    """What the row of the table gives its columns with which it failed."""
+    question: str = ""
+    """The command that asks about a trace of the run why it failed, without the name of the trace."""
+    trace: Path | None = None
+    """The trace of the run, if it was written."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,16 +80,16 @@ def verdict_of(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played 
     for place, run in enumerate(played):
         if run.broken is not None:
             item = scenario.scripts[cases[place].script].expectations[run.broken]
-            reason = _broken(item, scenario.scripts[cases[place].script], run)
+            reason = broken(item, scenario.scripts[cases[place].script], run)
             if run.assumption is not None and run.assumption[1] <= run.end:
                 assumed, since = run.assumption
-                reason = f"assumption broken at {shown(since)} ({assumed.span}): {reason}"
+                reason = f"assumption broken at {readable(since)} ({assumed.span}): {reason}"
             if item.of:
                 reason = f"{item.of}: {reason}"
             failed = _result(
-                scenario, Verdict.FAILED, cases, place, run.end, reason, item.span, run.inputs, _story(run)
+                scenario, Verdict.FAILED, cases, place, run.end, reason, item.span, run.inputs, run.story
             )
-            return replace(failed, row=scenario.scripts[cases[place].script].row)
+            return replace(failed, row=scenario.scripts[cases[place].script].cells, question=_question(run))
     found = _missed_share(scenario, cases, played) or _vacuous(scenario, cases, played)
     if found is None:
         found = _result(scenario, Verdict.PASSED, cases, 0, played[0].end if played else 0)
@@ -138,41 +130,13 @@ def _result(
     )
 
 
-def _broken(item: Expectation, script: Script, run: Played) -> str:
-    match item.rule:
-        case Never(condition=condition) if isinstance(script.conditions[condition], Failed):
-            name, why = next(iter(run.failures.items()))
-            return f"{name} has failed at {shown(run.end)}: {why}"
-        case Never(condition=condition) if isinstance(script.conditions[condition], Faulty):
-            return f"a fault at {shown(run.end)}: {run.faults[-1]}"
-        case Never(condition=condition) if _is_count(script.conditions[condition]):
-            return f"more at once at {shown(run.end)}"
-        case InOrder(conditions=parts) if len(parts) > 1:
-            missing = run.states[run.broken].stage + 1 if run.broken is not None else 1
-            return f"part {missing} of {len(parts)} has not come by {shown(run.end)}"
-        case Sometime() | InOrder() | LeadsTo():
-            return f"has not come by {shown(run.end)}"
-        case Never() | Before() | NotWithin():
-            return f"came at {shown(run.end)}"
-        case At() | AfterFirst() | Always() | Until():
-            return f"not so at {shown(run.end)}{f': {run.read}' if run.read else ''}"
-        case _:
-            assert_never(item.rule)
-
-
-def _is_count(condition: Condition) -> bool:
-    return isinstance(condition, InPlaces) and condition.least > 1
-
-
-def _story(run: Played) -> tuple[Happened, ...]:
-    """What happened; of where an agent stands at the end, what it waits for there."""
-    return tuple(said for item in run.story for said in (_waits(run, item) if item.stands else ()) or [item])
-
-
-def _waits(run: Played, item: Happened) -> list[Happened]:
-    """What an agent waits for where it stands at the end."""
-    texts = [waits_text(one, interrupts=True) for one in run.waits.get(item.agent, ())]
-    return [replace(item, text=f"waits {text}") for text in texts]
+def _question(run: Played) -> str:
+    """The command that asks about the trace of a run why its expectation was broken."""
+    asked = run.question
+    if asked is None:
+        return ""
+    words = ["asemec", "why" if asked.is_why else "whynot", asked.agent, asked.what, "--at", at_text(run.end)]
+    return shlex.join(words)
 
 
 def _missed_share(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played]) -> ScenarioResult | None:
@@ -197,7 +161,7 @@ def _missed_share(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Play
                     reason,
                     item.span,
                     run.inputs,
-                    _story(run),
+                    run.story,
                 )
     return None
 

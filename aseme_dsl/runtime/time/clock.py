@@ -70,3 +70,13 @@ def nanoseconds(seconds: float) -> int:
 def shown(moment: int) -> str:
     """A moment or duration for people: `1.25 s`."""
     return f"{moment / SECOND:.9f}".rstrip("0").rstrip(".") + " s"
+
+
+def at_text(moment: int) -> str:
+    """A moment as `--at` takes it: `1.25s`."""
+    return shown(moment).replace(" ", "")
+
+
+def readable(moment: int) -> str:
+    """A moment for people who need no single nanoseconds, to the microsecond: `12 s`."""
+    return shown(round(moment, -3))

@@ -1,0 +1,148 @@
+"""Guards: what the conditions of transitions read at a moment, and where the names in them are defined."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection, Iterator, Mapping, Sequence
+
+from aseme_dsl.amola import expression as e
+from aseme_dsl.amola.messages import STRING
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.statechart import Transition as Drawn
+from aseme_dsl.play.evaluate import Known, NotEvaluated, value_of
+from aseme_dsl.play.sight.words import cut, short
+from aseme_dsl.runtime.chart.plan import Plan, Transition
+from aseme_dsl.runtime.time.clock import readable, shown
+
+_READ = e.VariableValue | e.Member | e.Age | e.Outcome | e.StateValue | e.Expired
+"""The parts of a condition whose values say why it holds or not."""
+_LONGEST = 60
+"""A longer value is cut off (characters)."""
+_MOST = 3
+"""So many conditions that came before the one that was taken are told."""
+
+
+class Guards:
+    """The conditions of the roles of a system, by their statecharts."""
+
+    def __init__(self, charts: Mapping[str, Statechart]) -> None:
+        self._charts = charts
+        self._variables: dict[str, frozenset[str]] = {}
+
+    def of(self, plan: Plan, number: int) -> Drawn | None:
+        """A transition of a role as it is in its statechart; None of one that is not known."""
+        chart = self._charts.get(plan.name)
+        if chart is None or len(chart.transitions) != len(plan.transitions):
+            return None
+        return chart.transitions[number]
+
+    def variables(self, plan: Plan) -> frozenset[str]:
+        """The variables that conditions of a role read."""
+        known = self._variables.get(plan.name)
+        if known is None:
+            chart = self._charts.get(plan.name)
+            guards = () if chart is None else (item.expression.guard for item in chart.transitions)
+            parts = (part for guard in guards if guard is not None for part in e.walk(guard))
+            known = frozenset(part.name for part in parts if isinstance(part, e.VariableValue))
+            self._variables[plan.name] = known
+        return known
+
+    def explained(
+        self, plan: Plan, number: int, known: Known, changed: Collection[str] | None = None
+    ) -> Iterator[str]:
+        """What the condition of a transition reads, and what its names stand for.
+
+        If a step has taken it, `changed` are the variables and timers whose values then are not known.
+        """
+        drawn = self.of(plan, number)
+        if drawn is not None and drawn.expression.guard is not None:
+            yield from explained(drawn.expression.guard, known, changed)
+
+    def passed_over(
+        self, plan: Plan, number: int, known: Known, changed: Collection[str] | None = None
+    ) -> Iterator[str]:
+        """The conditions of the transitions that would have come before one without a condition."""
+        taken = plan.transitions[number]
+        if taken.condition is not None or taken.events or taken.weight is not None:
+            return
+        before: list[tuple[int, Transition]] = []
+        for other, item in plan.outgoing(taken.source):
+            if other == number:
+                break
+            if item.condition is not None and item.kind == "external" and not item.events:
+                before.append((other, item))
+        for other, item in before[:_MOST]:
+            drawn = self.of(plan, other)
+            if drawn is not None and not drawn.reactive and drawn.expression.guard is not None:
+                text = cut(e.value_text(drawn.expression.guard))
+                told = "; ".join(explained(drawn.expression.guard, known, changed))
+                target = plan.called(plan.by_label[item.target])
+                yield f"not {target} : [{text}] ({short(item.at)}){f', {told}' if told else ''}"
+        if len(before) > _MOST:
+            yield f"and {len(before) - _MOST} more did not hold"
+
+
+def explained(guard: e.Value, known: Known, changed: Collection[str] | None = None) -> Iterator[str]:
+    """What a condition reads, and what its names stand for: `where late is n > 2 (a.aseme:4)`."""
+    read = values(guard, known, changed)
+    if read:
+        yield f"with {', '.join(read)}"
+    for item in dict.fromkeys(_named(guard)):
+        text = cut(e.value_text(item.expression))
+        if text != item.name:
+            yield f"where {item.name} is {text} ({short(str(item.expression.span))})"
+
+
+def _named(value: e.Value) -> Iterator[e.Named]:
+    return (item for item in e.walk(value) if isinstance(item, e.Named))
+
+
+def values(guard: e.Value, known: Known, changed: Collection[str] | None = None) -> Sequence[str]:
+    """What a condition reads, with the values. After a step, what cannot be known any more is left out."""
+    found: dict[str, None] = {}
+    waiting = [guard]
+    while waiting:
+        part = waiting.pop(0)
+        if isinstance(part, e.Has) and isinstance(part.message, e.Member):
+            newest = known.newest(str(part.message.channel), part.message.host)
+            if newest is None:
+                found[f"no {part.message.channel} so far"] = None
+            elif ".signal." in str(part.message.channel):
+                found[f"the last {part.message.channel} at {readable(newest[1])}"] = None
+            continue
+        if isinstance(part, _READ) and not _is_past(part, changed):
+            found[f"{e.value_text(part)} = {told(part, _value(part, known))}"] = None
+        if not isinstance(part, e.Age):
+            waiting = [*e.operands(part), *waiting]
+    return tuple(found)
+
+
+def _is_past(part: e.Value, changed: Collection[str] | None) -> bool:
+    """Whether a part was another one when a step was taken."""
+    match part:
+        case e.StateValue():
+            return changed is not None
+        case e.Expired(timer=name) | e.VariableValue(name=name):
+            return changed is not None and name in changed
+    return False
+
+
+def _value(part: e.Value, known: Known) -> object:
+    try:
+        return value_of(part, known)
+    except (NotEvaluated, LookupError):
+        return None
+
+
+def told(part: e.Value, value: object) -> str:
+    """A value as people read it."""
+    if value is None:
+        return "absent"
+    if isinstance(part, e.Age) and isinstance(value, int):
+        return shown(value)
+    if isinstance(value, str) and part.type != STRING:
+        return value  # a constant of an enum, an outcome
+    return cut(json.dumps(value, ensure_ascii=False), _LONGEST)
+
+
+__all__ = ["Guards", "explained", "told", "values"]

@@ -1,0 +1,119 @@
+"""Standing: where an agent is at the end of a story, and what it waits for there."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from aseme_dsl.play.evaluate import Known
+from aseme_dsl.play.sight.guards import Guards
+from aseme_dsl.play.sight.story import Happened
+from aseme_dsl.play.sight.words import cut, few, leaf_names, short
+from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.team.ending import Awaited, Waiting
+from aseme_dsl.runtime.time.clock import readable, shown
+
+_MOST = 6
+"""So many things that a state waits for are named."""
+
+
+def standing(
+    agent: str,
+    moment: int,
+    plan: Plan,
+    waits: Iterable[Waiting],
+    leaves: Sequence[str],
+    about: Collection[str],
+    guards: Guards,
+    known: Known,
+) -> Iterator[Happened]:
+    """Where an agent is: in detail what is not beside all of the states that are spoken of (`about`)."""
+    groups: dict[tuple[object, ...], list[Waiting]] = {}
+    beside: list[str] = []
+    for item in waits:
+        if about and all(plan.are_concurrent(item.state, label) for label in about):
+            beside.append(item.name if item.where != "before" else f"start of {item.name}")
+        else:
+            groups.setdefault((item.where, item.name, item.at, item.awaits), []).append(item)
+    for items in groups.values():
+        first = Happened(moment, agent, "", stands=True, label=items[0].state)
+        yield _waiting(first, plan, items, guards, known)
+    if beside:
+        names = few(list(dict.fromkeys(beside)))
+        yield Happened(moment, agent, f"is also in {names}", stands=True)
+    if not groups and not beside:
+        ends = [plan.by_label[label] for label in leaves if plan.by_label[label].type == "END"]
+        inside = leaf_names(plan, leaves) if leaves else []
+        text = f"is in {few(inside)}" if inside else "is in no state"
+        if ends and len(ends) == len(leaves):
+            text = f"has come to the {plan.called(ends[0])}, and does nothing more"
+        yield Happened(moment, agent, text, stands=True)
+
+
+def _waiting(item: Happened, plan: Plan, waits: Sequence[Waiting], guards: Guards, known: Known) -> Happened:
+    """Equal waits, which several regions may have, as one."""
+    first = waits[0]
+    is_running = first.where == "in" and any(found.kind == "activity" for found in first.awaits)
+    awaits = [
+        found
+        for found in first.awaits
+        if not (is_running and (found.kind == "activity" or found.what == "else"))
+    ]
+    since = few(list(dict.fromkeys(readable(one.since) for one in sorted(waits, key=lambda one: one.since))))
+    place = f" ({short(first.at)})" if first.at else ""
+    name = f"{cut(first.name, 60)}{place}"
+    is_activity = plan.by_label[first.state].type == "BASIC"
+    match first.where:
+        case "in" if is_running:
+            may_fail = any(found.what.endswith("error") for found in awaits)
+            text = f"is in {name} since {since}: its activity has not returned"
+            text += _deadline(plan, first.state) if may_fail else ""
+        case "before":
+            text = f"has not begun {name} since {since}"
+        case "after" if is_activity:
+            text = f"is in {name}, whose activity returned at {since}"
+        case "after":
+            text = f"has completed {name} at {since}"
+        case _:
+            text = f"is in {name} since {since}"
+    if len(waits) > 1:
+        text += f", in {len(waits)} instances"
+    if is_running:
+        text += ", and until then it may be left by" if awaits else ""
+    elif not awaits:
+        text += "; no transition leads on"
+    else:
+        text += ": it waits for"
+    details = [detail for one in awaits[:_MOST] for detail in _awaited(plan, one, guards, known)]
+    if awaits:
+        text += " the first of these:" if len(awaits) > 1 else " this:"
+    if len(awaits) > _MOST:
+        details.append(f"- {len(awaits) - _MOST} others")
+    return replace(item, text=text, details=tuple(details))
+
+
+def _deadline(plan: Plan, label: str) -> str:
+    """The deadline of the activity of a state, which fails it."""
+    activity = plan.by_label[label].activity
+    within = next((info.within for info in plan.activities if info.name == activity), None)
+    return ", and has no deadline" if within is None else f" (deadline: {shown(within)})"
+
+
+def _awaited(plan: Plan, item: Awaited, guards: Guards, known: Known) -> Iterator[str]:
+    """What is awaited, and what its condition reads."""
+    text = item.what
+    interrupt = text.startswith("[> ")
+    text = cut(text.removeprefix("[> "))
+    is_reactive = text.startswith("reactive ")
+    if is_reactive:
+        text = "another branch of the reactive choice"
+    yield f"- {text}{f' ({short(item.at)})' if item.at else ''}{', an interrupt' if interrupt else ''}"
+    number = next(
+        (place for place, one in enumerate(plan.transitions) if one.at == item.at and item.what in one.text),
+        None,
+    )
+    if number is not None and item.at and not plan.transitions[number].otherwise and not is_reactive:
+        yield from (f"    {text}" for text in guards.explained(plan, number, known))
+
+
+__all__ = ["standing"]
