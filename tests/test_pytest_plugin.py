@@ -30,9 +30,9 @@ def test_a_file_that_is_named_is_collected(project: pytest.Pytester) -> None:
     done.stdout.fnmatch_lines(
         [
             "failed, seed 1",
-            "*good.aseme:17:36: has not come by 3 s",
+            "*good.aseme:17:36: `one in Walk` has not come by 3 s: one is in Stand",
             "*by 3s one in Walk*",
-            "*3 s  one  Stand -> Stand*",
+            "*3 s  one  Stand returns; Stand -> Stand*",
             "FAILED good.aseme::it walks*",
         ]
     )

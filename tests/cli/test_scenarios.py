@@ -44,13 +44,17 @@ def test_people_read_verdict_place_and_story(tested: Here) -> None:
         done.out
         == """\
 failed   it walks  seed 1  3 s
-  good.aseme:22:3: has not come by 3 s
+  good.aseme:22:3: `one in Walk` has not come by 3 s: one is in Stand
    22 |   by 3s one in Walk
       |   ^^^^^^^^^^^^^^^^^
-    0 s  one  enters Stand : else  (good.aseme:9:5)
-    3 s  one  Stand returns, 3 times by now
-    3 s  one  Stand -> Stand : else; else, 3 times by now  (good.aseme:11:5, good.aseme:9:5)
-    3 s  one  waits for its activity Stand (good.aseme:5) to end
+    0 s  one  enters Stand : else (good.aseme:9)
+                not Walk : [eyes.state.Seen.ball] (good.aseme:8), with eyes.state.Seen.ball = absent
+    3 s  one  Stand returns; Stand -> Stand : else (good.aseme:11), else (good.aseme:9), the 3rd time
+                not end of robot : [eyes.state.Seen.home] (good.aseme:10), with eyes.state.Seen.home = absent
+                not Walk : [eyes.state.Seen.ball] (good.aseme:8), with eyes.state.Seen.ball = absent
+    then, at 3 s:
+         one  is in Stand (good.aseme:5) since 3 s: its activity has not returned
+  ask next: asemec whynot one Walk --at 3s TRACE (`asemec test --traces DIR` writes it)
 1 scenario: 1 failed
 """
     )
@@ -70,7 +74,13 @@ def test_programs_read_json(tested: Here) -> None:
     assert done.json["format"] == 1
     assert [tuple(item.values()) for item in done.json["scenarios"]] == [
         ("it stands", "passed", 1, 1_000_000_000, ""),
-        ("it walks", "failed", 1, 3_000_000_000, "good.aseme:22:3: has not come by 3 s"),
+        (
+            "it walks",
+            "failed",
+            1,
+            3_000_000_000,
+            "good.aseme:22:3: `one in Walk` has not come by 3 s: one is in Stand",
+        ),
         (
             "nobody is home",
             "vacuous",
@@ -85,7 +95,13 @@ def test_programs_read_json(tested: Here) -> None:
             0,
             "good.aseme:28:10: no function make in module nowhere: No module named 'nowhere'",
         ),
-        ("it takes its time", "failed", 1, 700_000_000, "good.aseme:32:3: has not come by 0.7 s"),
+        (
+            "it takes its time",
+            "failed",
+            1,
+            700_000_000,
+            "good.aseme:32:3: `one in Walk` has not come by 0.7 s: one is in Stand",
+        ),
     ]
     assert list(done.json["scenarios"][0]) == ["name", "verdict", "seed", "time_ns", "reason"]
 
@@ -103,7 +119,8 @@ def test_ci_services_read_junit_and_commands(tested: Here) -> None:
     }
     done = tested("test", "good.aseme", "--format", "github", "-k", "walks")
     place = "file=good.aseme,line=22,endLine=22,col=3,endColumn=20"
-    assert (done.code, done.out) == (1, f"::error {place},title=it walks::has not come by 3 s\n")
+    reason = "`one in Walk` has not come by 3 s: one is in Stand"
+    assert (done.code, done.out) == (1, f"::error {place},title=it walks::{reason}\n")
     assert tested("test", "good.aseme", "--format", "junit", "--json").code == 2
 
 
@@ -271,8 +288,8 @@ scenario "it walks" {
 def test_a_story_ends_where_the_expectation_is_broken(here: Here, folder: Path) -> None:
     (folder / "good.aseme").write_text(GOOD + LATE)
     done = here("test", "good.aseme")
-    assert "good.aseme:18:3: not so at 1.5 s" in done.out
-    assert "      1 s  one  Stand returns" in done.out.splitlines(), done.out
+    assert "good.aseme:18:3: `one in Walk` is not so at 1.5 s: one is in Stand" in done.out
+    assert "  1 s  one  Stand returns; Stand -> Stand" in done.out, done.out
     assert "2 s" not in done.out
 
 
@@ -295,8 +312,10 @@ def test_a_failure_says_what_was_read_what_is_missing_and_what_the_scenario_gave
     (folder / "good.aseme").write_text(GOOD + TOLD)
     lines = [line.strip() for line in here("test", "good.aseme").out.splitlines()]
     read = "eyes.state.Seen.home = true, eyes.state.Seen.ball = true"
-    assert f"good.aseme:18:3: not so at 2 s: one has {read}" in lines
-    assert "good.aseme:22:3: part 3 of 3 has not come by 4 s" in lines
+    condition = "`one has [!eyes.state.Seen.home && eyes.state.Seen.ball]`"
+    assert f"good.aseme:18:3: {condition} is not so at 2 s: one has {read}" in lines
+    missing = "`two in Walk` (part 3 of 3) has not come by 4 s; the part before, `one in Walk`, came at 1 s"
+    assert f"good.aseme:22:3: {missing}" in lines
     given = "receives eyes.state.Seen { ball = true, home = true }, an input of the scenario"
     assert f"0.5 s  one  {given}" in lines
 
@@ -317,10 +336,13 @@ scenario "rests" { by 3s bob in Rest }
 
 def test_a_story_says_what_may_interrupt_a_wait(here: Here, folder: Path) -> None:
     (folder / "guard.aseme").write_text(INTERRUPTED)
-    waits = "bob  waits for its activity Walk (guard.aseme:5) to end"
-    assert (
-        f"{waits}, or for [> when [t.signal.Stop.n > 0] (guard.aseme:7)\n" in here("test", "guard.aseme").out
-    )
+    told = here("test", "guard.aseme").out.split("then, at 3 s:\n")[1]
+    assert [line.strip() for line in told.splitlines()[:3]] == [
+        "bob  is in Walk (guard.aseme:5) since 0 s: its activity has not returned,"
+        " and until then it may be left by when [t.signal.Stop.n > 0] (guard.aseme:7), an interrupt",
+        "with t.signal.Stop.n = absent",
+        "ask next: asemec whynot bob Rest --at 3s TRACE (`asemec test --traces DIR` writes it)",
+    ]
 
 
 def test_a_failure_in_a_table_shows_its_row(here: Here, folder: Path) -> None:
@@ -336,4 +358,4 @@ scenario "it sees" {
     (folder / "good.aseme").write_text(GOOD + table)
     done = here("test", "good.aseme")
     assert done.code == 1
-    assert "  with the row (false, Walk)" in done.out.splitlines(), done.out
+    assert "  with the row ball = false, expected = Walk" in done.out.splitlines(), done.out

@@ -18,8 +18,8 @@ _READ = e.VariableValue | e.Member | e.Age | e.Outcome | e.StateValue | e.Expire
 """The parts of a condition whose values say why it holds or not."""
 _LONGEST = 60
 """A longer value is cut off (characters)."""
-_MOST = 3
-"""So many conditions that came before the one that was taken are told."""
+_MOST = 5
+"""A story lists so many of the conditions before the transition that was taken."""
 
 
 class Guards:

@@ -84,9 +84,13 @@ def _waiting(item: Happened, plan: Plan, waits: Sequence[Waiting], guards: Guard
         text += "; no transition leads on"
     else:
         text += ": it waits for"
-    details = [detail for one in awaits[:_MOST] for detail in _awaited(plan, one, guards, known)]
-    if awaits:
-        text += " the first of these:" if len(awaits) > 1 else " this:"
+    found = [_awaited(plan, one, guards, known) for one in awaits[:_MOST]]
+    if len(found) == 1:
+        details = list(found[0][1])
+        text += f" {found[0][0]}"
+    else:
+        details = [line for what, read in found for line in (f"- {what}", *(f"    {one}" for one in read))]
+        text += " the first of these:" if found else ""
     if len(awaits) > _MOST:
         details.append(f"- {len(awaits) - _MOST} others")
     return replace(item, text=text, details=tuple(details))
@@ -99,21 +103,22 @@ def _deadline(plan: Plan, label: str) -> str:
     return ", and has no deadline" if within is None else f" (deadline: {shown(within)})"
 
 
-def _awaited(plan: Plan, item: Awaited, guards: Guards, known: Known) -> Iterator[str]:
+def _awaited(plan: Plan, item: Awaited, guards: Guards, known: Known) -> tuple[str, tuple[str, ...]]:
     """What is awaited, and what its condition reads."""
-    text = item.what
-    interrupt = text.startswith("[> ")
-    text = cut(text.removeprefix("[> "))
-    is_reactive = text.startswith("reactive ")
+    is_interrupt = item.what.startswith("[> ")
+    what = cut(item.what.removeprefix("[> "))
+    is_reactive = what.startswith("reactive ")
     if is_reactive:
-        text = "another branch of the reactive choice"
-    yield f"- {text}{f' ({short(item.at)})' if item.at else ''}{', an interrupt' if interrupt else ''}"
+        what = "another branch of the reactive choice"
+    what += f" ({short(item.at)})" if item.at else ""
+    what += ", an interrupt" if is_interrupt else ""
     number = next(
         (place for place, one in enumerate(plan.transitions) if one.at == item.at and item.what in one.text),
         None,
     )
-    if number is not None and item.at and not plan.transitions[number].otherwise and not is_reactive:
-        yield from (f"    {text}" for text in guards.explained(plan, number, known))
+    if number is None or not item.at or plan.transitions[number].otherwise or is_reactive:
+        return what, ()
+    return what, tuple(guards.explained(plan, number, known))
 
 
 __all__ = ["standing"]

@@ -51,14 +51,17 @@ def told(story: Iterable[Happened]) -> Iterator[str]:
     wide = max((len(time) for time, _, item in rows if not item.stands), default=0)
     names = min(_WIDEST, max((len(name) for _, name, _ in rows), default=0))
     has_ended = False
+    explained: set[tuple[str, str, tuple[str, ...]]] = set()
     for time, name, item in rows:
         if item.stands and not has_ended:
             has_ended = True
             yield f"then, at {time}:"
         lead = f"{'' if item.stands else time:>{wide}}  {name:<{names}}  "
-        each = "each " if "[" in name or "," in name else ""
+        each = "each: " if "[" in name or "," in name else ""
         yield f"{lead}{each}{item.line}"
-        yield from (f"{' ' * (wide + names + 4)}  {detail}" for detail in item.details)
+        if (key := (name, item.text, item.details)) not in explained:  # each thing is explained once
+            explained.add(key)
+            yield from (f"{' ' * (wide + names + 4)}  {detail}" for detail in item.details)
 
 
 def _folded(story: Iterable[Happened]) -> list[list[Happened]]:

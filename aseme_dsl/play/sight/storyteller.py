@@ -23,6 +23,8 @@ _FIRST = 5
 """It shows so many of the first things that happened after what is awaited was near."""
 _MOST_KEPT = 500
 """So many of the last things that happened to an agent are kept."""
+_MOST_TAKEN = 20
+"""Of a step with more transitions, the story shows so many of the last ones."""
 _MOST_UNREAD = 1000
 """Of so many messages it is known who has not received them."""
 
@@ -112,7 +114,7 @@ class Storyteller:
         known: Callable[[], Known],
     ) -> None:
         """An agent has made a step; what stands together in it is one line. `after` are the active leaves."""
-        ways = [way["transitions"] for way in taken]
+        ways = [way["transitions"] for way in taken[-_MOST_TAKEN:]]
         now, before = known(), self._values.get(agent, {})
         changes = [frozenset(_changed(plan, way)) for way in ways]
         for chain in _chains(plan, ways):
@@ -240,7 +242,10 @@ class Storyteller:
             if item[1].moment >= about.since
             if _is_read(item[1], about.messages) and not _is_aside(plan, item[1], spoken)
         )
-        return list(itertools.islice(later, _FIRST))
+        found: dict[str, tuple[int, Happened]] = {}
+        for item in later:
+            found.setdefault(item[1].text, item)
+        return list(found.values())[:_FIRST]
 
     def _cut_off(self, cuts: Iterable[Cut], end: int) -> Iterator[Happened]:
         """How agents were cut off until the end."""
@@ -325,7 +330,7 @@ def _at_way(
 
 
 def _is_read(item: Happened, messages: Collection[str]) -> bool:
-    """Whether somebody reads a message: what no other agent reads says something only if it is spoken of."""
+    """Whether an agent reads a message: what none reads says something only if it is spoken of."""
     return not item.sent or bool(item.to) or any(name in item.sent for name in messages)
 
 

@@ -23,8 +23,8 @@ def explained(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:
     yield f"  {item.span}: {item.reason}"
     for line in excerpt(item.span, "^", COLOURS[item.verdict], is_coloured, None):
         yield f"  {line}"
-    if item.given:
-        yield "  with " + ", ".join(f"{name} = {value}" for name, value in item.given.items())
+    if given := {name: value for name, value in (item.given or {}).items() if name not in item.row}:
+        yield "  with " + ", ".join(f"{name} = {value}" for name, value in given.items())
     if item.row:
         yield "  with the row " + ", ".join(f"{name} = {cell}" for name, cell in item.row.items())
     if item.dropped:

@@ -42,7 +42,8 @@ def diagram_of(result: ScenarioResult) -> SequenceDiagram:
 def _row(item: Happened) -> Row:
     if item.to:
         return Arrow(item.moment, item.agent, item.to, item.sent, "")
-    return Mark(item.moment, item.agent, item.line)
+    awaited = "; ".join(text.removeprefix("- ") for text in item.details if text.startswith("- "))
+    return Mark(item.moment, item.agent, f"{item.line} {awaited}".rstrip())
 
 
 __all__ = ["diagram_of", "file_names", "pictures"]

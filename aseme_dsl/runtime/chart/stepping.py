@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeVar, cast
 
@@ -22,10 +22,12 @@ from aseme_dsl.runtime.chart.inputs import (
     SignalExpired,
     Written,
 )
-from aseme_dsl.runtime.chart.plan import is_in
+from aseme_dsl.runtime.chart.plan import Plan, is_in
 from aseme_dsl.runtime.chart.state import ChartState
 from aseme_dsl.runtime.time.clock import shown
 
+LONGEST_CIRCLE = 50
+"""A circle of so many transitions at the most is found."""
 _InputT = TypeVar("_InputT", bound=Input)
 
 
@@ -189,8 +191,16 @@ def stop(chart: ChartState, reason: str) -> None:
 
 def livelock(chart: ChartState, rounds: int) -> str:
     """What to say of a step without an end."""
-    ways = dict.fromkeys(chart.PLAN.way(taken) for taken in chart.taken[-8:])
-    return f"the step does not settle after {rounds} rounds: {', '.join(ways)}"
+    return f"the step does not settle after {rounds} rounds: {circle(chart.PLAN, chart.taken)}"
+
+
+def circle(plan: Plan, taken: Sequence[Sequence[int]]) -> str:
+    """The transitions that are taken over and over again, in their order; the last ones where none are."""
+    last = [tuple(way) for way in taken[-2 * LONGEST_CIRCLE :]]
+    lengths = (size for size in range(1, len(last) // 2 + 1) if last[-size:] == last[-2 * size : -size])
+    size = next(lengths, 0)
+    ways = [plan.way(way) for way in last[-(size or 8) :]]
+    return f"{', '.join(dict.fromkeys(ways))}{', and again' if size else ''}"
 
 
 def _is_at(leaf: int, leaves: Iterable[tuple[int, int]]) -> bool:

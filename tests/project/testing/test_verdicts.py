@@ -499,5 +499,5 @@ scenario "together" { a, b : driver  for 3s }
     assert found == [
         ("alone", "passed", ""),
         ("one after the other", "passed", ""),
-        ("together", "failed", "clause of cross: more at once at 1 s"),
+        ("together", "failed", "clause of cross: too many at once at 1 s: a, b are in Go"),
     ]

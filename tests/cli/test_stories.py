@@ -1,0 +1,160 @@
+"""The story of a failed scenario: `.aseme` text in, what `asemec test` prints out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import Here
+
+GUARD = """\
+system Guard
+enum Mood { CALM ANGRY }
+message Ball { double distance }
+message Pressed { bool on }
+message Seen { int number }
+topic eyes { state Ball }
+topic team { signal Pressed  state Seen }
+srm guard {
+  let is_near = eyes.state.Ball.distance < limit
+  var limit : int = 100
+  liveness { guard = Wait . (Chase | Rest)~ || Look }
+  activities {
+    Wait takes 1s simulated
+    Chase takes 1s simulated
+    Rest takes 1s simulated writes team.state.Seen
+    Look takes 60s simulated
+  }
+  control guard {
+    enter Chase : [is_near && limit > 50] / limit = 60
+    enter Rest : else
+  }
+}
+srm bell {
+  liveness { bell = Idle . Ring }
+  activities { Idle takes 1s simulated  Ring takes 1s simulated }
+  control bell { enter Ring : [has(team.signal.Pressed)] }
+}
+team Guards { bob : guard  bell1, bell2, bell3, bell4 : bell }
+"""
+
+CASES = {
+    # The definition of a `let`, the values of a condition, and the line that was passed over.
+    "default": (
+        "at 500ms bob receives eyes.state.Ball { distance = 200 }  at 1500ms bob in Chase",
+        (
+            "`bob in Chase` is not so at 1.5 s: bob is in Rest",
+            "1 s  bob  Wait returns; Wait -> Rest : else (guard.aseme:20)",
+            "not Chase : [is_near && limit > 50] (guard.aseme:19),"
+            " with eyes.state.Ball.distance = 200.0, limit = 100;"
+            " where is_near is eyes.state.Ball.distance < limit (guard.aseme:9)",
+            "bob  is in Rest (guard.aseme:11) since 1 s: its activity has not returned",
+            "bob  is also in Look",
+            "ask next: asemec whynot bob Chase --at 1.5s TRACE (`asemec test --traces DIR` writes it)",
+        ),
+    ),
+    # A variable as the condition has read it, not as the action has set it.
+    "set": (
+        "at 500ms bob receives eyes.state.Ball { distance = 9 }  never bob in Chase  for 2s",
+        (
+            "`bob in Chase` came at 1 s: bob is in Chase",
+            "1 s  bob  Wait returns; Wait -> Chase : [is_near && limit > 50] / limit = 60 (guard.aseme:19)",
+            "with eyes.state.Ball.distance = 9.0, limit = 100",
+            "ask next: asemec why bob Chase --at 1s TRACE (`asemec test --traces DIR` writes it)",
+        ),
+    ),
+    # Agents that do the same, and a signal that has not come.
+    "alike": (
+        "never two of bell in Ring  eventually some bell in Ring within 2s",
+        (
+            "`bell in Ring` has not come by 2 s: bell[1..4] are in Idle",
+            "0 s  bell[1..4]  each: enters Idle (guard.aseme:24)",
+            "bell[1..4]  each: is in Idle (guard.aseme:24), whose activity returned at 1 s:"
+            " it waits for [has(team.signal.Pressed)] (guard.aseme:26)",
+            "with no team.signal.Pressed so far",
+        ),
+    ),
+    # How far an order has come, and when.
+    "order": (
+        "in order bob in Wait, bob in Rest, bob in Chase  for 3s",
+        (
+            "`bob in Chase` (part 3 of 3) has not come by 3 s; the part before, `bob in Rest`, came at 1 s",
+            "2 s  bob  Rest returns; Rest -> Rest : else (guard.aseme:20)",
+        ),
+    ),
+    "leads to": (
+        "every bob in Rest leads to bob in Chase within 1500ms  for 5s",
+        ("`bob in Rest` came at 1 s, but `bob in Chase` has not come by 2.5 s: bob is in Rest",),
+    ),
+    "before": (
+        "bob in Chase before bob in Rest  for 3s",
+        ("`bob in Rest` came at 1 s, but `bob in Chase` had not come: bob is in Rest",),
+    ),
+    "after": (
+        "after 200ms bob in Rest : bob in Wait  for 3s",
+        ("`bob in Wait` is not so at 1.2 s, 0.2 s after `bob in Rest`: bob is in Rest",),
+    ),
+    "row": (
+        "table (d, then) { (200, Chase) }"
+        "  at 0ms bob receives eyes.state.Ball { distance = d }  at 2s bob in then",
+        ("`bob in Chase` is not so at 2 s: bob is in Rest", "with the row d = 200, then = Chase"),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_story_says_what_was_awaited_what_was_read_and_where(name: str, here: Here, folder: Path) -> None:
+    body, told = CASES[name]
+    (folder / "guard.aseme").write_text(f'{GUARD}scenario "s" {{\n  {body}\n}}\n')
+    done = here("test", "guard.aseme", "-j", "1")
+    lines = [line.strip() for line in done.out.splitlines()]
+    for text in told:
+        assert any(line.endswith(text) for line in lines), f"{text}\n{done.out}"
+
+
+def test_what_no_agent_reads_and_single_nanoseconds_are_not_in_a_story(here: Here, folder: Path) -> None:
+    acts = "activity Rest writes team.state.Seen { number = 1 }"
+    (folder / "guard.aseme").write_text(
+        f'{GUARD}scenario "s" {{\n  {acts}\n  within 500ms of bob in Rest  sent Seen\n  for 3s\n}}\n'
+        f'scenario "t" {{\n  {acts}\n  at 3s bob in Chase\n}}\n'
+    )
+    first, second = here("test", "guard.aseme", "-j", "1").out.split("\nfailed ")
+    assert "00000" not in first
+    assert "team.state.Seen" not in second
+
+
+def test_the_trace_of_a_failure_is_there_to_be_asked(here: Here, folder: Path) -> None:
+    (folder / "guard.aseme").write_text(f'{GUARD}scenario "it hunts" {{\n  at 3s bob in Chase\n}}\n')
+    done = here("test", "guard.aseme", "-j", "1", "--traces", "found")
+    asked = "asemec whynot bob Chase --at 3s found/it-hunts.jsonl.gz"
+    assert f"  ask next: {asked}" in done.out.splitlines(), done.out
+    answer = here(*asked.split()[1:])
+    assert answer.code == 0 and "is absent: the message is not there" in answer.out, answer.out
+
+
+CIRCLE = """\
+system Circle
+message M { bool on }
+topic t { state M }
+srm r {
+  liveness { r = Wait . (Left . Right)~ }
+  activities { Wait takes 1s simulated  Left takes 1s simulated  Right takes 1s simulated }
+  control r {
+    enter Right : when [t.state.M.on]
+    repeat (Left . Right) : when [t.state.M.on]
+  }
+}
+team T { bob : r }
+scenario "it stays" { at 500ms bob receives t.state.M { on = true }  at 3s bob in Right }
+"""
+
+
+def test_a_step_without_an_end_names_the_circle(here: Here, folder: Path) -> None:
+    (folder / "circle.aseme").write_text(CIRCLE)
+    done = here("test", "circle.aseme", "-j", "1")
+    circle = (
+        "start of (Left . Right) -> Left (circle.aseme:5:26), Left -> Right (circle.aseme:8:5),"
+        " (Left . Right) -> (Left . Right) (circle.aseme:9:5), and again"
+    )
+    assert f"the step does not settle after 2000 rounds: {circle}\n" in done.out, done.out
