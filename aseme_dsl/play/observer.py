@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import assert_never, cast
 
 from aseme_dsl.amola import expression as e
@@ -31,6 +31,7 @@ from aseme_dsl.play.sight.story import Happened, agents_text
 from aseme_dsl.play.sight.storyteller import About, Storyteller
 from aseme_dsl.play.sight.subject import Next, about, all_parts, question, spoken
 from aseme_dsl.play.sight.words import Said, few, leaf_names, went_wrong
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
 from aseme_dsl.runtime.team.ending import Waiting

@@ -5,13 +5,14 @@ from __future__ import annotations
 import itertools
 from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from aseme_dsl.play.evaluate import Known
 from aseme_dsl.play.scenario import Cut
 from aseme_dsl.play.sight.guards import Guards
 from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.play.sight.words import Said, content_of, cut, ending, few, name_of, sending, short
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.chart.plan import Plan, is_in
 from aseme_dsl.runtime.time.clock import readable

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import assert_never
 
 from aseme_dsl.play.asking.question import NotAsked, goal_of
@@ -22,6 +21,7 @@ from aseme_dsl.play.scenario import (
 )
 from aseme_dsl.play.sight.deciding import agents_about
 from aseme_dsl.play.sight.storyteller import About
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import (
     AfterFirst,

@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from aseme_dsl.play.asking.names import named
 from aseme_dsl.play.evaluate import Told
 from aseme_dsl.play.sight.story import Happened
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.trace.records import Record
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import StrEnum
 from pathlib import Path
 
@@ -13,6 +13,7 @@ from aseme_dsl.play.scenario import Scenario
 from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.project.testing.cases import Case
 from aseme_dsl.project.testing.reasons import broken
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import Verdict as Shown
 from aseme_dsl.runtime.time.clock import at_text, readable
 from aseme_dsl.source import Span
