@@ -22,8 +22,9 @@ from aseme_dsl.grammar.formulas.reader import DEEPEST, Reader, is_word
 from aseme_dsl.grammar.formulas.transition_mistakes import check_content
 from aseme_dsl.grammar.formulas.words import Malformed
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.grammar.text.lexer import HOLE, UNITS
+from aseme_dsl.grammar.text.lexer import HOLE
 from aseme_dsl.grammar.text.token import Token, token
+from aseme_dsl.runtime.time.clock import UNITS
 from aseme_dsl.source import Source, Span
 
 _LOGIC = {"||": "||", "or": "||", "&&": "&&", "and": "&&"}

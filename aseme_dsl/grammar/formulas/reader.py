@@ -13,8 +13,8 @@ from aseme_dsl.diagnostics.problems.syntax import formulas as problems
 from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
 from aseme_dsl.grammar.formulas.words import RESERVED, Malformed, is_hyphen
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.grammar.text.lexer import UNITS
 from aseme_dsl.grammar.text.token import Token
+from aseme_dsl.runtime.time.clock import UNITS
 from aseme_dsl.source import Source, Span
 
 DEEPEST = 100

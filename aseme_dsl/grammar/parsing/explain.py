@@ -9,8 +9,9 @@ from aseme_dsl.diagnostics.problems.syntax import characters
 from aseme_dsl.diagnostics.problems.syntax import entries as problems
 from aseme_dsl.diagnostics.problems.syntax.entries import Wanted
 from aseme_dsl.grammar.parsing.progress import Mistake
-from aseme_dsl.grammar.text.lexer import UNITS, Lexed
+from aseme_dsl.grammar.text.lexer import Lexed
 from aseme_dsl.grammar.text.recovery import BLOCKS, begins_declaration
+from aseme_dsl.runtime.time.clock import UNITS
 from aseme_dsl.source import Span
 
 _CHOICES = {

@@ -18,9 +18,6 @@ from aseme_dsl.source import Source, Span
 HOLE = Operator.HOLE.value
 """What stands for an operator, or a condition, that is still to be chosen."""
 
-UNITS = {"ms": 1_000_000, "s": 1_000_000_000, "min": 60_000_000_000}
-"""The units of durations, in ns."""
-
 _COMMON = r"""
     (?P<comment> //[^\n]* | /\*[\s\S]*?\*/ )
   | (?P<open_comment> /\* )

@@ -8,8 +8,8 @@ from decimal import Decimal
 
 from aseme_dsl.diagnostics import Problem, closest
 from aseme_dsl.diagnostics.problems.scenarios import network as problems
-from aseme_dsl.grammar.text.lexer import UNITS
 from aseme_dsl.runtime.team.network import Network
+from aseme_dsl.runtime.time.clock import UNITS
 
 _PART = re.compile(r"\s*(?P<word>[^\W\d]\w*)(?:(?:\s*=\s*|\s+(?=[\d.]))(?P<value>[\w.%+-]+))?\s*")
 _MOMENT = re.compile(r"(\d{1,15}(?:\.\d{1,9})?)(ms|s|min)?", re.ASCII)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from aseme_dsl.grammar.text.lexer import UNITS
+from aseme_dsl.runtime.time.clock import UNITS
 
 _WRITTEN = re.compile(r"(\d+(?:\.\d+)?)(ms|s|min)", re.ASCII)
 

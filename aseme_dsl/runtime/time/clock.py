@@ -7,6 +7,9 @@ from typing import Protocol
 
 SECOND = 1_000_000_000
 MILLISECOND = 1_000_000
+UNITS = {"ms": MILLISECOND, "s": SECOND, "min": 60 * SECOND}
+"""The units in which people write durations, in ns."""
+
 USUAL_LENGTH = 60 * SECOND
 """How long a run in virtual time is if nothing says when it ends."""
 
