@@ -31,8 +31,10 @@ def test_on_a_terminal_a_line_says_how_far_it_is(folder: Path, name: str) -> Non
     assert re.search(r"\r\x1b\[K(?!.*(?:drawing|of \d+ runs))", said, re.DOTALL), said  # it is taken away
 
 
-@pytest.mark.parametrize("name", WORK)
-@pytest.mark.parametrize("where", [{"CI": "true", "TERM": "xterm"}, {"CI": "", "TERM": "dumb"}])
+SERVICE, DUMB = {"CI": "true", "TERM": "xterm"}, {"CI": "", "TERM": "dumb"}
+
+
+@pytest.mark.parametrize(("name", "where"), [*((name, SERVICE) for name in WORK), ("diagram", DUMB)])
 def test_in_the_log_of_a_service_there_is_no_such_line(
     folder: Path, name: str, where: dict[str, str]
 ) -> None:

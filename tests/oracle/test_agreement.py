@@ -20,7 +20,7 @@ from tests.oracle.playing import Game, moments
 from tests.support import asleep
 from tests.support.generated import generate
 
-EXAMPLES = how_many(120)
+EXAMPLES = how_many(60)
 GAMES = 3
 """How many sequences of inputs are played with one chart."""
 

@@ -18,7 +18,7 @@ from tests.oracle.examples import ROUNDS, forget, how_many
 from tests.oracle.test_plain import LARGE, Game
 from tests.support.generated import generate
 
-GAMES = how_many(30)
+GAMES = how_many(15)
 
 HEAD = """
 system Hard

