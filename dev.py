@@ -111,7 +111,14 @@ LONG = [
     ),
     (
         "mutations of all examples",
-        ["-m", "pytest", "-n", "auto", "tests/cli/test_mutations.py"],
+        [
+            "-m",
+            "pytest",
+            "-n",
+            "auto",
+            "tests/cli/test_mutations.py",
+            "tests/compiler/models/test_used_oddly.py",
+        ],
         {"MUTATIONS": "20000"},
     ),
     (

@@ -636,7 +636,7 @@ def work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def studied(here: Here, *arguments: str, runs: int = 8, jobs: int = 1) -> Done:
+def studied(here: Here, *arguments: str, runs: int = 5, jobs: int = 1) -> Done:
     base = ("optimise", "work.aseme", "--for", "2s", "--quicker", "1", "--runs", str(runs), "-j", str(jobs))
     return here(*base, *arguments)
 

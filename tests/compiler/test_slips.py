@@ -11,7 +11,7 @@ from aseme_dsl.source import Source
 from tests.support.mutations import slips
 
 ACCEPTANCE = sorted((Path(__file__).parents[1] / "acceptance").glob("*.aseme"))
-EACH = 100
+EACH = 60
 
 
 def test_a_slip_gives_one_error_on_its_line() -> None:

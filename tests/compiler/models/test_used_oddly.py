@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import os
+
 import pytest
 
 from aseme_dsl.diagnostics import render_text
 from tests.support.compiling import analysis, codes
 from tests.support.oddities import odd_program
+
+PROGRAMS = max(75, int(os.environ.get("MUTATIONS", "0")) // 20)
 
 _PARAMETERS = """
 system S
@@ -51,5 +55,5 @@ def test_a_parameter_of_a_participants_formula_without_a_value() -> None:
 
 
 def test_odd_uses_of_sound_declarations() -> None:
-    for seed in range(150):
+    for seed in range(PROGRAMS):
         render_text(analysis(odd_program(seed)).diagnostics)
