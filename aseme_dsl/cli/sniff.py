@@ -200,6 +200,8 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -
     finally:
         for item in followers:
             item.close()
+            if item.problem is not None:
+                click.echo(item.problem, err=True)
         for text in sniffer.remarks():
             click.echo(text, err=True)
     unknown = not_in_traces(sniffer.unknown(), sniffer.team, paths)

@@ -13,6 +13,7 @@ suc { role other : external }
 srm r {
   var found : bool = false
   var tries : int = 3
+  var now : M
   liveness { r = Search+ . Rest }
   activities { Search takes 1s %s }
   control r { %s }
@@ -36,6 +37,9 @@ def found(control: str, activity: str = "", team: str = "") -> list[str]:
         ("repeat Search : [t.state.M.n < tries]  leave Search : else", []),
         ("repeat Search : [!found] / found = true  leave Search : [found]", []),
         ("repeat Search : [tries > 0] / tries = tries - 1  leave Search : else", []),
+        # What is only cleared is never there.
+        ("repeat Search : [has(now)] / clear(now)  leave Search : else", ["now"]),
+        ("repeat Search : [has(now)] / now = t.state.M  leave Search : else", []),
     ],
 )
 def test_what_nothing_sets(control: str, places: list[str]) -> None:

@@ -16,7 +16,7 @@ from aseme_dsl.amola.expression import (
     VariableValue,
     operands,
 )
-from aseme_dsl.amola.messages import AGENT
+from aseme_dsl.amola.messages import AGENT, Kind
 from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.read.library import is_of_library
@@ -90,12 +90,22 @@ def _written(
     found = {name for role, name in settings if role == chart.name}
     for transition in chart.transitions:
         for action in transition.expression.actions:
-            if isinstance(action, Assign) and isinstance(action.target, VariableValue):
+            if (
+                isinstance(action, Assign)
+                and isinstance(action.target, VariableValue)
+                and not _clears(action)
+            ):
                 found.add(action.target.name.partition("@")[0])
     performed = [activities[name] for node in chart.states if (name := node.activity or "") in activities]
     for said in (*performed, *(module.statement for module in chart.modules)):
         found.update(said.writes_variables)
     return found
+
+
+def _clears(action: Assign) -> bool:
+    """Whether an action is `clear(x)`, after which there is nothing."""
+    value = action.value
+    return isinstance(value, Literal) and value.value == "" and value.type.kind is Kind.MESSAGE
 
 
 def _fixed(condition: Value) -> Iterator[VariableValue]:

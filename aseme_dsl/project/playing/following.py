@@ -36,6 +36,18 @@ class TraceFollower:
         self._rest = b""
         self._seen = 0
         """How many lines of the present block of a compressed trace were read."""
+        self._number = 0
+        self._skipped: list[int] = []
+        """The numbers of the lines that are not records."""
+
+    @property
+    def problem(self) -> str | None:
+        """What is to be said of lines that were skipped, if some were."""
+        if not self._skipped:
+            return None
+        count = len(self._skipped)
+        lines = "a line is not a record" if count == 1 else f"{count} lines are not records"
+        return f"{self.path}: {lines} of a trace; the first is line {self._skipped[0]}"
 
     def poll(self) -> Iterator[Record]:
         """The records that were written since it was looked at last; it waits for nothing.
@@ -94,8 +106,11 @@ class TraceFollower:
             yield from self._record(line)
 
     def _record(self, line: bytes) -> Iterator[Record]:
+        self._number += 1
         record = record_of(line.decode("utf-8", "replace"))
-        if record is not None:
+        if record is None:
+            self._skipped.append(self._number)
+        else:
             self.finished = record["kind"] == "finish"
             yield record
 
@@ -108,7 +123,8 @@ class TraceFollower:
     def _open(self) -> None:
         self.close()
         self._rest = b""
-        self._seen = 0
+        self._seen = self._number = 0
+        self._skipped.clear()
         self.finished = False
         for path in (part_of(self.path), self.path):
             with suppress(FileNotFoundError, IsADirectoryError):

@@ -35,6 +35,8 @@ PREFIX = "trace/"
 """How the topics of the lines begin."""
 CHUNK_BYTES = 1024 * 1024
 LONGEST = 64 * 1024 * 1024
+MOST_TIMES = 1000
+"""A file unpacks to so many times its size at most, and `LONGEST` bytes more."""
 """No line and no record of a trace has so many bytes, nor what a chunk holds: a number beyond is damage."""
 _BEGINNING = re.compile(r'\{"kind":"(\w+)","time":(\d+)[,}]')
 
@@ -296,10 +298,11 @@ def lines_in(file: IO[bytes], path: Path) -> Iterator[str]:
     mine: set[int] = set()
     number = 0
     whole = False
+    unpacking = _Unpacking()
     bounded: Any = _Bounded(file)
     reader = StreamReader(bounded, emit_chunks=True, validate_crcs=True, record_size_limit=LONGEST)
     try:
-        for record in (inner for outer in reader.records for inner in _unpacked(outer)):
+        for record in (inner for outer in reader.records for inner in unpacking.records(outer)):
             if isinstance(record, Channel) and record.topic.startswith(PREFIX):
                 mine.add(record.id)
             elif isinstance(record, McapMessage) and record.channel_id in mine:
@@ -317,15 +320,39 @@ def lines_in(file: IO[bytes], path: Path) -> Iterator[str]:
         raise TraceError(f"{path} is an MCAP file, but not a trace of asemec")
 
 
-def _unpacked(record: Any) -> Iterator[Any]:
-    """What is in a chunk, or the record itself if it is none. Raises _Damaged, and what the libraries do."""
-    from mcap.exceptions import EndOfFile
-    from mcap.records import Chunk
-    from mcap.stream_reader import StreamReader
+class _Unpacking:
+    """Unpacks the chunks of a file, up to a limit for all of them together."""
 
-    if not isinstance(record, Chunk):
-        yield record
-        return
+    def __init__(self) -> None:
+        self._packed = self._unpacked = 0
+
+    def records(self, record: Any) -> Iterator[Any]:
+        """What is in a chunk, or the record itself if it is none.
+
+        Raises _Damaged, and what the libraries do.
+        """
+        from mcap.exceptions import EndOfFile
+        from mcap.records import Chunk
+        from mcap.stream_reader import StreamReader
+
+        if not isinstance(record, Chunk):
+            yield record
+            return
+        data = _content(record)
+        self._packed += len(record.data)
+        self._unpacked += len(data)
+        if self._unpacked > LONGEST + MOST_TIMES * self._packed:
+            raise _Damaged(f"it unpacks to more than {MOST_TIMES} times its size")
+        if record.uncompressed_crc and zlib.crc32(data) != record.uncompressed_crc:
+            raise _Damaged("the checksum of a chunk is another")
+        inside: Any = _Bounded(io.BytesIO(data))
+        with contextlib.suppress(EndOfFile):  # it has no footer
+            reader = StreamReader(inside, skip_magic=True, emit_chunks=True, record_size_limit=LONGEST)
+            yield from reader.records
+
+
+def _content(record: Any) -> bytes:
+    """What a chunk holds. Raises _Damaged, and what the libraries do."""
     # Not by mcap itself: it believes the size that stands in the compressed data, however large.
     match record.compression:
         case "":
@@ -342,11 +369,7 @@ def _unpacked(record: Any) -> Iterator[Any]:
             raise _Damaged(f"there is no compression {other[:20]!r}")
     if len(data) > LONGEST:
         raise _Damaged(f"a chunk holds more than {LONGEST >> 20} MB")
-    if record.uncompressed_crc and zlib.crc32(data) != record.uncompressed_crc:
-        raise _Damaged("the checksum of a chunk is another")
-    inside: Any = _Bounded(io.BytesIO(data))
-    with contextlib.suppress(EndOfFile):  # it has no footer
-        yield from StreamReader(inside, skip_magic=True, emit_chunks=True, record_size_limit=LONGEST).records
+    return data
 
 
 class _Bounded:

@@ -56,6 +56,23 @@ def test_what_a_chunk_unpacks_to_is_bounded(tmp_path: Path) -> None:
             assert "a chunk holds more than 64 MB" in problem_of(path)
 
 
+def test_what_all_chunks_unpack_to_is_bounded(tmp_path: Path) -> None:
+    zstandard = pytest.importorskip("zstandard")
+    zeros = zstandard.compress(record(200, bytes(LONGEST - 100)))
+    path = tmp_path / "a.mcap"
+    path.write_bytes(MAGIC + 3 * chunk(b"zstd", zeros, LONGEST))
+    assert "it unpacks to more than 1000 times its size" in problem_of(path)
+
+
+def test_lines_that_are_not_records_are_reported_when_followed(tmp_path: Path) -> None:
+    path = tmp_path / "a.jsonl"
+    path.write_bytes(FIRST + b"nonsense\n" + FIRST + b"{}\n")
+    follower = TraceFollower(path)
+    assert len(list(follower.poll())) == 2
+    assert follower.problem == f"{path}: 2 lines are not records of a trace; the first is line 2"
+    follower.close()
+
+
 @pytest.mark.parametrize(
     "content",
     [
