@@ -30,7 +30,7 @@ from aseme_dsl.play.sight.standing import standing
 from aseme_dsl.play.sight.story import Happened, agents_text
 from aseme_dsl.play.sight.storyteller import About, Storyteller
 from aseme_dsl.play.sight.subject import Next, about, all_parts, question, spoken
-from aseme_dsl.play.sight.words import Said, few, leaf_names, went_wrong
+from aseme_dsl.play.sight.words import Said, failing, few, leaf_names, went_wrong
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
@@ -155,8 +155,9 @@ class Observer:
                 self._note(record["agent"], f"fault: {record['reason']}")
                 self._look(_Happening(is_fault=True))
             case "error":
-                self.failures[record["agent"]] = record["reason"]
-                self._note(record["agent"], f"fails: {record['reason']}")
+                why = failing(self._plan(record["agent"]), record["reason"])
+                self.failures[record["agent"]] = why
+                self._note(record["agent"], f"fails: {why}")
                 self._look(_Happening(failed=record["agent"]))
             case "conversation" if self._clauses and record["agent"] in self._agents:
                 branches = {info.label: info.protocol for info in self._plan(record["agent"]).branches}
@@ -356,6 +357,9 @@ class Observer:
         if teller is None:
             return ()
         subject = self._about()
+        plans = {name: self._plan(name) for name in self._agents}
+        leaves = {name: leaf_names(plans[name], item.leaves) for name, item in self._agents.items()}
+        teller.guards.begin(plans, {name: few(names) or "no state" for name, names in leaves.items()})
         end = self._now if self.broken is None else self.states[self.broken].at
         story = list(teller.story(subject, self.script.cuts, end, self._plan))
         for name, followed in self._agents.items():

@@ -337,10 +337,11 @@ scenario "rests" { by 3s bob in Rest }
 def test_a_story_says_what_may_interrupt_a_wait(here: Here, folder: Path) -> None:
     (folder / "guard.aseme").write_text(INTERRUPTED)
     told = here("test", "guard.aseme").out.split("then, at 3 s:\n")[1]
-    assert [line.strip() for line in told.splitlines()[:3]] == [
+    assert [line.strip() for line in told.splitlines()[:4]] == [
         "bob  is in Walk (guard.aseme:5) since 0 s: its activity has not returned,"
         " and until then it may be left by when [t.signal.Stop.n > 0] (guard.aseme:7), an interrupt",
         "with t.signal.Stop.n = absent",
+        "t.signal.Stop has not come: no agent here publishes it",
         "ask next: asemec whynot bob Rest --at 3s TRACE (`asemec test --traces DIR` writes it)",
     ]
 

@@ -68,11 +68,12 @@ CASES = {
     "alike": (
         "never two of bell in Ring  eventually some bell in Ring within 2s",
         (
-            "`bell in Ring` has not come by 2 s: bell[1..4] are in Idle",
+            "`some bell in Ring` has not come by 2 s: bell[1..4] are in Idle",
             "0 s  bell[1..4]  each: enters Idle (guard.aseme:24)",
             "bell[1..4]  each: is in Idle (guard.aseme:24), whose activity returned at 1 s:"
             " it waits for [has(team.signal.Pressed)] (guard.aseme:26)",
             "with no team.signal.Pressed so far",
+            "team.signal.Pressed has not come: no agent here publishes it",
         ),
     ),
     # How far an order has come, and when.
@@ -80,7 +81,7 @@ CASES = {
         "in order bob in Wait, bob in Rest, bob in Chase  for 3s",
         (
             "`bob in Chase` (part 3 of 3) has not come by 3 s; the part before, `bob in Rest`, came at 1 s",
-            "2 s  bob  Rest returns; Rest -> Rest : else (guard.aseme:20)",
+            "2 s  bob  Rest returns; Rest -> Rest : again (guard.aseme:11), else (guard.aseme:20)",
         ),
     ),
     "leads to": (

@@ -9,6 +9,7 @@ from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import STRING
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.statechart import Transition as Drawn
+from aseme_dsl.play.asking.sending import places
 from aseme_dsl.play.evaluate import Known, NotEvaluated, value_of
 from aseme_dsl.play.sight.words import cut, short
 from aseme_dsl.runtime.chart.plan import Plan, Transition
@@ -16,6 +17,8 @@ from aseme_dsl.runtime.time.clock import readable, shown
 
 _READ = e.VariableValue | e.Member | e.Age | e.Outcome | e.StateValue | e.Expired
 """The parts of a condition whose values say why it holds or not."""
+_LIBRARY = "<stdlib>"
+"""So the places in the standard library begin, of which a story says less."""
 _LONGEST = 60
 """A longer value is cut off (characters)."""
 _MOST = 5
@@ -27,7 +30,28 @@ class Guards:
 
     def __init__(self, charts: Mapping[str, Statechart]) -> None:
         self._charts = charts
+        self._plans: dict[str, Plan] = {}
+        self._inside: dict[str, str] = {}
         self._variables: dict[str, frozenset[str]] = {}
+
+    def begin(self, plans: Mapping[str, Plan], inside: Mapping[str, str]) -> None:
+        """What agents follow, by their names, and in which states they are."""
+        self._plans.update(plans)
+        self._inside.update(inside)
+
+    def missing(self, plan: Plan, number: int, known: Known) -> Iterator[str]:
+        """Which agents publish what the condition of a transition reads, but which has not come."""
+        drawn = self.of(plan, number)
+        guard = None if drawn is None else drawn.expression.guard
+        channels = dict.fromkeys(
+            str(part.channel)
+            for part in (() if guard is None else e.walk(guard))
+            if isinstance(part, e.Member) and known.newest(str(part.channel), part.host) is None
+        )
+        for channel in channels:
+            names = [name for name, other in self._plans.items() if any(places(other, ("", channel)))]
+            told = [f"{name} may publish it, and is in {self._inside[name]}" for name in names[:_MOST]]
+            yield f"{channel} has not come: {'; '.join(told) or 'no agent here publishes it'}"
 
     def of(self, plan: Plan, number: int) -> Drawn | None:
         """A transition of a role as it is in its statechart; None of one that is not known."""
@@ -62,7 +86,9 @@ class Guards:
         self, plan: Plan, number: int, known: Known, changed: Collection[str] | None = None
     ) -> Iterator[str]:
         """The conditions of the transitions that would have come before one without a condition."""
-        taken = plan.transitions[number]
+        taken, own = plan.transitions[number], self.of(plan, number)
+        if own is not None and str(own.span).startswith(_LIBRARY):
+            return
         if taken.condition is not None or taken.events or taken.weight is not None:
             return
         before: list[tuple[int, Transition]] = []
@@ -88,9 +114,9 @@ def explained(guard: e.Value, known: Known, changed: Collection[str] | None = No
     if read:
         yield f"with {', '.join(read)}"
     for item in dict.fromkeys(_named(guard)):
-        text = cut(e.value_text(item.expression))
-        if text != item.name:
-            yield f"where {item.name} is {text} ({short(str(item.expression.span))})"
+        text, at = cut(e.value_text(item.expression)), str(item.expression.span)
+        if text != item.name and not at.startswith(_LIBRARY):
+            yield f"where {item.name} is {text} ({short(at)})"
 
 
 def _named(value: e.Value) -> Iterator[e.Named]:

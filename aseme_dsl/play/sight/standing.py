@@ -118,7 +118,7 @@ def _awaited(plan: Plan, item: Awaited, guards: Guards, known: Known) -> tuple[s
     )
     if number is None or not item.at or plan.transitions[number].otherwise or is_reactive:
         return what, ()
-    return what, tuple(guards.explained(plan, number, known))
+    return what, (*guards.explained(plan, number, known), *guards.missing(plan, number, known))
 
 
 __all__ = ["standing"]

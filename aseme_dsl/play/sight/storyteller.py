@@ -18,9 +18,9 @@ from aseme_dsl.runtime.chart.plan import Plan, is_in
 from aseme_dsl.runtime.time.clock import readable
 from aseme_dsl.runtime.trace.records import Record, Taken
 
-LAST, FEWEST = 8, 3
+LAST, FEWEST = 12, 3
 """A story shows so many of the last things that happened to an agent; fewer of each of many."""
-_FIRST = 5
+_FIRST = 8
 """It shows so many of the first things that happened after what is awaited was near."""
 _MOST_KEPT = 500
 """So many of the last things that happened to an agent are kept."""
@@ -132,7 +132,8 @@ class Storyteller:
                 for number in ways[place]:
                     item = plan.transitions[number]
                     places.append(short(item.at))
-                    parts += [f"{cut(item.text)} ({short(item.at)})"] if item.text else []
+                    what = item.text or ("again" if item.source == item.target else "")
+                    parts += [f"{cut(what)} ({short(item.at)})"] if what else []
                     details += self.guards.explained(plan, number, then, unknown)
                     details += self.guards.passed_over(plan, number, then, unknown)
             text += f" : {', '.join(parts)}" if parts else ""
@@ -221,7 +222,10 @@ class Storyteller:
                 continue
             spoken = about.places.get(name, frozenset())
             asides = dict(item for item in items if _is_aside(plan(name), item[1], spoken))
-            found.update([item for item in items if item[0] not in asides][-most:])
+            own = [item for item in items if item[0] not in asides]
+            minor = {number for number, item in own if item.text.startswith("stays in ")}
+            found.update([item for item in own if item[0] not in minor][-most:])
+            found.update([item for item in own if item[0] in minor][-FEWEST:])
             found.update([item for item in asides.items() if not item[1].text.endswith("returns")][-FEWEST:])
             found.update(last[key] for key in (f"sends {one}" for one in about.messages) if key in last)
             found.update(self._then(name, about, plan(name), spoken))

@@ -114,6 +114,16 @@ def went_wrong(record: Record) -> str:
             return f"{record['channel']} is not published: {record['reason']}"
 
 
+def failing(plan: Plan, reason: str) -> str:
+    """Why an agent has failed: the place of the activity, and that no transition has taken its failure."""
+    found = re.search(r" of state ([\d.]+) failed: ", reason)
+    if found is None or found[1] not in plan.by_label:
+        return reason
+    at = short(plan.by_label[found[1]].at)
+    text = f"{reason[: found.start()]} ({at}) failed: {reason[found.end() :]}"
+    return f"{text}; no `error` transition leads out of there"
+
+
 def ending(record: Record) -> str:
     """What people call the end of an activity."""
     how = record.get("outcome") or record.get("reason")
@@ -128,6 +138,7 @@ __all__ = [
     "content_of",
     "cut",
     "ending",
+    "failing",
     "few",
     "leaf_names",
     "name_of",

@@ -21,6 +21,7 @@ from aseme_dsl.runtime.monitor.rules import (
     Until,
 )
 from aseme_dsl.runtime.time.clock import readable, shown
+from aseme_dsl.source import Span
 
 _LONG = 80
 """A longer condition is cut off (characters)."""
@@ -29,7 +30,7 @@ _LONG = 80
 def broken(item: Expectation, script: Script, run: Played) -> str:
     """Why an expectation was broken in a run: what has not come, what came, what was not so, and when."""
     end = readable(run.end)
-    parts = [_text(part.text, script) for part in item.parts]
+    parts = [_text(part, item, script) for part in item.parts]
     first, last = (parts[0], parts[-1]) if parts else ("what it speaks of", "what has to follow")
     so = f": {run.read}" if run.read else ""
     match item.rule:
@@ -71,7 +72,7 @@ def _not_in_order(item: Expectation, script: Script, run: Played) -> str:
     """Which part of an order is missing, and when that before it came."""
     assert run.broken is not None
     stage = run.states[run.broken].stage
-    texts = [_text(part.text, script) for part in item.parts]
+    texts = [_text(part, item, script) for part in item.parts]
     missing = f"{texts[stage]} (part {stage + 1} of {len(texts)}) has not come by {readable(run.end)}"
     if not stage:
         return missing
@@ -79,9 +80,11 @@ def _not_in_order(item: Expectation, script: Script, run: Played) -> str:
     return f"{missing}; the part before, {texts[stage - 1]}, came at {readable(came)}"
 
 
-def _text(text: str, script: Script) -> str:
+def _text(part: Span, item: Expectation, script: Script) -> str:
     """A condition as the file has it, with what the row of a table gives the columns."""
-    said = " ".join(text.split())
+    begin = item.span.start + len("every") if isinstance(item.rule, LeadsTo) else item.span.start
+    which = re.search(r"\b(some|every|any)\s+$", part.source.text[begin : part.start])
+    said = " ".join([which[1] if which is not None else "", *part.text.split()]).strip()
     for name, cell in script.cells.items():
         said = re.sub(rf"(?<![\w.])(?<!\w\s=\s){re.escape(name)}(?![\w.])", cell, said)
     return f"`{said if len(said) <= _LONG else f'{said[: _LONG - 1]}…'}`"

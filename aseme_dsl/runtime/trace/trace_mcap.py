@@ -35,9 +35,9 @@ PREFIX = "trace/"
 """How the topics of the lines begin."""
 CHUNK_BYTES = 1024 * 1024
 LONGEST = 64 * 1024 * 1024
+"""No line and no record of a trace has so many bytes, nor what a chunk holds: a number beyond is damage."""
 MOST_TIMES = 1000
 """A file unpacks to so many times its size at most, and `LONGEST` bytes more."""
-"""No line and no record of a trace has so many bytes, nor what a chunk holds: a number beyond is damage."""
 _BEGINNING = re.compile(r'\{"kind":"(\w+)","time":(\d+)[,}]')
 
 
@@ -354,6 +354,7 @@ class _Unpacking:
 def _content(record: Any) -> bytes:
     """What a chunk holds. Raises _Damaged, and what the libraries do."""
     # Not by mcap itself: it believes the size that stands in the compressed data, however large.
+    data: bytes
     match record.compression:
         case "":
             data = record.data
