@@ -58,7 +58,7 @@ SUBPACKAGES = {
     "codegen": "place seen program code step plain batch",
     "diagrams": "look compact models sequence rendering",
     "editor": "reading files answers typing changes",
-    "interop": "emf export",
+    "interop": "emf machines export",
     "grammar": "text formulas parsing layout syntax",
     "project": "files settings code building editing spreading playing studying testing stepping proving",
     "runtime": (

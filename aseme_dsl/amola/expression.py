@@ -608,7 +608,15 @@ class Evaluate:
     span: Span
 
 
-Action = Assign | Publish | ReadMessages | StartTimer | Send | Evaluate
+@dataclass(frozen=True, slots=True)
+class Raise:
+    """`raise name`: the event comes alone in a step that follows at the same instant."""
+
+    name: str
+    span: Span
+
+
+Action = Assign | Publish | ReadMessages | StartTimer | Send | Raise | Evaluate
 
 
 @dataclass(frozen=True, slots=True)
@@ -1102,6 +1110,8 @@ def action_text(action: Action, *, expand: bool = False) -> str:
             text = f"send {performative} {message}{content} to {receiver}"
             others = ", ".join(value_text(item, expand=expand) for item in action.excepts)
             return f"{text} except {others}" if others else text
+        case Raise(name=name):
+            return f"raise {name}"
         case Evaluate(value=value):
             return value_text(value, expand=expand)
 

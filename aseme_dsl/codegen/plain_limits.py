@@ -16,6 +16,7 @@ from aseme_dsl.amola.expression import (
     Mean,
     Member,
     Publish,
+    Raise,
     Raised,
     ReadMessages,
     Received,
@@ -100,6 +101,8 @@ def _of_transition(transition: Transition) -> Iterator[Limit]:
                 yield Limit(AgentFeature.AGENT_MESSAGES, action.span)
             case Publish():
                 yield Limit(AgentFeature.PUBLISHING, action.span)
+            case Raise():
+                yield Limit(AgentFeature.RAISING, action.span)
             case ReadMessages():
                 yield Limit(AgentFeature.READING, action.span)
             case Assign(target=Member()):

@@ -164,6 +164,8 @@ def action_term(action: e.Action) -> Term:
             rest = None if action.rest is None else (value_term(action.rest), action.taken)
             reply_by = None if action.reply_by is None else value_term(action.reply_by)
             return (*said, rest, reply_by, action.one)
+        case e.Raise(name=name):
+            return ("raise", name)
         case e.Evaluate(value=value):
             return ("evaluate", value_term(value))
 

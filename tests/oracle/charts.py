@@ -677,7 +677,7 @@ class Words:
     def _action(self) -> str:
         pick = self.choices
         send = 4 if self.is_participant else 0
-        match pick.weighted(assign=7, fill=4, publish=4, timer=4, read=2, call=1, send=send):
+        match pick.weighted(assign=7, fill=4, publish=4, timer=4, read=2, call=1, send=send, raising=2):
             case "assign":
                 name = pick.one_of(list(self.variables))
                 if name in BOUNDS:  # a constant may be outside, which the compiler says
@@ -716,6 +716,8 @@ class Words:
                 return f"start_timer({pick.one_of(TIMERS)}, {self._length()})"
             case "read":
                 return "read_messages"
+            case "raising":
+                return f"raise {pick.one_of(EVENTS)}"
             case "call":
                 return f"{pick.one_of(('even', 'shy'))}({self.value('int', 1)})"
         if self.taken[0] and pick.one_in(2):

@@ -223,6 +223,8 @@ class Reference:
         self.in_hand: AgentMessage | None = None
         """The agent message that a condition or an action speaks of."""
         self.events: set[str] = set()
+        self.raised: list[str] = []
+        """The events that actions have raised, and that have not come yet."""
         self.spent: set[tuple[str, str]] = set()
         """(region, event): what a region has spent in this step."""
         self.faulty: set[int] = set()
@@ -347,6 +349,9 @@ class Reference:
         self.drop_expired()
         for item in inputs:
             self.take_in(item)
+        # "`raise e`: the event comes alone in the next step, in order, before arrivals"
+        if self.raised:
+            self.events.add(self.raised.pop(0))
         self.drop_expired()
         self.look_at_deadlines()
 
@@ -367,7 +372,7 @@ class Reference:
         # "3. At the end: variable writes of the step become visible everywhere (of two writers the region
         # later in document order wins);" "elsewhere from the next step, which follows at the same instant if
         # anything there reads it"
-        self.outcome.again = self.spread_writes()
+        self.outcome.again = self.spread_writes() or bool(self.raised)
 
         # "signals that were looked at in this step are dropped in the region where they were;" and "`again` =
         # some region still has a signal waiting behind one that was dropped."
@@ -394,6 +399,8 @@ class Reference:
 
         # "With the root's END active the agent has finished."
         self.finished = self.failure is None and self.is_complete(self.root())
+        if self.finished or self.failure is not None:
+            self.raised = []
         self.outcome.finished = self.finished
         self.outcome.failure = self.failure
         return self.outcome
@@ -1265,6 +1272,8 @@ class Reference:
                 if not path:
                     draft.clear()
                 draft[path] = values[0]
+            case ("raise", name):
+                self.raised.append(name)
             case ("publish", channel):
                 self.publish(channel, region, place)
             case ("read_messages",):

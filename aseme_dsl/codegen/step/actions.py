@@ -12,6 +12,7 @@ from aseme_dsl.amola.expression import (
     Member,
     Outcome,
     Publish,
+    Raise,
     ReadMessages,
     RoundValue,
     Send,
@@ -130,6 +131,8 @@ class Actions(Part):
                     lambda piece: self._assignment(method, region, target, value, piece, place),
                     can_raise=isinstance(target, VariableValue) and self.names.is_bounded(target.name),
                 )
+            case Raise(name=name):
+                method.add(depth, f"self.raised += ({name!r},)")
             case Evaluate(value=value):
                 self.computed(method, depth, number, (value,), lambda piece: [method.code(piece.code)])
 

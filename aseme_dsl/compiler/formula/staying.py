@@ -38,7 +38,8 @@ def is_abandon(line: tree.Way) -> bool:
 def check_staying(line: tree.Way | tree.StandingWay, *, abandons: bool = False) -> Iterator[Diagnostic]:
     """What an `on` (E422), `exit` or `on abandon` (E424) line cannot wait for; what does nothing (E423).
 
-    A line that takes an agent message or a loss out of the mailbox does something without an action.
+    A line that takes an agent message, a loss or an event does something without an action: nothing around
+    takes it then.
     """
     state = (line.term if isinstance(line, tree.Way) else line.state).span.text
     written = line.expression
@@ -51,7 +52,7 @@ def check_staying(line: tree.Way | tree.StandingWay, *, abandons: bool = False) 
         for event in written.events:
             if isinstance(event, tree.Raised) and event.name.text == "error":
                 yield Diagnostic(ErrorOfOn(state, isinstance(line, tree.StandingWay)), event.span)
-    takes = any(isinstance(event, tree.Received | tree.Lost) for event in written.events)
+    takes = any(isinstance(event, tree.Received | tree.Lost | tree.Raised) for event in written.events)
     if not written.actions and written.ignores is None and not takes:
         yield Diagnostic(NothingDone(line.verb.text, state), line.span)
 

@@ -447,6 +447,17 @@ def _event(checker: Checker, written: tree.Event) -> amola.Event | None:
             return amola.Raised(name.text, span)
 
 
+def _may_be_raised(checker: Checker, name: tree.Name) -> bool:
+    """Whether a name can be that of an event (E517): no value, no performative, and not `error`."""
+    if name.text == "error" or name.text in PERFORMATIVES:
+        checker.report(problems.NotRaised(name.text), name.span)
+        return False
+    if name.text in checker.scope.lets or name.text in checker.scope.variables:
+        checker.report(problems.NotRaised(name.text, is_value=True), name.span)
+        return False
+    return True
+
+
 # ---- actions -----------------------------------------------------------------------------------
 
 
@@ -494,6 +505,8 @@ def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
             return amola.ReadMessages(span)
         case tree.Send():
             return exchange.send(checker, written, _whole)
+        case tree.Raise(name=name, span=span):
+            return amola.Raise(name.text, span) if _may_be_raised(checker, name) else None
         case tree.Evaluate(expression=tree.Call(function=function) as inner, span=span) if (
             function.text == "start_timer"
         ):

@@ -508,6 +508,7 @@ class AgentFeature(Enum):
     NUMBERS = "the number of an agent"
     PROTOCOLS = "what a participant of a protocol does"
     PUBLISHING = "publishing"
+    RAISING = "`raise` (a program sends events)"
     READING = "reading messages during a step"
     RESUMING = "`resume`"
     SIGNALS = "signals (a program sends events)"

@@ -377,6 +377,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Lost, "participant"): (Use.READ, _party),
     (tree.Lost, "name"): (Use.DECLARATION, _value_named),
     (tree.Raised, "name"): (Use.READ, _event),
+    (tree.Raise, "name"): (Use.WRITE, _event),
     (tree.Send, "performative"): (Use.READ, _is(Kind.PERFORMATIVE)),
     (tree.Send, "message"): (Use.READ, _is(Kind.MESSAGE)),
     (tree.NewMessage, "message"): (Use.READ, _is(Kind.MESSAGE)),

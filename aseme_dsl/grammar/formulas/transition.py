@@ -233,6 +233,10 @@ def _action(reader: Reader) -> tree.Action:
     following = reader.tokens[reader.index + 1] if reader.index + 1 < len(reader.tokens) else ""
     if first == "send" and following and is_word(following):
         return _send(reader)
+    if first == "raise" and following and is_word(following) and following not in RESERVED:
+        reader.take()
+        name = reader.need_name(Wanted.EVENT)
+        return tree.Raise(name, reader.since(first.start))
     if first == "read_messages" and following != "(":
         reader.take()
         return tree.ReadMessages(reader.span(first))

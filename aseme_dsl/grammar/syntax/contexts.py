@@ -163,6 +163,7 @@ EXPRESSION_WORDS: dict[str, str] = {
     "weight": r"(?=\s+[0-9])",
     "ignores": r"(?=\s+[A-Za-z_])",
     "send": r"(?=\s+[A-Za-z_])",
+    "raise": r"(?=\s+[A-Za-z_])",
     "from": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",
     "to": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",
     "reply_by": r"(?=\s+[0-9A-Za-z_(])",

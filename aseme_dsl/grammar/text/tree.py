@@ -299,7 +299,15 @@ class Evaluate:
     span: Span
 
 
-Action = Assign | Publish | ReadMessages | Send | Evaluate
+@dataclass(frozen=True, slots=True)
+class Raise:
+    """`raise name`"""
+
+    name: Name
+    span: Span
+
+
+Action = Assign | Publish | ReadMessages | Send | Raise | Evaluate
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,6 +35,10 @@ class Element:
     attributes: dict[str, str]
     place: Span
     children: list[Element] = field(default_factory=list)
+    text: str = ""
+    """What stands directly inside, without the elements there."""
+    is_foreign: bool = False
+    """Whether its tag had a prefix."""
 
     def get(self, name: str) -> str:
         """An attribute, without blanks at its ends; "" if it is missing, or says `null` as EMF once did."""
@@ -61,12 +65,14 @@ class _Reader:
         self.bytes = source.text.encode("utf-8", "surrogatepass")
         self.root: Element | None = None
         self.open: list[Element] = []
+        self.texts: list[list[str]] = []
         self.count = 0
         self.seen = (0, 0)
         """A place in bytes and the same in characters; places only grow."""
         self.parser = expat.ParserCreate("utf-8")
         self.parser.StartElementHandler = self.begin
         self.parser.EndElementHandler = self.end
+        self.parser.CharacterDataHandler = self.characters
         self.parser.StartDoctypeDeclHandler = self.doctype
         self.parser.buffer_text = False
 
@@ -90,15 +96,20 @@ class _Reader:
         if self.count > MOST:
             raise Unreadable(f"it has more than {MOST} elements", place)
         known = {_local(key): value for key, value in attributes.items() if not key.startswith("xmlns")}
-        element = Element(_local(name), known, place)
+        element = Element(_local(name), known, place, is_foreign=":" in name)
         if self.open:
             self.open[-1].children.append(element)
         else:
             self.root = element
         self.open.append(element)
+        self.texts.append([])
 
     def end(self, _name: str) -> None:
-        self.open.pop()
+        self.open.pop().text = "".join(self.texts.pop())
+
+    def characters(self, text: str) -> None:
+        if self.texts:
+            self.texts[-1].append(text)
 
     def doctype(self, *_declared: object) -> None:
         at = self.offset(self.parser.CurrentByteIndex)

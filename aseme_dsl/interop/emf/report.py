@@ -16,6 +16,7 @@ class Fate(StrEnum):
     KEPT = "taken over"
     CHANGED = "translated"
     HOLE = "to be decided"
+    DIFFERS = "means something else"
     ADDED = "added"
     LEFT_OUT = "left out"
 
@@ -47,7 +48,7 @@ def worth_reading(rows: Iterable[Row]) -> Iterator[str]:
 def as_markdown(title: str, rows: Iterable[Row]) -> str:
     """The whole report as a page: the table of all elements, those that need a look first."""
     listed = list(rows)
-    order = (Fate.HOLE, Fate.LEFT_OUT, Fate.ADDED, Fate.CHANGED, Fate.KEPT)
+    order = (Fate.HOLE, Fate.DIFFERS, Fate.LEFT_OUT, Fate.ADDED, Fate.CHANGED, Fate.KEPT)
     lines = [f"# {title}", "", summary(listed) or "nothing", ""]
     for fate in order:
         members = [row for row in listed if row.fate is fate]

@@ -31,6 +31,7 @@ from aseme_dsl.amola.expression import (
     VariableValue,
     values_of,
 )
+from aseme_dsl.amola.expression import Raise as RaiseEvent
 from aseme_dsl.amola.statechart import (
     State,
     Statechart,
@@ -563,6 +564,8 @@ class _Lowering:
                 event = f"publish.{channel}"
                 self.emitted.setdefault(event)
                 yield Emit(event, tuple(self._filled(fill, source) for fill in own))
+            case RaiseEvent(name=name):
+                yield Raise(f"event.{name}")
             case ReadMessages():
                 self.values.refuse(Foreign.READING, action.span)
             case Send():

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl import outside
-from aseme_dsl.amola.expression import Raised
+from aseme_dsl.amola.expression import Raise, Raised
 from aseme_dsl.amola.messages import Channel, ChannelKind, Topic
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.amola.system import System, agent_names
@@ -149,7 +149,8 @@ def check_code(
         found += never_prepared(system, written.prepared)
         found += unsaid(system, parts, talks, [talk for code in helpers for talk in code.talk])
     if written.is_complete and world.events:
-        found += _never_raised([code for code in codes.values() if code.module is not None], world, memory)
+        coded = [code for code in codes.values() if code.module is not None]
+        found += _never_raised(coded, world, memory, _raised_by_actions(system))
     memory.end()
     return _kept(found)
 
@@ -769,7 +770,20 @@ def _unknown(call: _Call, activity: Activity | None, world: _World) -> Iterator[
         yield Diagnostic(NoHistoryInCode(call.name, str(world.channels[call.name].comm)), call.span)
 
 
-def _never_raised(codes: Sequence[_Code], world: _World, memory: Memory) -> Iterator[Diagnostic]:
+def _raised_by_actions(system: System) -> frozenset[str]:
+    """The events that transitions raise."""
+    return frozenset(
+        action.name
+        for chart in system.iacs
+        for transition in chart.transitions
+        for action in transition.expression.actions
+        if isinstance(action, Raise)
+    )
+
+
+def _never_raised(
+    codes: Sequence[_Code], world: _World, memory: Memory, by_actions: frozenset[str]
+) -> Iterator[Diagnostic]:
     """N726 for an event that a transition waits for and no code raises, as far as all of the code is there.
 
     An event whose name is computed may be any of them; one that is almost raised is W532 there.
@@ -781,7 +795,7 @@ def _never_raised(codes: Sequence[_Code], world: _World, memory: Memory) -> Iter
         raised |= names
     meant = {closest(name, world.events) for name in raised if name not in world.events}
     for name, span in world.events.items():
-        if name not in raised and name not in meant:
+        if name not in raised and name not in meant and name not in by_actions:
             yield Diagnostic(EventNotRaised(name), span)
 
 

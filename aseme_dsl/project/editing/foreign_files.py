@@ -13,6 +13,7 @@ from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.files import FileTooLarge, ForeignNotRead
 from aseme_dsl.interop.emf.meaning import Known
 from aseme_dsl.interop.emf.system import MODELS
+from aseme_dsl.interop.machines.system import MACHINES
 from aseme_dsl.interop.proto import ProtoImport, files_behind, join, read_proto
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
@@ -21,6 +22,7 @@ LARGEST = 8_000_000
 """In bytes; the largest model of the originals has 26 thousand."""
 _MOST_PROTOS = 500
 """How many .proto files beside a model are looked at."""
+_SCXML = re.compile(r"<(?:\w+:)?scxml[\s>]")
 _HEADERS = (".h", ".hh", ".hpp")
 _MESSAGE = re.compile(r"\bmessage\s+(\w+)\s*\{", re.ASCII)
 _USED = re.compile(r"\b_?\w+\.(?:State|Signal|Data)\.(\w+)", re.ASCII | re.IGNORECASE)
@@ -41,6 +43,7 @@ class ForeignFiles:
 
     models: list[Source] = field(default_factory=list)
     monas: list[Source] = field(default_factory=list)
+    machines: list[Source] = field(default_factory=list)
     constants: dict[str, int] = field(default_factory=dict)
     protos: list[Path] = field(default_factory=list)
     imports: list[ProtoImport] = field(default_factory=list)
@@ -87,6 +90,8 @@ def gather(paths: Sequence[Path]) -> ForeignFiles:
             found.diagnostics.append(source)
         elif ending in MODELS:
             found.models.append(source)
+        elif ending in MACHINES or (ending == ".xml" and _SCXML.search(source.text) is not None):
+            found.machines.append(source)
         elif ending == ".xml":
             found.monas.append(source)
         elif ending in _HEADERS:

@@ -17,8 +17,10 @@ from aseme_dsl.interop.emf.report import Row, as_markdown
 from aseme_dsl.interop.emf.requirements import Requirements
 from aseme_dsl.interop.emf.roles import RolePlan
 from aseme_dsl.interop.emf.system import ForeignSystem, SystemText, read_system, system_text
+from aseme_dsl.interop.machines.system import machines_text
 from aseme_dsl.interop.monas_agents import modules_of
 from aseme_dsl.project.editing.foreign_files import ForeignFiles, gather
+from aseme_dsl.project.editing.import_machines import machines_of
 from aseme_dsl.project.files.write import DISK, Disk, write_new
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
@@ -47,6 +49,8 @@ def import_models(paths: Sequence[Path]) -> ImportedProject:
     """The project that models stand for, not yet written. A model that cannot be read is a diagnostic."""
     given = gather(paths)
     diagnostics = given.diagnostics
+    if given.machines:
+        return _machines(given)
     modules: list[str] = []
     for source in given.monas:
         text, found = modules_of(source)
@@ -61,6 +65,26 @@ def import_models(paths: Sequence[Path]) -> ImportedProject:
     if not (system.plans or system.protocols) and system.documents.requirements == Requirements():
         return ImportedProject(diagnostics=tuple(diagnostics))
     return _project(system, given, diagnostics)
+
+
+def _machines(given: ForeignFiles) -> ImportedProject:
+    """The project of state machines, which are imported without models of other kinds."""
+    found = given.diagnostics
+    for source in (*given.models, *given.monas):
+        reason = "models and state machines become projects of their own: import them one kind at a time"
+        found.append(Diagnostic(ForeignNotRead(source.path, reason), None, path=source.path))
+    system, problems = machines_of(given.machines)
+    found += problems
+    if system is None:
+        return ImportedProject(diagnostics=tuple(found))
+    made = machines_text(system)
+    laid_out = format_source(Source(f"{system.name.lower()}.aseme", made.text))
+    title = f"Import of {', '.join(Path(name).name for name in system.files)}"
+    files = {
+        f"{system.name.lower()}.aseme": laid_out.text.encode(),
+        REPORT: as_markdown(title, made.rows).encode(),
+    }
+    return ImportedProject(system.name, files, made.rows, tuple(found))
 
 
 def write_project(project: ImportedProject, folder: Path, disk: Disk = DISK) -> ImportedProject:

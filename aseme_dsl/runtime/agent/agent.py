@@ -214,14 +214,20 @@ class Agent:
     def process(self, items: Iterable[Posted | Errand]) -> None:
         """Run the errands, and give the inputs to one step, if there is anything to step for."""
         inputs = self._inputs = []
+        later: list[Posted] = []
         for item in items:
             if not isinstance(item, Posted):
                 item()
+            elif self.chart.raised and not (self.over or self.down):
+                later.append(item)  # an event that an action has raised comes alone
             elif self._counts(item):
                 wanted = self._renewed(item, None) if self.messages else item
                 if wanted is not None:
                     inputs.append(wanted)
         self._inputs = None
+        if later:
+            self.intake.put_back(later)
+            self.driver.wake(self)
         if self.intake.left_out or self.intake.refused:
             self.overload.at_the_door(self.intake)
         if self.down:

@@ -76,7 +76,8 @@ class Chart(ChartState):
     def step(self, now: int, inputs: Iterable[Input]) -> Outcome:
         """Take the inputs together, continue until nothing is enabled, and return what happened.
 
-        `now` is in ns and never goes back. A finished or failed chart does nothing.
+        `now` is in ns and never goes back. A finished or failed chart does nothing. If it has `raised`
+        events, the first of them is for this step, and no inputs should be given.
         """
         outcome = self.outcome = Outcome()
         self.taken = outcome.taken
@@ -89,6 +90,9 @@ class Chart(ChartState):
             self.effects += expired_signals(self, now)
         for item in inputs:
             RECEIVE[type(item)](self, item)
+        if self.raised:
+            self.events.add(self.raised[0])
+            self.raised = self.raised[1:]
         if self.EXPIRING:
             self.effects += expired_signals(self, now)
         if self.WITHIN:

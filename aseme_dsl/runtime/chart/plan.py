@@ -33,6 +33,7 @@ Actions are:
     ```text
     ("assign", name, value)  ("fill", member, value)  ("publish", channel)  ("read_messages",)
     ("start_timer", name, value)  ("evaluate", value)  ("send", performative, message, participant)
+    ("raise", event)
     ```
 
 Where more is said, `send` has three more items:

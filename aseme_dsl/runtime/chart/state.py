@@ -14,7 +14,7 @@ from aseme_dsl.runtime.chart.rounds import Rounds
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance
 
-COMMON = ("now", "started", "finished", "failure", "tokens", "breach", "drains", "woken")
+COMMON = ("now", "started", "finished", "failure", "tokens", "breach", "drains", "woken", "raised")
 """What all charts have that is a plain immutable value between two steps, and may be another one then."""
 
 
@@ -46,6 +46,7 @@ class ChartState:
         "outcomes",
         "pending",
         "queue",
+        "raised",
         "rounds",
         "seed",
         "spent",
@@ -129,6 +130,8 @@ class ChartState:
         self.outcomes: dict[str, str | None] = {}
         """How the activities of states have ended, None for those that have not; the last is the newest."""
         self.events: set[str] = set()
+        self.raised: tuple[str, ...] = ()
+        """The events that actions have raised: each is for a step of its own, before what else has come."""
         self.spent: set[tuple[int, str]] = set()
         """The events that a transition of a region has taken in this step."""
         self.mail: dict[str, list[AgentMessage]] = {info.label: [] for info in self.PLAN.branches}

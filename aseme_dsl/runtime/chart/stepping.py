@@ -130,6 +130,8 @@ def end_step(chart: ChartState, outcome: Outcome) -> None:
     """Let all regions see what was written, drop used signals, and note how the chart stands."""
     if chart.writes and _spread_writes(chart):
         chart.woken = outcome.again = True
+    if chart.raised:
+        chart.woken = outcome.again = True
     if chart.READERS:
         for board in chart.boards():
             if board is not None and board.asked:
@@ -142,6 +144,8 @@ def end_step(chart: ChartState, outcome: Outcome) -> None:
         chart.events.clear()
         chart.spent.clear()
     chart.finished = outcome.finished = chart.is_finished()
+    if chart.finished or chart.failure is not None:
+        chart.raised = ()
     outcome.failure = chart.failure
 
 

@@ -26,6 +26,7 @@ from aseme_dsl.amola.expression import (
     LossReason,
     Member,
     Publish,
+    Raise,
     Raised,
     Random,
     RoundValue,
@@ -123,7 +124,7 @@ def _transition(
                 plain = kind.kind in PLAIN and value.type.kind in PLAIN
                 if plain and owner.setdefault(name, region) == region:
                     actions.append(action)
-            case StartTimer() | Evaluate():
+            case StartTimer() | Evaluate() | Raise():
                 actions.append(action)
             case Publish(channel=channel) if channel.comm is ChannelKind.SIGNAL:
                 actions.append(action)

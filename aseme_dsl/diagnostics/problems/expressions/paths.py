@@ -495,6 +495,22 @@ class ValueAsEvent(Problem):
         return f"write `[{self.name}]`; a name without brackets is an event that an activity raises"
 
 
+class NotRaised(Problem):
+    """`raise` with a name that no event can have."""
+
+    code = "E517"
+    name: str
+    is_value: bool = False
+
+    @property
+    def message(self) -> str:
+        if self.is_value:
+            return f"`{self.name}` is a value, and cannot be raised as an event"
+        return f"`{self.name}` cannot be raised: it is not the name of an event of one's own"
+
+    hint = "use a name that means nothing else"
+
+
 class EventLikeValue(Problem):
     """An event whose name is spelt like that of a `value`."""
 

@@ -1,0 +1,245 @@
+"""Places: the labels of a machine's states in a statechart, and where its transitions lead.
+
+A child of a parallel state is a region; one that holds no state, or is parallel itself, is wrapped in an OR.
+All finals of a state are its END.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from aseme_dsl.amola.statechart import StateType
+from aseme_dsl.interop.machines.machine import Machine, Node, Shape, around
+
+
+class Unreachable(Exception):
+    """Why no transition of the language leads where one of the machine does."""
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A line `state LABEL TYPE`, for a state of the machine or (None) for what it needs besides."""
+
+    label: str
+    type: StateType
+    node: Node | None
+
+
+@dataclass(slots=True)
+class Places:
+    """Where the states are. `label` is that of a state itself, also of one that is wrapped."""
+
+    label: dict[str, str] = field(default_factory=dict)
+    start: dict[str, str] = field(default_factory=dict)
+    """The START of each composite, and of what wraps a state."""
+    written: list[Written] = field(default_factory=list)
+
+    def sources(self) -> Iterator[Written]:
+        return (item for item in self.written if item.node is not None)
+
+
+def inner(node: Node) -> list[Node]:
+    """The states in one that can be active for themselves."""
+    return [child for child in node.children if child.shape in (Shape.STATE, Shape.PARALLEL)]
+
+
+def is_and(node: Node) -> bool:
+    """Whether a state is an AND: several of its states are active together."""
+    return node.shape is Shape.PARALLEL and len(inner(node)) > 1
+
+
+def is_composite(node: Node) -> bool:
+    """Whether a state is an OR: one with states, of which one is active."""
+    return not is_and(node) and any(child.shape is not Shape.HISTORY for child in node.children)
+
+
+def is_region(node: Node) -> bool:
+    """Whether a state is one of those that are active together."""
+    return node.parent is not None and is_and(node.parent)
+
+
+def is_wrapped(node: Node) -> bool:
+    """Whether a region holds no state, or is an AND itself: it stands in an OR of its own."""
+    return is_region(node) and not is_composite(node)
+
+
+def performs(node: Node) -> bool:
+    """Whether a state is an activity, which may end and fail."""
+    return bool(node.activity) and not is_composite(node) and not is_and(node)
+
+
+def places_of(machine: Machine) -> Places:
+    """The places of all states."""
+    found = Places()
+    waiting: list[tuple[Node, str]] = [(machine.root, "0")]
+    while waiting:
+        node, label = waiting.pop()
+        if is_wrapped(node):
+            found.written.append(Written(label, StateType.OR, None))
+            found.written.append(Written(f"{label}.1", StateType.START, None))
+            found.start[node.id] = f"{label}.1"
+            label = f"{label}.2"
+        found.label[node.id] = label
+        children = inner(node)
+        if is_and(node):
+            found.written.append(Written(label, StateType.AND, node))
+            inside = [(child, f"{label}.{number}") for number, child in enumerate(children, 1)]
+        elif is_composite(node):
+            found.written.append(Written(label, StateType.OR, node))
+            found.written.append(Written(f"{label}.1", StateType.START, None))
+            found.start[node.id] = f"{label}.1"
+            inside = [(child, f"{label}.{number}") for number, child in enumerate(children, 2)]
+            finals = [child for child in node.children if child.shape is Shape.FINAL]
+            end = f"{label}.{len(children) + 2}"
+            for final in finals:
+                found.label[final.id] = end
+            if finals:
+                found.written.append(Written(end, StateType.END, finals[0] if len(finals) == 1 else None))
+        else:
+            found.written.append(Written(label, StateType.BASIC, node))
+            inside = []
+        waiting += reversed(inside)
+    return found
+
+
+def first_of(node: Node) -> Node | None:
+    """Where a composite begins, if it does not say so: at its first state."""
+    return next((child for child in node.children if child.shape is not Shape.HISTORY), None)
+
+
+def by_id(machine: Machine) -> dict[str, Node]:
+    """The states of a machine by their ids."""
+    return {node.id: node for node in machine.nodes()}
+
+
+def is_inside(node: Node, other: Node) -> bool:
+    """Whether a state is inside another one."""
+    return any(item is other for item in around(node))
+
+
+def region_in(node: Node, parallel: Node) -> Node:
+    """The region of an AND that a state is in, or is."""
+    while node.parent is not parallel:
+        assert node.parent is not None
+        node = node.parent
+    return node
+
+
+def is_begun_at(node: Node, state: Node, known: dict[str, Node]) -> bool:
+    """Whether entering a state without more ado enters the other one, too."""
+    while node is not state:
+        if is_and(node):
+            regions = [child for child in inner(node) if child is state or is_inside(state, child)]
+            if not regions:
+                return False
+            node = regions[0]
+            continue
+        if len(node.initial) > 1 or not is_composite(node):
+            return False
+        first = known[node.initial[0]] if node.initial else first_of(node)
+        if first is None:
+            return False
+        if first is not state and is_inside(state, first) is False:
+            return False
+        # what lies between is entered on the way
+        if is_inside(state, first) or first is state:
+            node = first
+    return True
+
+
+def entered(
+    source: Node, targets: tuple[Node, ...], known: dict[str, Node], *, is_start: bool = False
+) -> Node:
+    """The state that a transition leads to: of several targets in one AND all but one begin of themselves.
+
+    With `is_start` it begins at the START of the source.
+
+    Raises:
+        Unreachable: several targets remain, or it leads from one region of an AND into another.
+    """
+    if any(target.shape is Shape.HISTORY for target in targets):
+        raise Unreachable("a history remembers where a state was left; `resume` does that in formulas")
+    if not targets:
+        raise Unreachable("it names no state")
+    left = [target for target in targets if len(targets) == 1 or not _begins_with(target, targets, known)]
+    if len(left) > 1:
+        raise Unreachable("it leads to several states at once, which do not begin of themselves")
+    target = left[0] if left else _common(targets)
+    while True:
+        while is_region(target):
+            assert target.parent is not None
+            target = target.parent
+        crossed = next((item for item in around(target) if is_and(item) and is_inside(source, item)), None)
+        if crossed is None:
+            return target
+        here, there = region_in(source, crossed), region_in(target, crossed)
+        if here is there and (is_start or source is not here):
+            outer = _crossing(source, target, crossed)
+            if outer is None:
+                return target
+            crossed, there = outer, region_in(target, outer)
+        if not is_begun_at(there, target, known):
+            raise Unreachable("it leads from one region of a parallel state into another")
+        target = crossed
+
+
+def _crossing(source: Node, target: Node, innermost: Node) -> Node | None:
+    """An AND further out whose regions a transition crosses."""
+    for item in around(innermost):
+        if is_and(item) and region_in(source, item) is not region_in(target, item):
+            return item
+    return None
+
+
+def _common(targets: tuple[Node, ...]) -> Node:
+    """The innermost AND around all targets."""
+    for item in around(targets[0]):
+        if is_and(item) and all(is_inside(target, item) for target in targets):
+            return item
+    raise Unreachable("it leads to several states that cannot be active together")
+
+
+def _begins_with(target: Node, targets: tuple[Node, ...], known: dict[str, Node]) -> bool:
+    """Whether the AND around all targets, once entered, enters this one of itself."""
+    common = _common(targets)
+    return is_begun_at(region_in(target, common), target, known)
+
+
+def scope_of(source: Node, target: Node) -> Node:
+    """The innermost composite around both ends, which stays active."""
+    for item in around(source):
+        if not is_and(item) and is_inside(target, item):
+            return item
+    return source  # of the root: it has no transition
+
+
+def path(scope: Node, target: Node) -> list[Node]:
+    """The states that are entered on the way to a target, the outermost first."""
+    found = [target]
+    for item in around(target):
+        if item is scope:
+            break
+        found.append(item)
+    return list(reversed(found))
+
+
+__all__ = [
+    "Places",
+    "Unreachable",
+    "Written",
+    "by_id",
+    "entered",
+    "first_of",
+    "inner",
+    "is_and",
+    "is_begun_at",
+    "is_composite",
+    "is_inside",
+    "is_region",
+    "is_wrapped",
+    "path",
+    "performs",
+    "places_of",
+    "scope_of",
+]

@@ -1,0 +1,1 @@
+"""Machines of SCXML and XState: import, and play."""

@@ -1,0 +1,231 @@
+"""State machines of SCXML become roles with a statechart, and play as their engines do."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.interop.emf.report import Fate
+from aseme_dsl.project.editing.import_models import import_models
+from tests.interop.machines.playing import Player, imported
+
+OVEN = """
+<scxml xmlns="http://www.w3.org/2005/07/scxml" version="1.0" name="oven" initial="off">
+  <datamodel><data id="seconds" expr="0"/></datamodel>
+  <state id="off"><transition event="turn.on" target="on"/></state>
+  <parallel id="on">
+    <transition event="turn.off" target="off"/>
+    <state id="engine">
+      <state id="idle"><transition event="start" cond="In('closed')" target="cooking"/></state>
+      <state id="cooking">
+        <onentry><send event="tick" delay="1s"/></onentry>
+        <transition event="tick" cond="seconds &lt; 2" target="cooking">
+          <assign location="seconds" expr="seconds + 1"/>
+        </transition>
+        <transition event="tick" target="idle"/>
+        <transition event="door.open" target="idle"/>
+      </state>
+    </state>
+    <state id="door">
+      <state id="closed"><transition event="door.open" target="open"/></state>
+      <state id="open">
+        <onexit><raise event="start"/></onexit>
+        <transition event="door.close" target="closed"/>
+      </state>
+    </state>
+  </parallel>
+</scxml>
+"""
+
+
+def machine(states: str, data: str = "") -> str:
+    return f'<scxml version="1.0" name="m"><datamodel>{data}</datamodel>{states}</scxml>'
+
+
+def lines(text: str) -> list[str]:
+    """The transitions of an imported machine."""
+    return [line.strip() for line in imported("m.scxml", text).text.splitlines() if " :" in line]
+
+
+def active(text: str, *events: str) -> list[set[str]]:
+    player = Player(imported("m.scxml", text))
+    for event in events:
+        player.send(event)
+    return player.active()
+
+
+def test_a_machine_plays() -> None:
+    found = imported("oven.scxml", OVEN)
+    assert found.lost == ()
+    player = Player(found)
+    for event, expected in (
+        ("turn.on", ["idle", "closed"]),
+        ("start", ["cooking", "closed"]),
+        ("door.open", ["idle", "open"]),
+        ("door.close", ["cooking", "closed"]),  # the exit has raised `start`
+    ):
+        player.send(event)
+        assert player.active()[-2:] == [{name} for name in expected]
+    player.wait(3_000_000_000)
+    assert player.active()[-2:] == [{"idle"}, {"closed"}]
+    player.send("turn.off")
+    assert player.active() == [{"off"}]
+
+
+@pytest.mark.parametrize(
+    ("states", "expected"),
+    [
+        (
+            '<state id="a"><transition event="go" cond="n &gt; 1 || !n" target="b"/></state><state id="b"/>',
+            "0.2 -> 0.3 : go [n > 1 || !(n != 0)]",
+        ),
+        (
+            '<state id="a"><transition event="cancel error" target="b"/></state><state id="b"/>',
+            "0.2 -> 0.3 : cancel_2",
+        ),
+        (
+            '<state id="a"><transition cond="n == 1" target="b"/></state><state id="b"/>',
+            "0.2 -> 0.3 : when [n == 1]",
+        ),
+        (
+            '<state id="a"><transition event="e.*"><assign location="n" expr="n*2+1"/></transition></state>',
+            "on 0.2 : e / n = n * 2 + 1",
+        ),
+        ('<state id="a"><transition event="e"/></state>', "on 0.2 : e"),
+        (
+            '<state id="a"><transition event="done.state.a" target="z"/><state id="b">'
+            '<transition event="go" target="c"/></state><final id="c"/></state><final id="z"/>',
+            "0.2 -> 0.3 :",
+        ),
+        (
+            '<state id="a"><invoke src="fetch"/><transition event="done.invoke" target="z"/></state>'
+            '<final id="z"/>',
+            "0.2 -> 0.3 :",
+        ),
+        (
+            '<state id="a"><transition event="go" target="b"/></state><state id="b"><onentry>'
+            '<if cond="n &lt; 3"><assign location="n" expr="7"/><else/><assign location="n" expr="0"/></if>'
+            "</onentry></state>",
+            "0.2 -> 0.3 : go / n = n < 3 ? 7 : 0",
+        ),
+        (
+            '<state id="a"><onexit><script>n++; n += 2</script></onexit></state>',
+            "exit 0.2 : / n = n + 1; n = n + 2",
+        ),
+    ],
+)
+def test_what_becomes_what(states: str, expected: str) -> None:
+    assert expected in lines(machine(states, '<data id="n" expr="0"/>'))
+
+
+def test_entry_actions_are_done_on_each_way_in() -> None:
+    text = machine(
+        '<state id="a"><transition event="deep" target="d"/><transition event="flat" target="b"/></state>'
+        '<state id="b" initial="c"><onentry><assign location="n" expr="n + 1"/></onentry>'
+        '<state id="c"><onentry><assign location="n" expr="n + 10"/></onentry></state>'
+        '<state id="d"><onentry><assign location="n" expr="n + 100"/></onentry></state>'
+        '<transition event="back" target="a"/></state>',
+        '<data id="n" expr="0"/>',
+    )
+    player = Player(imported("m.scxml", text))
+    player.send("deep")
+    assert (player.active(), player.chart.variable("n")) == ([{"d"}], 101)
+    player.send("back")
+    player.send("flat")
+    assert (player.active(), player.chart.variable("n")) == ([{"c"}], 112)
+
+
+def test_a_transition_without_content_hides_its_event_from_what_is_around() -> None:
+    text = machine(
+        '<state id="s"><transition event="e" target="z"/><state id="a"><transition event="e"/></state>'
+        "</state>"
+        '<state id="z"/>'
+    )
+    assert active(text, "e") == [{"a"}]
+
+
+def test_several_targets_where_the_others_begin_anyway() -> None:
+    text = machine(
+        '<state id="a"><transition event="go" target="q2 r1"/></state><parallel id="p">'
+        '<state id="q"><state id="q1"/><state id="q2"/></state>'
+        '<state id="r"><state id="r1"/><state id="r2"/></state></parallel>'
+    )
+    assert active(text, "go")[-2:] == [{"q2"}, {"r1"}]
+
+
+def test_an_internal_transition_does_not_leave_its_source() -> None:
+    text = machine(
+        '<state id="s"><onexit><assign location="n" expr="n + 1"/></onexit>'
+        '<transition event="go" type="internal" target="b"/><state id="a"/><state id="b"/></state>',
+        '<data id="n" expr="0"/>',
+    )
+    player = Player(imported("m.scxml", text))
+    player.send("go")
+    assert (player.active(), player.chart.variable("n")) == ([{"b"}], 0)
+
+
+SEND = '<state id="a"><onentry><send event="x" target="#b"/></onentry></state>'
+ERROR = '<state id="a"><transition event="error" target="a"/></state>'
+PARALLEL = (
+    '<parallel id="p"><state id="q"><state id="q1"><transition event="e" target="q2"/></state>'
+    '<state id="q2"/></state><state id="r"><transition event="{}" target="z"/></state></parallel>'
+    '<state id="z"/>'
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "fate", "words"),
+    [
+        (machine('<state id="a"><history id="h"/></state>'), Fate.LEFT_OUT, "history h"),
+        (machine('<state id="a"><transition event="x" cond="f(1)"/></state>'), Fate.HOLE, "functions"),
+        (machine(PARALLEL.format("e")), Fate.DIFFERS, "both are taken"),
+        (
+            machine(SEND),
+            Fate.LEFT_OUT,
+            "#b",
+        ),
+        (
+            machine(ERROR),
+            Fate.LEFT_OUT,
+            "nothing raises",
+        ),
+        (machine('<state id="a"/>', '<data id="x" expr="[1]"/>'), Fate.LEFT_OUT, "its first value"),
+    ],
+)
+def test_what_cannot_be_said_is_named_with_its_place(text: str, fate: Fate, words: str) -> None:
+    rows = [row for row in imported("m.scxml", text).rows if row.fate is fate]
+    assert any(words in f"{row.element} {row.now}" and row.place is not None for row in rows)
+
+
+def test_nothing_is_said_where_no_earlier_region_waits_for_the_event() -> None:
+    assert imported("m.scxml", machine(PARALLEL.format("f"))).lost == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("", "no element found"),
+        ("<scxml/>", "it has no state"),
+        ("<fsm/>", "not an SCXML document"),
+        ('<!DOCTYPE x [<!ENTITY e "e">]><scxml><state id="&e;"/></scxml>', "document type"),
+        ('<scxml><state id="a"/><state id="a"/></scxml>', "two states have the id `a`"),
+        ('<scxml><state id="a"><transition target="b"/></state></scxml>', "there is no state `b`"),
+        ("<scxml>" + "<state>" * 300, "more than 200 deep"),
+    ],
+)
+def test_a_file_that_is_no_machine_is_refused(tmp_path: Path, text: str, reason: str) -> None:
+    place = tmp_path / "m.scxml"
+    place.write_text(text, "utf-8")
+    project = import_models([place])
+    assert project.files == {}
+    assert reason in project.diagnostics[0].message
+    assert project.diagnostics[0].span is not None
+
+
+def test_the_project_has_a_report(tmp_path: Path) -> None:
+    place = tmp_path / "oven.scxml"
+    place.write_text(OVEN, "utf-8")
+    project = import_models([place])
+    assert sorted(project.files) == ["import-report.md", "oven.aseme"]
+    assert "oven.scxml:4:3" in project.files["import-report.md"].decode()
