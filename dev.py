@@ -131,6 +131,16 @@ LONG = [
         ["-m", "pytest", "-n", "auto", "tests/interop/exports"],
         {"EXPORTED_CHARTS": "300", "EXPORTED_DRAWINGS": "1"},
     ),
+    (
+        "changed state machines, and machines that go out and come home",
+        ["-m", "pytest", "-n", "auto", "tests/interop/machines"],
+        {"ASEME_CHANGED_MACHINES": "5000", "ASEME_ROUND_TRIPS": "300"},
+    ),
+    (
+        "the scripts of SCION in SCION_TESTS",
+        ["-m", "pytest", "-rs", "-s", "tests/interop/machines/test_scion_scripts.py"],
+        {},
+    ),
     ("models of KSE in ASEME_MODELS", ["-m", "pytest", "-rs", "tests/interop/test_real_models.py"], {}),
     (
         "compact drawings of random charts",

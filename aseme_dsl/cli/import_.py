@@ -22,7 +22,7 @@ from aseme_dsl.cli.shared import (
     short_help="Convert models of KSE, and state machines of SCXML.",
     help="Write a project in DIR from models of KSE and the ASEME IDE, and from Monas' agents.xml. FILE is a"
     " .sag, .suc, .aip, .srm, .stct, .sct, .iac, .eac or .model file. State machines become a project, too:"
-    " FILE is a .scxml file. Missing conditions become holes."
+    " FILE is a .scxml file, or the JSON of an XState 5 machine. Missing conditions become holes."
     " import-report.md lists what became of each element. Messages come from the .proto files beside the"
     " models, or from those in FILE; constants come from C++ headers in FILE. An existing file is never"
     " overwritten. An agents.xml alone is printed as a `modules` block.",

@@ -199,6 +199,8 @@ class RoleWriter:
         )
         why = f"{line.reason}; {now}" if line.reason else now
         self.rows.append(Row(fate, f"transition {ends}{text}", item.place, why))
+        if item.metadata:
+            self.rows.append(Row(Fate.LEFT_OUT, f"metadata of transition {ends}", item.place, item.metadata))
 
     # ---- the two forms -----------------------------------------------------------------------
 

@@ -31,6 +31,7 @@ from aseme_dsl.interop.machines.places import (
     entered,
     first_of,
     inner,
+    is_and,
     is_composite,
     is_inside,
     is_region,

@@ -36,8 +36,8 @@ _UNITS = {"ms": 1_000_000, "s": 1_000_000_000, "m": 60_000_000_000, "h": 3_600_0
 _LONGEST_DELAY = 1_000_000 * 3_600_000_000_000
 _SELF = ("", "#_internal", "#_scxml_")
 _NO_HARM = frozenset(("metadata",))
-_LANGUAGES = ("", "ecmascript", "null", "python", "cplusplus")
-"""The data models whose simple expressions are read."""
+_LANGUAGES = ("", "ecmascript", "javascript", "jexl", "groovy", "null", "python", "cplusplus")
+"""The data models whose simple expressions are read: these mean the same in all of them."""
 
 
 def read_scxml(source: Source) -> Machine:
@@ -102,6 +102,10 @@ class _Reader:
             initial=tuple(element.get("initial").split()),
             is_named=bool(name),
         )
+        if element.tag != "scxml" and element.get("src"):
+            self.lost.append(Lost("`src`", "what is in the state stands in another file", element.place))
+        if element.get("binding") == "late":
+            self.lost.append(Lost("`binding`", "variables have their first values at once", element.place))
         for child in element.children:
             if child.is_foreign or child.tag in _SHAPES:
                 if child.is_foreign:

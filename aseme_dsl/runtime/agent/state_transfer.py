@@ -192,7 +192,7 @@ class _Carrying:
     def carried(self) -> Carried:
         old, new = self.old, self.new
         new.now, new.started, new.tokens = old.now, old.started, old.tokens
-        new.seed = old.seed
+        new.seed, new.raised = old.seed, old.raised
         if old.chance is not None:  # a copy: the old chart continues if some other agent cannot
             new.chance = Random()
             new.chance.setstate(old.chance.getstate())

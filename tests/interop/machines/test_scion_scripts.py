@@ -17,7 +17,8 @@ from tests.interop.machines.playing import Player, imported, is_at, script_of, t
 
 FOLDER = os.environ.get("SCION_TESTS", "")
 
-OTHERWISE: dict[str, str] = {}
+_LATER = "the script looks before the engine has handed out what the machine has sent to itself"
+OTHERWISE = {"w3c-ecma/test200.txml": _LATER, "w3c-ecma/test348.txml": _LATER}
 """Machines that play otherwise here, each with the reason."""
 
 pytestmark = pytest.mark.skipif(not FOLDER, reason="SCION_TESTS is not set")
