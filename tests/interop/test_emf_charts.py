@@ -167,6 +167,17 @@ def test_what_is_not_a_statechart_is_refused_with_its_place(text: str, says: str
     assert problem.span is not None
 
 
+def test_the_metadata_of_a_transition_is_listed(tmp_path: Path) -> None:
+    moves = (
+        '<transitions metadata="by hand" source="//@nodes.0/@Children.0" target="//@nodes.0/@Children.1"/>'
+    )
+    states = '<Children name="A" label="0.2" type="BASIC"/>'
+    project = import_models([model(tmp_path, chart(states, moves))])
+    assert ("metadata of transition 0.1 -> `A` (0.2)", "by hand") in {
+        (row.element, row.now) for row in project.rows if row.fate is Fate.LEFT_OUT
+    }
+
+
 def test_a_refused_model_does_not_keep_the_others_away(tmp_path: Path) -> None:
     project = import_models([model(tmp_path, EMPTY), MODELS / "clock.model"])
     assert [item.code for item in project.diagnostics] == ["E220"] and "statechart Clock" in text_of(project)
