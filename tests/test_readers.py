@@ -50,6 +50,8 @@ PROVEN = "the other end has proven that it is of this team"
 LISTED: dict[str, str] = {
     "amola/as_json.py: schema: json.loads": OWN,
     "amola/as_json.py: schema: read_text": OWN,
+    "interop/machines/json_text.py: string: json.loads": "one text that a pattern has matched",
+    "interop/machines/json_text.py: value: json.loads": "one number or word that a pattern has matched",
     "play/sight/sightings.py: _heard: json.loads": CHILD,
     "play/sight/sightings.py: asked_of: json.loads": "the process that has started this one, over that pipe",
     "project/playing/seen.py: record: json.loads": "the process that has started this one, over that pipe",
