@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.statechart import StateType, label_key
@@ -42,6 +42,7 @@ from aseme_dsl.interop.machines.places import (
     scope_of,
 )
 from aseme_dsl.interop.machines.words import delayed, is_of_engine, words_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

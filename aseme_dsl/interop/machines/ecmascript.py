@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+
+from aseme_dsl.records import dataclass
 
 LONGEST = 4_000
 """How many characters an expression may have."""

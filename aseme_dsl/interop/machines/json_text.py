@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass
 
 from aseme_dsl.interop.emf.markup import Unreadable
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 DEEPEST = 200

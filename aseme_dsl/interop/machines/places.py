@@ -7,10 +7,11 @@ All finals of a state are its END.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.interop.machines.machine import Machine, Node, Shape, around
+from aseme_dsl.records import dataclass
 
 
 class Unreachable(Exception):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import PurePath
 
 from aseme_dsl.diagnostics import Diagnostic
@@ -14,6 +13,7 @@ from aseme_dsl.interop.emf.report import Row
 from aseme_dsl.interop.machines.chart import MachinePlan, machine_text
 from aseme_dsl.interop.machines.scxml import read_scxml
 from aseme_dsl.interop.machines.xstate import read_xstate
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 MACHINES = (".scxml", ".json")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.interop.emf.identifiers import Names
 from aseme_dsl.interop.machines import ecmascript
@@ -20,6 +20,7 @@ from aseme_dsl.interop.machines.machine import (
     matches,
 )
 from aseme_dsl.interop.machines.places import is_wrapped
+from aseme_dsl.records import dataclass
 
 _NO_EVENTS = """
 accept_proposal agree cancel cfp confirm disconfirm failure inform inform_if inform_ref not_understood
