@@ -98,7 +98,7 @@ def shared(machine: Machine, name: str) -> str:
         for move in node.moves:
             if move.guard and name in _WORD.findall(move.guard):
                 uses.append((node, False, not move.events or move.events[0].startswith("done.")))
-    for writer, at_exit in writes:
+    for writer, at_exit in {(id(node), is_exit): (node, is_exit) for node, is_exit in writes}.values():
         for user, is_exit, at_once in uses:
             if _are_apart(writer, user):
                 return f"{writer.id} writes it, and {user.id} beside it sees that from the next step on"

@@ -9,6 +9,9 @@ from enum import Enum
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
+LARGEST = 3_000
+"""How many states, transitions, actions and variables a machine may have together."""
+
 
 class Shape(Enum):
     """What a state of a machine is."""
@@ -151,6 +154,17 @@ class Machine:
             waiting += reversed(node.children)
 
 
+def beyond(machine: Machine) -> Span | None:
+    """The place at which a machine becomes too large, if it does."""
+    left = LARGEST - len(machine.data)
+    for node in machine.nodes():
+        left -= 1 + len(node.entry) + len(node.exit) + len(node.initial_does)
+        left -= sum(1 + len(move.does) + len(move.events) + len(move.targets) for move in node.moves)
+        if left < 0:
+            return node.place
+    return None
+
+
 def matches(descriptor: str, event: str) -> bool:
     """Whether an event descriptor of SCXML is for an event: it is a prefix of its words."""
     plain = descriptor.removesuffix("*").removesuffix(".")
@@ -165,6 +179,7 @@ def around(node: Node) -> Iterator[Node]:
 
 
 __all__ = [
+    "LARGEST",
     "Assigning",
     "Cancelling",
     "Datum",
@@ -179,5 +194,6 @@ __all__ = [
     "Raising",
     "Shape",
     "around",
+    "beyond",
     "matches",
 ]

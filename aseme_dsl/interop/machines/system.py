@@ -11,6 +11,7 @@ from aseme_dsl.interop.emf.identifiers import Names, as_name
 from aseme_dsl.interop.emf.markup import Unreadable
 from aseme_dsl.interop.emf.report import Row
 from aseme_dsl.interop.machines.chart import MachinePlan, machine_text
+from aseme_dsl.interop.machines.machine import LARGEST, beyond
 from aseme_dsl.interop.machines.scxml import read_scxml
 from aseme_dsl.interop.machines.xstate import read_xstate
 from aseme_dsl.records import dataclass
@@ -49,6 +50,10 @@ def read_machines(sources: Sequence[Source]) -> tuple[MachineSystem | None, tupl
         try:
             is_json = source.path.lower().endswith(".json")
             machine = read_xstate(source) if is_json else read_scxml(source)
+            too_large = beyond(machine)
+            if too_large is not None:
+                said = f"it has more than {LARGEST} states, transitions, actions and variables"
+                raise Unreadable(said, too_large)
         except Unreadable as problem:
             found.append(Diagnostic(ForeignNotRead(source.path, str(problem)), problem.place))
             continue

@@ -212,6 +212,7 @@ def test_nothing_is_said_where_no_earlier_region_waits_for_the_event() -> None:
         ('<scxml><state id="a"/><state id="a"/></scxml>', "two states have the id `a`"),
         ('<scxml><state id="a"><transition target="b"/></state></scxml>', "there is no state `b`"),
         ("<scxml>" + "<state>" * 300, "more than 200 deep"),
+        ("<scxml>" + "<state/>" * 3_001 + "</scxml>", "more than 3000 states"),
     ],
 )
 def test_a_file_that_is_no_machine_is_refused(tmp_path: Path, text: str, reason: str) -> None:
