@@ -31,6 +31,41 @@ TEAMS = {
         "ann : chief  bob : clerk",
         ("Think", "Wait", "Praise", "GiveUp", "Work", "Rest"),
     ),
+    "watch": (
+        """\
+system Watch
+message Ball { bool near  int size }
+message Note { int size }
+topic eye { state Ball }
+topic team { state Note from coach }
+srm coach {
+  liveness { coach = Speak . Sleep }
+  activities { Speak writes team.state.Note }
+}
+srm robot {
+  var seen : int = 0
+  liveness {
+    robot = (LookNear . LookFar)~ || (Wait . (Kick | Rest | Help))~
+  }
+  activities {
+    LookNear writes eye.state.Ball
+    LookFar  writes eye.state.Ball
+  }
+  control robot {
+    enter Help : [team.state.Note.size > 1]
+    enter Kick : [eye.state.Ball.near && eye.state.Ball.size > seen] / seen = 2
+    enter Rest : else / seen = 0
+  }
+}
+""",
+        "ann : robot  bob : coach",
+        (
+            "Speak writes team.state.Note { size = 2 } every 4s",
+            "LookNear writes eye.state.Ball { near = true  size = 3 } every 2s",
+            "LookFar writes eye.state.Ball { near = true  size = 1 } every 3s",
+            *("Wait", "Kick", "Rest", "Help", "Sleep"),
+        ),
+    ),
     "meet": (
         MEET + "srm one { plays meet.left liveness { one = left } }\n"
         "srm two { plays meet.right liveness { two = right } }\n",
@@ -43,7 +78,10 @@ TEAMS = {
 @pytest.fixture(params=TEAMS)
 def system(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[tuple[Path, Loaded, tuple[str, ...]]]:
     text, team, activities = TEAMS[request.param]
-    lines = "".join(f"  activity {name} takes 0ms..15s\n" for name in activities)
+    lines = "".join(
+        f"  activity {name} takes 0ms..15s {more}\n"
+        for name, _, more in (item.partition(" ") for item in activities)
+    )
     scenario = f'scenario "any" {{\n  {team}\n  network delay 0..3s\n{lines}  for 60s\n}}\n'
     file = tmp_path / "it.aseme"
     file.write_text(f"{text}team T {{ {team} }}\n{scenario}")

@@ -46,9 +46,7 @@ class Judge:
 
     def results(self) -> Iterator[Result]:
         """All answers: what the document says, then what is asked of every team."""
-        if self._watch is not None:
-            for number, item in enumerate(self._watch.observer.script.expectations):
-                yield self._expectation(number, item)
+        yield from self.expected()
         found = stuck(self._explored, self._graph)
         yield self._deadlock(found)
         if any(agent.plan.branches for agent in self._explored.agents):
@@ -57,6 +55,12 @@ class Judge:
             yield from self._agreement()
         yield self._dead()
         yield self._seen("failures", "failure", "circling")
+
+    def expected(self) -> Iterator[Result]:
+        """The answers about what the document says."""
+        if self._watch is not None:
+            for number, item in enumerate(self._watch.observer.script.expectations):
+                yield self._expectation(number, item)
 
     # ---- what the document says --------------------------------------------------------------
 
@@ -193,6 +197,8 @@ class Judge:
             queue = self._limits.queue
             parts.append(f"at most {queue} messages ({queue // 2} of topics) on one way")
         parts += sorted(self._explored.values.bounds.values())
+        if self._explored.needed is not None:
+            parts.append("only the regions that matter to it")
         parts.append(f"{len(graph.parents)} states")
         return "; ".join(parts)
 

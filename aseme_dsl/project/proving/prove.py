@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from time import process_time
 
+from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.phases import inspect_files, watched_of
 from aseme_dsl.diagnostics import Severity
 from aseme_dsl.play.scenario import (
@@ -25,10 +28,20 @@ from aseme_dsl.project.playing.operate import generate_version, loaded_for
 from aseme_dsl.project.proving.judging import Judge
 from aseme_dsl.project.proving.results import Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope, scopes_of
-from aseme_dsl.project.proving.watched import Watched, layout_of, named, names_in
+from aseme_dsl.project.proving.watched import (
+    Watched,
+    asked_by,
+    layout_of,
+    messages_in,
+    named,
+    names_in,
+)
+from aseme_dsl.proofs.explore.apart import groups_of
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
+from aseme_dsl.proofs.explore.needed import Asked
 from aseme_dsl.proofs.explore.search import Eyes, Limits, search
 from aseme_dsl.runtime.trace.trace import Listener
+from aseme_dsl.runtime.version.loading import Loaded
 
 
 class NotThere(Exception):
@@ -52,20 +65,23 @@ def prove(
     """
     assert compiled.system is not None
     found: list[Result] = []
+    known: list[str] = []
     for scope in scopes_of(compiled.root, compiled.system, robots):
         told(f"exploring the {scope.what}")
-        found += _explored(scope, compiled, limits, asked)
+        found += _explored(scope, compiled, limits, asked, known)
         if scope.protocol is None:
             found += _left_out(scope, compiled, found)
-    names = dict.fromkeys(item.name for item in found)
+    names = dict.fromkeys((*known, *(item.name for item in found)))
     missing = next((name for name in asked if name not in names), None)
     if missing is not None:
         raise NotThere(f"nothing is called {missing}; there are {', '.join(names)}")
     return tuple(item for item in found if not asked or item.name in asked)
 
 
-def _explored(scope: Scope, compiled: Compiled, limits: Limits, asked: Sequence[str]) -> Iterator[Result]:
-    """The answers about one team."""
+def _explored(
+    scope: Scope, compiled: Compiled, limits: Limits, asked: Sequence[str], known: list[str]
+) -> Iterator[Result]:
+    """The answers about one team; the names of its properties and clauses are added to `known`."""
     own = compiled if scope.protocol is None else compile_root(scope.root)
     if own.system is None:
         wrong = next(item for item in own.diagnostics if item.severity is Severity.ERROR)
@@ -75,34 +91,109 @@ def _explored(scope: Scope, compiled: Compiled, limits: Limits, asked: Sequence[
     inspection = inspect_files(scope.root, None, options_of(own.configuration))
     watched = watched_of(inspection, dict(scope.team))
     script = watched.scripts[0] if watched.refused is None else None
+    assumed = assumed_by(script.assumptions if script is not None else ())
     with TemporaryDirectory(prefix="asemec-prove-") as folder:
         package, _ = generate_version(own.system, Path(folder), choose(own.configuration))
         loaded = loaded_for(package, compiled.configuration.folder.resolve())
-        eyes = Eyes()
+        plans = {role: loaded.charts[role].PLAN for _, role in scope.team}
+        groups = groups_of(scope.team, plans)
         own_script = None if script is None else _of_scope(script, scope)
-        watch = Watched(own_script) if own_script is not None and own_script.expectations else None
-        listeners: list[Listener] = [eyes] if watch is None else [eyes, watch.observer]
-        assumed = assumed_by(script.assumptions if script is not None else ())
-        explored = Explored(
-            loaded,
-            scope.team,
-            assumed,
-            listeners,
-            [] if watch is None else [watch.observer],
-            layout_of(watch),
-            names_in(script),
+        search_in = partial(_searched, system=own.system, loaded=loaded, assumed=assumed, asked=asked)
+        until = process_time() + limits.seconds
+
+        def share(parts: int) -> Limits:
+            return replace(limits, seconds=(until - process_time()) / parts)
+
+        found: dict[str, Result] = {}
+        rest: list[Expectation] = []
+        if own_script is not None:
+            known += map(named, own_script.expectations)
+            for item in own_script.expectations:
+                if asked and named(item) not in asked:
+                    continue
+                one = replace(own_script, expectations=(item,))
+                about = asked_by(one)
+                answers = iter(()) if about is None else search_in(scope, one, share(2), about=about)
+                answer = next(answers, None)
+                if answer is None:
+                    rest.append(item)
+                else:
+                    found[named(item)] = answer
+            own_script = replace(own_script, expectations=tuple(rest))
+        has_more = not asked or any(name not in found for name in asked)
+        is_whole = groups == [scope.team]
+        if rest or (has_more and is_whole):
+            for result in search_in(scope, own_script, share(1 if is_whole or not has_more else 2)):
+                if is_whole or not result.is_built_in:
+                    found[result.name] = result
+        yield from found.values()
+        if has_more and not is_whole:
+            parts: list[Result] = []
+            for number, group in enumerate(groups):
+                part = replace(scope, team=group)
+                parts += search_in(part, None, share(len(groups) - number))
+            yield from _together(parts, scope)
+
+
+def _together(parts: Sequence[Result], scope: Scope) -> Iterator[Result]:
+    """The answers about groups of agents that do not meet as answers about their team."""
+    for name in dict.fromkeys(item.name for item in parts):
+        same = [item for item in parts if item.name == name]
+        worst = next(
+            item
+            for verdict in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.PROVED)
+            for item in same
+            if item.verdict is verdict
         )
-        if watch is not None:
-            watch.begin(explored)
-        wanted = () if watch is None else watch.numbers_of(asked)
-        graph = search(
-            explored,
-            eyes,
-            None if watch is None else watch.monitors,
-            limits,
-            lambda graph: 0 < len(asked) == len(wanted) and graph.broken.keys() >= set(wanted),
-        )
-        yield from Judge(scope, explored, graph, watch, assumed, limits, own.system).results()
+        bounds = list(dict.fromkeys(part for item in same for part in item.bounds.split("; ")[1:-1]))
+        states = sum(int(item.bounds.rpartition("; ")[2].split()[0]) for item in same)
+        text = "; ".join((scope.agents, *bounds, "agents that do not meet apart", f"{states} states"))
+        yield replace(worst, bounds=text)
+
+
+def _searched(
+    scope: Scope,
+    script: Script | None,
+    limits: Limits,
+    *,
+    system: System,
+    loaded: Loaded,
+    assumed: Assumed,
+    asked: Sequence[str],
+    about: Asked | None = None,
+) -> Iterator[Result]:
+    """The answers of one search. With `about`, it is about that alone: what does not matter to it stands
+    still. Then there are none if everything matters."""
+    eyes = Eyes()
+    watch = Watched(script) if script is not None and script.expectations else None
+    listeners: list[Listener] = [eyes] if watch is None else [eyes, watch.observer]
+    explored = Explored(
+        loaded,
+        scope.team,
+        assumed,
+        listeners,
+        [] if watch is None else [watch.observer],
+        layout_of(watch),
+        names_in(script),
+        messages_in(script, loaded.messages),
+        about,
+    )
+    if about is not None and explored.needed is None:
+        return
+    if watch is not None:
+        watch.begin(explored)
+    wanted = () if watch is None else watch.numbers_of(asked)
+    if about is not None:
+        wanted = (0,)
+    graph = search(
+        explored,
+        eyes,
+        None if watch is None else watch.monitors,
+        limits,
+        lambda graph: 0 < len(wanted) >= len(asked) and graph.broken.keys() >= set(wanted),
+    )
+    judge = Judge(scope, explored, graph, watch, assumed, limits, system)
+    yield from judge.results() if about is None else judge.expected()
 
 
 def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iterator[Result]:

@@ -2,17 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import assert_never
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.play.conversations import Clauses
 from aseme_dsl.play.observer import Observer
-from aseme_dsl.play.scenario import AllOf, AnyOf, Expectation, Holds, NotSo, Says, Script
+from aseme_dsl.play.scenario import (
+    AllOf,
+    AnyOf,
+    Condition,
+    Expectation,
+    Failed,
+    Faulty,
+    Holds,
+    InPlaces,
+    NotSo,
+    Says,
+    Script,
+)
 from aseme_dsl.play.sight.insight import Insight, Live
+from aseme_dsl.proofs.explore.deciding.staging import undecided
 from aseme_dsl.proofs.explore.explored import Explored
+from aseme_dsl.proofs.explore.needed import Asked
 from aseme_dsl.proofs.explore.search import Monitors
-from aseme_dsl.proofs.explore.staging import undecided
 from aseme_dsl.proofs.explore.surroundings import NOW
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.chart.plan import Plan
@@ -46,23 +60,47 @@ _OF_PLACES = ("_agents", "_held")
 """What follows from where the agents are, if no condition asks for anything else."""
 
 
+_OF_MORE = (e.Bound, e.Sender, e.LossReason, e.Outcome, e.StateValue, e.RoundValue, e.Index, e.Random)
+"""What conditions ask for that is not in a message, a variable or a timer."""
+
+
 def layout_of(
     watched: Watched | None,
 ) -> tuple[Mapping[type, tuple[str, ...]], Mapping[type, frozenset[str]]]:
     """What of an observer belongs to the state of a team, and what of that makes no difference."""
     if watched is None:
         return {}, {}
-    asks = any(isinstance(item, Holds | Says) for item in watched.observer.script.conditions)
+    asks = any(isinstance(item, Holds | Says) for item in conditions_in(watched.observer.script))
     unkeyed = frozenset((*_ONLY_KEPT, *(() if asks else _OF_PLACES)))
     return _PARTS, {Observer: unkeyed, Clauses: frozenset(("broken", "_active"))}
 
 
+def conditions_in(script: Script | None) -> Iterator[Condition]:
+    """The conditions that the expectations of a script speak of, with those inside."""
+    if script is None:
+        return
+    todo = [number for item in script.expectations for number in (*conditions_of(item.rule), *item.witnesses)]
+    seen: set[int] = set()
+    while todo:
+        number = todo.pop()
+        if number in seen:
+            continue
+        seen.add(number)
+        condition = script.conditions[number]
+        yield condition
+        match condition:
+            case AllOf(parts=parts) | AnyOf(parts=parts):
+                todo += parts
+            case NotSo(part=part):
+                todo.append(part)
+            case _:
+                pass
+
+
 def names_in(script: Script | None) -> frozenset[str]:
     """The variables and timers that conditions ask for."""
-    if script is None:
-        return frozenset()
     found: set[str] = set()
-    for item in script.conditions:
+    for item in conditions_in(script):
         if isinstance(item, Holds):
             for part in e.walk(item.value):
                 if isinstance(part, e.VariableValue):
@@ -70,6 +108,59 @@ def names_in(script: Script | None) -> frozenset[str]:
                 elif isinstance(part, e.Expired):
                     found.add(part.timer)
     return frozenset(found)
+
+
+def messages_in(script: Script | None, kinds: Iterable[str]) -> frozenset[str]:
+    """The types of messages, out of `kinds`, of which conditions ask when they come or what is in them."""
+    found: set[str] = set()
+    for item in conditions_in(script):
+        match item:
+            case Holds(value=value):
+                found.update(_channel(part).rpartition(".")[2] for part in e.walk(value))
+            case Says(what=what, is_kind=is_kind):
+                found.add(what if is_kind else what.rpartition(".")[2])
+            case _:
+                pass
+    return frozenset(found).intersection(kinds)
+
+
+def _channel(part: e.Value) -> str:
+    """The channel whose messages a value asks for."""
+    match part:
+        case e.Member():
+            return str(part.channel)
+        case e.Age() | e.At() | e.Mean():
+            return str(part.message.channel) if isinstance(part.message, e.Member) else ""
+        case _:
+            return ""
+
+
+def asked_by(script: Script) -> Asked | None:
+    """What the expectations of a script are about; None if they may be about anything."""
+    roles = dict(script.team)
+    states: dict[str, set[str]] = {}
+    channels: set[str] = set()
+    if any(item.protocol is not None for item in script.expectations):
+        return None
+    for item in conditions_in(script):
+        match item:
+            case InPlaces(places=places):
+                for agent, labels in places.items():
+                    states.setdefault(roles[agent], set()).update(labels)
+            case Says(what=what, is_kind=False):
+                channels.add(what)
+            case Holds(value=value):
+                if any(isinstance(part, _OF_MORE) for part in e.walk(value)):
+                    return None
+                channels.update(_channel(part) for part in e.walk(value))
+            case AllOf() | AnyOf() | NotSo():
+                pass
+            case Says() | Faulty() | Failed():
+                return None
+            case _:
+                assert_never(item)
+    found = {role: frozenset(labels) for role, labels in states.items()}
+    return Asked(found, frozenset(channels - {""}), names_in(script))
 
 
 class Watched:
@@ -163,14 +254,8 @@ def named(item: Expectation) -> str:
 def reads_what_is_tried(script: Script, item: Expectation, plans: Iterable[Plan]) -> bool:
     """Whether an expectation asks for values of which a few are tried: of messages or of activities."""
     written = {name.partition("@")[0] for plan in plans for name in undecided(plan)}
-    todo = list(conditions_of(item.rule))
-    while todo:
-        condition = script.conditions[todo.pop()]
+    for condition in conditions_in(replace(script, expectations=(item,))):
         match condition:
-            case AllOf(parts=parts) | AnyOf(parts=parts):
-                todo += parts
-            case NotSo(part=part):
-                todo.append(part)
             case Holds(value=value):
                 if any(_is_tried(part, written) for part in e.walk(value)):
                     return True
@@ -204,4 +289,13 @@ def is_timed(rule: Rule) -> bool:
             assert_never(rule)
 
 
-__all__ = ["Watched", "is_timed", "layout_of", "named", "names_in", "reads_what_is_tried"]
+__all__ = [
+    "Watched",
+    "asked_by",
+    "is_timed",
+    "layout_of",
+    "messages_in",
+    "named",
+    "names_in",
+    "reads_what_is_tried",
+]

@@ -9,17 +9,21 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
-from aseme_dsl.proofs.explore.acting import Acting, Free
 from aseme_dsl.proofs.explore.ages import Passing, asks_for_history, passing, thresholds_of
-from aseme_dsl.proofs.explore.choosing import Choices
+from aseme_dsl.proofs.explore.coming import Coming
+from aseme_dsl.proofs.explore.deciding.acting import Acting, Free
+from aseme_dsl.proofs.explore.deciding.choosing import Choices
+from aseme_dsl.proofs.explore.deciding.later import Contents, Later
+from aseme_dsl.proofs.explore.deciding.staging import OPEN, StandsFor, events, lists_of, staged
+from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.proofs.explore.memory import Memory, Picture
+from aseme_dsl.proofs.explore.needed import Asked, needed_for
 from aseme_dsl.proofs.explore.relevant import Relevant
-from aseme_dsl.proofs.explore.staging import OPEN, StandsFor, events, lists_of, staged
 from aseme_dsl.proofs.explore.surroundings import Still, Underway, Ways
 from aseme_dsl.proofs.explore.team_layout import layout_of
-from aseme_dsl.proofs.explore.values import Values
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.execution import Execution
+from aseme_dsl.runtime.activity.executions import _Node
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.chart import Chart
@@ -60,6 +64,8 @@ class Move:
     kind: tuple[str, ...]
     text: str
     do: Callable[[], None]
+    agent: str
+    """Who moves."""
     is_fair: bool = True
     """Whether it happens some time, if it can all the time."""
     passes: bool = False
@@ -78,10 +84,13 @@ class Explored:
         further: Sequence[object] = (),
         layout: tuple[Mapping[type, tuple[str, ...]], Mapping[type, frozenset[str]]] = ({}, {}),
         kept: frozenset[str] = frozenset(),
+        told: frozenset[str] = frozenset(),
+        asked: Asked | None = None,
     ) -> None:
         """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
         `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
-        variables and timers in `kept`."""
+        variables and timers in `kept`, and for what is in messages of the types `told`. What does not matter
+        to the question that is `asked`, if there is one, does not move."""
         self.choices = Choices()
         self._assumed = assumed
         self.driver = driver = Still()
@@ -96,35 +105,65 @@ class Explored:
         plans = [loaded.charts[role].PLAN for role in roles]
         self._modules = tuple((plan.name, module) for plan in plans for module in plan.modules)
         self.values = Values(plans, loaded.messages, names)
-        self._acting = acting = Acting(self.choices, self.values, plans)
+        self.later = Later(self.choices, self.values)
+        contents = Contents(self.choices, self.values, self.later, loaded.messages, told)
+        self._acting = acting = Acting(self.choices, self.values, contents, plans, self._is_new)
         charts = {
-            role: staged(loaded.charts[role], partial(acting.decide, role), acting.draw) for role in roles
+            name: staged(
+                loaded.charts[role],
+                partial(acting.decide, role),
+                acting.draw,
+                partial(self._look_for, name),
+            )
+            for name, role in team
         }
+        self._talks = any(plan.branches for plan in plans)
         self.crashed: list[str] = []
         self.late: set[str] = set()
         """The agents in which a deadline has passed."""
         self.spurned: set[tuple[str, str]] = set()
         """Agents, with whose messages that crossed those of another that one has done nothing."""
+        self._touched: set[str] = set()
+        """The agents that may have been changed in the present move."""
         self.arriving: Underway | None = None
         """What comes in the present move."""
-        self.agents = tuple(self._agent(name, charts[role], loaded) for name, role in team)
+        self.agents = tuple(self._agent(name, charts[name], loaded) for name, role in team)
         driver.agents = self.agents
-        self._relevant = {plan.name: Relevant(plan, kept) for plan in plans}
+        self.coming = coming = Coming(
+            self.agents,
+            self.bus,
+            self.choices,
+            contents,
+            self.later,
+            [channel for _, module in self._modules for channel in module.writes],
+            told,
+        )
         self._ages = {plan.name: thresholds_of(plan)[0] for plan in plans}
-        self._inputs = {agent.name: self._free(agent) for agent in self.agents}
+        own = {agent.role: coming.own(agent) for agent in self.agents}
+        if asked is not None:
+            coming.needed = needed_for(plans, asked, assumed.fails, coming.reaches, own)
+        self.needed = coming.needed
+        """The regions that matter, if not all do."""
+        if self.needed is not None:
+            reads = self.needed.reads
+            self.ways.taken = lambda receiver, what: what in reads[dict(team)[receiver]]
+        self._relevant = {plan.name: Relevant(plan, kept) for plan in plans}
         protocols = {info.protocol for plan in plans for info in plan.branches}
         self.memory = Memory(
             [
-                *self.agents,
-                self.conversations._members,
-                self.conversations._sending._choosing,
-                self.conversations.directory,
-                *(self.bus, self.ways, driver, self.crashed, self.late, self.spurned),
-                *further,
+                *([agent] for agent in self.agents),
+                [
+                    self.conversations._members,
+                    self.conversations._sending._choosing,
+                    self.conversations.directory,
+                    *(self.bus, self.ways, driver, self.crashed, self.late, self.spurned, self.later.decided),
+                    *further,
+                ],
             ],
             layout_of(loaded, *layout),
             [*names, "input"],
             protocols,
+            self.later.said,
         )
 
     def _agent(self, name: str, kind: type[Chart], loaded: Loaded) -> Agent:
@@ -157,10 +196,18 @@ class Explored:
     def begin(self) -> None:
         """Let all agents make their first step."""
         self.choices.begin()
+        self._touch("")
         for agent in self.agents:
             agent.chart.settle()
             agent.begin()
         self._settle()
+
+    def _touch(self, name: str) -> None:
+        """An agent may be changed in this move; an empty name: any of them."""
+        for number, agent in enumerate(self.agents):
+            if name in ("", agent.name):
+                self._touched.add(agent.name)
+                self.memory.touch(number)
 
     def _settle(self) -> None:
         """Let the agents step until nothing is left to do at this moment."""
@@ -170,12 +217,19 @@ class Explored:
                 self._forget()
                 return
             for agent in waiting:
+                self._touch(agent.name)
                 agent.process(agent.take())
         raise Circling(", ".join(agent.name for agent in self.agents if agent.intake))
 
     def _forget(self) -> None:
         """Forget what makes no difference any more."""
         for agent in self.agents:
+            if agent.name not in self._touched:
+                continue
+            self.coming.forget(agent)
+            nodes = agent.executions._nodes
+            for label in [label for label, node in nodes.items() if _is_idle(node)]:
+                del nodes[label]
             if agent.chart.started and not agent.over and not agent.down:
                 self._relevant[agent.role].forget(agent.chart, OPEN)
 
@@ -193,11 +247,7 @@ class Explored:
 
     def writers(self) -> Mapping[str, frozenset[str]]:
         """The agents that may publish on each channel."""
-        found: dict[str, set[str]] = {}
-        for name, channels in self.bus._routes._writes.items():
-            for channel in channels:
-                found.setdefault(channel, set()).add(name)
-        return {channel: frozenset(names) for channel, names in found.items()}
+        return self.coming.writers()
 
     # ---- moves -------------------------------------------------------------------------------
 
@@ -210,8 +260,20 @@ class Explored:
     def make(self, move: Move) -> None:
         """Make a move, by the choices that are next. Raises Circling."""
         self.arriving = None
-        move.do()
-        self._settle()
+        self._touched.clear()
+        self.coming.begin()
+        try:
+            self._touch(move.agent)
+            move.do()
+            self._settle()
+        finally:
+            self.coming.end()
+
+    def _look_for(self, agent: str, channel: str) -> None:
+        self.coming.look_for(agent, channel)
+
+    def _is_new(self, agent: Agent, channel: str) -> bool:
+        return self.coming.is_new(agent, channel)
 
     def moves(self) -> Iterator[Move]:
         """What may happen next."""
@@ -223,17 +285,24 @@ class Explored:
 
     def _ends(self) -> Iterator[Move]:
         for execution in self.driver.running:
+            if not self._matters(execution.agent, execution.label):
+                continue
             kind = ("end", execution.agent, execution.label)
             text = f"{execution.agent}: {execution.activity} ends"
-            yield Move(kind, text, partial(self._end, execution))
+            yield Move(kind, text, partial(self._end, execution), execution.agent)
             if execution.activity in self._assumed.fails:
                 kind = ("fail", execution.agent, execution.label)
                 text = f"{execution.agent}: {execution.activity} fails"
-                yield Move(kind, text, partial(self._fail, execution), is_fair=False)
+                yield Move(kind, text, partial(self._fail, execution), execution.agent, is_fair=False)
             if self._acting.acts(execution):
                 kind = ("act", execution.agent, execution.label)
                 text = f"{execution.agent}: {execution.activity} runs"
-                yield Move(kind, text, partial(self._acting.act, execution), is_fair=False)
+                yield Move(kind, text, partial(self._acting.act, execution), execution.agent, is_fair=False)
+
+    def _matters(self, agent: str, label: str) -> bool:
+        """Whether a state of an agent matters to what is asked."""
+        plan = next(item.plan for item in self.agents if item.name == agent)
+        return self.needed is None or self.needed.has(plan, label)
 
     def _arrivals(self) -> Iterator[Move]:
         for (sender, receiver), waiting in self.ways.ways.items():
@@ -250,12 +319,13 @@ class Explored:
                     continue
                 text = f"{receiver} gets {_called(item)} of {sender}"
                 kind = ("arrive", sender, receiver, item.what if is_sample else "")
-                yield Move(kind, text, partial(self._arrive, waiting, item))
+                yield Move(kind, text, partial(self._arrive, waiting, item), receiver)
                 if is_sample and self._assumed.loses:
                     yield Move(
                         ("lose", *kind[1:]),
                         f"{_called(item)} of {sender} to {receiver} is lost",
                         partial(waiting.remove, item),
+                        receiver,
                         is_fair=False,
                     )
                     held.add(item.what)
@@ -263,53 +333,45 @@ class Explored:
     def _times(self) -> Iterator[Move]:
         for timer in self.driver.timers:
             if timer.call is not None:
-                yield Move(("timer",), "a pause is over", timer.ring, passes=True)
+                yield Move(("timer",), "a pause is over", timer.ring, "", passes=True)
         for agent in self.agents:
             if agent.over or agent.down:
                 continue
             for item in passing(agent.chart, self._ages[agent.role]):
+                if item.what == "state" and not self._matters(agent.name, item.name):
+                    continue
                 kind = ("time", agent.name, item.what, item.name)
                 text = f"{agent.name}: {_passed(agent.plan, item)}"
-                yield Move(kind, text, partial(self._pass, agent, item.pass_), passes=True)
-
-    def _free(self, agent: Agent) -> tuple[str, ...]:
-        """The channels that an agent reads and on which no agent publishes: inputs from outside. What modules
-        publish is such an input, too."""
-        writers = self.writers()
-        of_modules = {channel for _, module in self._modules for channel in module.writes}
-        rules = {info.name: info for info in agent.plan.channels}
-        return tuple(
-            channel
-            for channel in agent.chart.READERS
-            if channel in rules
-            and (channel not in writers or channel in of_modules or rules[channel].is_from_outside)
-        )
+                yield Move(kind, text, partial(self._pass, agent, item.pass_), agent.name, passes=True)
 
     def _given(self) -> Iterator[Move]:
         """What comes from outside: messages on channels on which no agent publishes, and events."""
         for agent in self.agents:
             if agent.over or agent.down:
                 continue
-            for channel in self._inputs[agent.name]:
+            if any(self.coming.may_come(agent, channel) for channel in self.coming.brief[agent.name]):
+                kind = ("input", agent.name)
+                yield Move(kind, f"{agent.name} gets new inputs", agent.begin, agent.name, is_fair=False)
+            for channel in self.coming.inputs[agent.name]:
                 boards = [board for board in agent.chart.boards() if board is not None]
-                if not any(board.waits(channel) for board in boards):
-                    do = partial(self._give, agent, channel)
+                if not self._is_new(agent, channel) and not any(board.waits(channel) for board in boards):
+                    do = partial(self.coming.give, agent, channel)
                     yield Move(
-                        ("input", agent.name, channel), f"{agent.name} gets {channel}", do, is_fair=False
+                        ("input", agent.name, channel),
+                        f"{agent.name} gets {channel}",
+                        do,
+                        agent.name,
+                        is_fair=False,
                     )
             for event in events(agent.plan):
                 do = partial(self.bus.give_event, agent, event)
                 yield Move(
-                    ("event", agent.name, event), f"{agent.name}: {event} is raised", do, is_fair=False
+                    ("event", agent.name, event),
+                    f"{agent.name}: {event} is raised",
+                    do,
+                    agent.name,
+                    is_fair=False,
                 )
-
-    def _give(self, agent: Agent, channel: str) -> None:
-        contents = self.values.contents(channel.rpartition(".")[2])
-        for board in agent.chart.boards():
-            if board is not None and channel in board._data:  # of data, the newest is all that is read
-                board._part()
-                del board._data[channel]
-        self.bus.give(agent, channel, self.choices.of(("input",), contents, "{}"))
 
     def _crashes(self) -> Iterator[Move]:
         for most, names in self._assumed.crashes:
@@ -321,6 +383,7 @@ class Explored:
                         ("crash", agent.name),
                         f"{agent.name} crashes",
                         partial(self._crash, agent),
+                        agent.name,
                         is_fair=False,
                     )
 
@@ -331,7 +394,8 @@ class Explored:
 
     def _pass(self, agent: Agent, pass_: Callable[[], None]) -> None:
         pass_()
-        self.late.add(agent.name)
+        if self._talks:
+            self.late.add(agent.name)
         agent.begin()
 
     def _crash(self, agent: Agent) -> None:
@@ -345,6 +409,11 @@ class Explored:
     def _fail(self, execution: Execution) -> None:
         self.driver.running.remove(execution)
         execution.returned(RuntimeError("it fails"))
+
+
+def _is_idle(node: _Node) -> bool:
+    """Whether nothing runs in a state, nor is to run next."""
+    return node.current is None and node.next is None and node.held is None and not (node.waits or node.made)
 
 
 def _called(item: Underway) -> str:

@@ -29,6 +29,7 @@ from types import (
 )
 from typing import Any, cast
 
+from aseme_dsl.proofs.explore.deciding.later import content_of
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.saving import Saved
@@ -83,14 +84,25 @@ class _Class:
     has_dict: bool = False
 
 
+_Held = tuple[tuple[object, _Kind, Any], ...]
+"""Objects with how their contents are put back, and these."""
+
+
 @dataclass(frozen=True, slots=True)
-class Picture:
-    """Objects with how their contents are put back, and these. The first ones, so many as are `keyed`, make a
-    difference."""
+class Section:
+    """What the objects of one section hold: those of one agent, or those that the team has in common."""
 
-    objects: tuple[tuple[object, _Kind, Any], ...]
-    keyed: int
+    objects: _Held
+    places: Mapping[int, int]
+    """Where objects stand among those that make a difference, by their identities."""
+    shape: bytes
+    """Stands for all that makes a difference, without the numbers of names that count up."""
+    names: tuple[tuple[str, int], ...]
+    """These names with their numbers, in the order of their occurrence."""
 
+
+Picture = tuple[Section, ...]
+"""What all objects of a team hold, by sections."""
 
 _MISSING = object()
 
@@ -99,10 +111,23 @@ class Memory:
     """Takes pictures of all that can be reached from the roots, and makes keys of them."""
 
     def __init__(
-        self, roots: Sequence[object], layout: Layout, senders: Iterable[str], protocols: Iterable[str]
+        self,
+        sections: Sequence[Sequence[object]],
+        layout: Layout,
+        senders: Iterable[str],
+        protocols: Iterable[str],
+        decided: Callable[[int], str],
     ) -> None:
-        """What these `senders` send is numbered, and so are the conversations of the `protocols`."""
-        self._roots = tuple(reversed(roots))
+        """`sections` are the roots of each section. The last one is what the others have in common: it may
+        mean objects of the others, but these do not mean its objects, nor each other's.
+
+        What these `senders` send is numbered, and so are the conversations of the `protocols`. `decided` says
+        what has been decided of a content.
+        """
+        self._decided = decided
+        self._roots = tuple(tuple(reversed(roots)) for roots in sections)
+        self._now: list[Section | None] = [None] * len(sections)
+        """What the objects of each section hold, unless they may have been changed."""
         self._layout = layout
         self.senders = frozenset(senders)
         talks = (f"{protocol}-{name}-" for protocol in protocols for name in self.senders)
@@ -113,12 +138,28 @@ class Memory:
 
     # ---- pictures ----------------------------------------------------------------------------
 
+    def touch(self, section: int) -> None:
+        """Objects of a section may be changed from now on, until the next picture."""
+        self._now[section] = None
+        self._now[-1] = None
+
     def picture(self) -> Picture:
         """What all objects hold now."""
+        found: list[Section] = []
+        places: dict[int, tuple[int, int]] = {}
+        for number, known in enumerate(self._now):
+            section = known if known is not None else self._section(number, places)
+            self._now[number] = section
+            found.append(section)
+            if number + 1 < len(self._now):
+                places |= {item: (number, place) for item, place in section.places.items()}
+        return tuple(found)
+
+    def _section(self, number: int, others: Mapping[int, tuple[int, int]]) -> Section:
         known = self._classes
-        seen: set[int] = set()
+        seen = set(others)
         found: list[tuple[object, _Kind, Any]] = []
-        todo = list(self._roots)
+        todo = list(self._roots[number])
         later: list[object] = []
         keyed = -1
         while todo or later:
@@ -138,12 +179,17 @@ class Memory:
                     (later if name in kind.unkeyed else todo).append(part)
             else:
                 todo.extend(inside)
-        return Picture(tuple(found), len(found) if keyed < 0 else keyed)
+        keying = _Keying(self, tuple(found[: len(found) if keyed < 0 else keyed]), others)
+        shape = keying.shape()
+        return Section(tuple(found), keying.places, shape, tuple(keying.names))
 
     def take_back(self, picture: Picture) -> None:
         """Let all objects hold what they held then."""
-        for item, kind, content in picture.objects:
-            _PUT[kind](item, content)
+        for number, section in enumerate(picture):
+            if self._now[number] is not section:
+                for item, kind, content in section.objects:
+                    _PUT[kind](item, content)
+                self._now[number] = section
 
     def _class(self, kind: type) -> _Class:
         found = self._classes[kind] = self._find(kind)
@@ -179,7 +225,16 @@ class Memory:
 
     def key(self, picture: Picture) -> bytes:
         """The same for two states that differ in nothing but names that count up."""
-        return blake2b(marshal.dumps(cast(Any, _Keying(self, picture).all())), digest_size=16).digest()
+        numbers: dict[str, dict[int, int]] = {}
+        digest = blake2b(digest_size=16)
+        for section in picture:
+            digest.update(section.shape)
+            for name, number in section.names:
+                known = numbers.setdefault(name, {})
+                if not name and number not in known:
+                    digest.update(self._decided(number).encode())
+                digest.update(b"%s %d " % (name.encode(), known.setdefault(number, len(known))))
+        return digest.digest()
 
     def numbered(self, text: str) -> tuple[str, int] | None:
         """A name that counts up as what stands before the number, and the number."""
@@ -299,16 +354,19 @@ _PUT: Mapping[_Kind, Callable[[Any, Any], None]] = {
 
 
 class _Keying:
-    """Makes the key of one picture."""
+    """Makes the shape of one section."""
 
-    def __init__(self, memory: Memory, picture: Picture) -> None:
+    def __init__(self, memory: Memory, objects: _Held, others: Mapping[int, tuple[int, int]]) -> None:
         self._memory = memory
-        self._objects = picture.objects[: picture.keyed]
-        self._places = {id(item): place for place, (item, _, _) in enumerate(self._objects)}
-        self._numbers: dict[str, dict[int, int]] = {}
+        self._objects = objects
+        self._others = others
+        self.places = {id(item): place for place, (item, _, _) in enumerate(objects)}
+        self.names: dict[tuple[str, int], int] = {}
 
-    def all(self) -> tuple[object, ...]:
-        return tuple(self._object(*item) for item in self._objects)
+    def shape(self) -> bytes:
+        found = tuple(self._object(*item) for item in self._objects)
+        # The second version writes equal values equally.
+        return blake2b(marshal.dumps(cast(Any, found), 2), digest_size=16).digest()
 
     def _object(self, item: object, kind: _Kind, content: Any) -> object:
         value = self._value
@@ -348,9 +406,12 @@ class _Keying:
             if len(value) == 2 and type(value[1]) is int and self._is_sender(value[0]):
                 return value[0], self._renamed(f"{value[0]}-", value[1])  # an identity
             return tuple([self._value(part) for part in value])
-        place = self._places.get(id(value))
+        place = self.places.get(id(value))
         if place is not None:
             return "@", place
+        other = self._others.get(id(value))
+        if other is not None:
+            return "@", *other
         return self._other(value)
 
     def _is_sender(self, value: object) -> bool:
@@ -359,6 +420,9 @@ class _Keying:
     def _other(self, value: Any) -> object:
         if isinstance(value, Enum):
             return value.name
+        content = content_of(value)
+        if content is not None:
+            return "", self._renamed("", content.number), getattr(value, "at", ())
         if isinstance(value, frozenset):
             return tuple(sorted(map(repr, map(self._value, value))))
         if isinstance(value, tuple):
@@ -380,8 +444,7 @@ class _Keying:
         return text if found is None else (found[0], self._renamed(*found))
 
     def _renamed(self, name: str, number: int) -> int:
-        numbers = self._numbers.setdefault(name, {})
-        return numbers.setdefault(number, len(numbers))
+        return self.names.setdefault((name, number), len(self.names))
 
 
 def _is_token(name: str) -> bool:
@@ -389,4 +452,4 @@ def _is_token(name: str) -> bool:
     return name == "tokens" or (name[0] == "k" and name[1:].isdigit())
 
 
-__all__ = ["Layout", "Memory", "Picture"]
+__all__ = ["Layout", "Memory", "Picture", "Section"]

@@ -20,6 +20,7 @@ class Relevant:
         self._plan = plan
         self._kept = kept
         self._ahead: dict[tuple[str, str | None], frozenset[str]] = {}
+        self._most: dict[str, int | None] = {}
         self._asks: dict[str, tuple[frozenset[str], frozenset[str]]] = {}
 
     def forget(self, chart: Chart, unknown: object) -> None:
@@ -38,7 +39,20 @@ class Relevant:
                     setattr(chart, mark, None)
                 if past:
                     setattr(chart, past, -1)
+        for label, slot in chart.COUNTS.items():
+            most = self._counted(label)
+            if most is not None and getattr(chart, slot) > most:
+                setattr(chart, slot, most)
         self._forget_timers(chart, leaves)
+
+    def _counted(self, label: str) -> int | None:
+        """The count of a state from which on more makes no difference; None if there is no such one."""
+        if label not in self._most:
+            names = {self._plan.by_label[label].name, label}
+            self._most[label] = _bound(
+                [part for item in self._plan.transitions for part in (item.condition, *item.actions)], names
+            )
+        return self._most[label]
 
     def _reads(self, variable: str, leaves: tuple[str, ...]) -> bool:
         name = variable.partition("@")[0]
@@ -79,6 +93,29 @@ class Relevant:
                     terms += [item.condition, *(_parts(action) for action in item.actions)]
             found = self._asks[label] = _names(terms)
         return found
+
+
+def _bound(terms: list[object], names: set[str]) -> int | None:
+    """One more than the greatest constant with which a count of states of these names is compared."""
+    most = 0
+    while terms:
+        term = terms.pop()
+        match term:
+            case ("==" | "!=" | "<" | "<=" | ">" | ">=", ("count", str() as name), ("const", int(number))) | (
+                "==" | "!=" | "<" | "<=" | ">" | ">=",
+                ("const", int(number)),
+                ("count", str() as name),
+            ):
+                if name in names:
+                    most = max(most, number + 1)
+            case ("count", str() as name):
+                if name in names:
+                    return None
+            case tuple():
+                terms += term
+            case _:
+                pass
+    return most
 
 
 def _parts(action: tuple[object, ...]) -> tuple[object, ...]:

@@ -96,11 +96,15 @@ class Ways:
     """The links between the agents: what was sent from one to another, the oldest first."""
 
     ways: dict[tuple[str, str], list[Underway]] = field(default_factory=dict)
+    taken: Callable[[str, str], bool] = lambda receiver, what: True
+    """Whether it matters to a receiver what comes on a channel."""
 
     def carry(
         self, sender: str, receiver: str, kind: str, what: str, identity: Identity, give: Callable[[], None]
     ) -> None:
         """Something is on its way now."""
+        if kind != "mail" and not self.taken(receiver, what):
+            return
         against = self.ways.get((receiver, sender), [])
         crossed = [item for item in against if item.kind == kind == "mail"]
         for item in crossed:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from aseme_dsl.proofs.explore.acting import Acting
-from aseme_dsl.proofs.explore.choosing import Choices
+from aseme_dsl.proofs.explore.deciding.acting import Acting
+from aseme_dsl.proofs.explore.deciding.choosing import Choices
+from aseme_dsl.proofs.explore.deciding.later import Decided
+from aseme_dsl.proofs.explore.deciding.staging import Open
+from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.proofs.explore.memory import Layout
-from aseme_dsl.proofs.explore.staging import Open
-from aseme_dsl.proofs.explore.surroundings import Still, StillClock
-from aseme_dsl.proofs.explore.values import Values
+from aseme_dsl.proofs.explore.surroundings import Still, StillClock, Ways
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.activity.executions import Executions, _Node
 from aseme_dsl.runtime.activity.plan_code import PlanCode
@@ -74,18 +75,20 @@ def layout_of(
         Bus: ("_held", "_given"),
         Still: ("running", "timers"),
         Timer: ("call", "moment"),
+        Ways: ("ways",),
     }
     unkeyed = {
         Agent: frozenset(("_sequence", "steps")),
         Execution: frozenset(("number", "started")),
         inputs.Start: frozenset(("token",)),
-        _Node: frozenset(("starts",)),
+        _Node: frozenset(("starts", "last_start", "last_end")),
         Still: frozenset(("running",)),
         Bus: frozenset(("_given",)),
         Conversation: frozenset(("left",)),
         Desk: frozenset(("heard",)),
         Choosing: frozenset(("_count", "_addressed")),
         Participation: frozenset(("spoken",)),
+        Decided: frozenset(("values", "made")),
     }
     ordered = {
         Desk: lambda desk: tuple((part, tuple(places)) for part, places in desk.free.items()),

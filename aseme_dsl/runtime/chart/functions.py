@@ -20,6 +20,11 @@ class FunctionError(Exception):
     """A function of the document cannot be found, or gives something else than it declares."""
 
 
+def is_of_library(target: str) -> bool:
+    """Whether the function `module:name` comes with this package."""
+    return target.startswith("aseme_dsl.runtime.library.")
+
+
 def find_function(target: str) -> Callable[..., object]:
     """The Python function `module:name`.
 

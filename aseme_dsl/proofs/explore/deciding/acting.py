@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from typing import Protocol, cast
 
-from aseme_dsl.proofs.explore.choosing import Choices
-from aseme_dsl.proofs.explore.staging import OPEN, assigned, by_lines, receivers, watched
-from aseme_dsl.proofs.explore.values import Values
+from aseme_dsl.proofs.explore.deciding.choosing import Choices
+from aseme_dsl.proofs.explore.deciding.later import Contents, content_of
+from aseme_dsl.proofs.explore.deciding.staging import OPEN, assigned, by_lines, receivers, watched
+from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.agent.prepared import Prepared
 from aseme_dsl.runtime.chart import inputs
-from aseme_dsl.runtime.chart.functions import find_function
+from aseme_dsl.runtime.chart.functions import find_function, is_of_library
 from aseme_dsl.runtime.chart.plan import Plan, Variable, is_in
 
 DRAWN = (0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.9999)
@@ -35,9 +36,20 @@ Function = tuple[str, str, str, str]
 class Acting:
     """Decides what activities and functions do, and does it. Nothing of it belongs to the state of a team."""
 
-    def __init__(self, choices: Choices, values: Values, plans: Sequence[Plan]) -> None:
+    def __init__(
+        self,
+        choices: Choices,
+        values: Values,
+        contents: Contents,
+        plans: Sequence[Plan],
+        is_new: Callable[[Agent, str], bool],
+    ) -> None:
+        """`is_new` says whether what activities of an agent publish on a channel is there for it whenever it
+        looks for it, and for no other agent."""
+        self._is_new = is_new
         self._choices = choices
         self._values = values
+        self._contents = contents
         self._plans = {plan.name: plan for plan in plans}
         self._watched = {plan.name: watched(plan) for plan in plans}
         self._writes: dict[tuple[str, str], list[str]] = {}
@@ -54,7 +66,8 @@ class Acting:
             for *_, states, _ in agent.branch_info(execution.branch).moves
             for state in states
         )
-        return bool(sets or info.writes or sends)
+        writes = any(not self._is_new(agent, channel) for channel in info.writes)
+        return bool(sets or writes or sends)
 
     def _writable(self, agent: Agent, execution: Execution) -> list[str]:
         """The variables that an activity may write: those that it declares, and of its participant those
@@ -95,7 +108,8 @@ class Acting:
             if is_end or name in self._watched[agent.role]:
                 self._set(agent, execution, name)
         for channel in info.writes:
-            self._publish(execution, channel)
+            if is_end or not self._is_new(agent, channel):
+                self._publish(agent, execution, channel)
         if execution.branch is not None:
             self._send(agent, execution, execution.branch)
 
@@ -126,14 +140,19 @@ class Acting:
         self._reads += 1
         return self._reads
 
-    def _publish(self, execution: Execution, channel: str) -> None:
+    def _publish(self, agent: Agent, execution: Execution, channel: str) -> None:
         message = channel.rpartition(".")[2]
         if not any(channel in region.reads for plan in self._plans.values() for region in plan.regions):
             return
-        answers = (None, *self._values.contents(message))
-        chosen = self._choices.of(("publish", channel), answers, f"{execution.activity} publishes {{}}")
-        if chosen is not None:
-            execution.do(c.Publish(channel, chosen, None))
+        text = f"{execution.activity} publishes {message}"
+        if self._choices.of(("publish", channel), (None, True), text):
+            name = f"{agent.name}: {message}"
+            content = self._contents.new(message, ("published", channel), "with {}", name)
+            doing = c.Publish(channel, content, None)
+            if execution.opens is not None:
+                execution.held.append(doing)
+            else:  # what is decided later is of another class than the plan's
+                agent.requests.perform(execution, doing)
 
     def _send(self, agent: Agent, execution: Execution, branch: str) -> None:
         """The messages of the protocol that activities send, where this one may."""
@@ -170,10 +189,20 @@ class Acting:
         return self._choices.of(("content", agent, message), contents, f"{agent} has prepared {{}}")
 
     def function(self, agent: str, function: Function) -> Called:
-        """What is called instead of a function of the document; those of the library do what they do."""
-        if function[1].startswith("aseme_dsl.runtime.library."):
-            return find_function(function[1])
-        return partial(self._answer, agent, function)
+        """What is called instead of a function of the document.
+
+        Those of the library do what they do, but of messages whose members are not decided.
+        """
+        if not is_of_library(function[1]):
+            return partial(self._answer, agent, function)
+        known = find_function(function[1])
+
+        def call(*arguments: object) -> object:
+            if any(content_of(item) is not None for item in arguments):
+                return self._answer(agent, function, *arguments)
+            return known(*arguments)
+
+        return call
 
     def _answer(self, agent: str, function: Function, *arguments: object) -> object:
         """What a function of the document gives: anything, and the same for the same."""

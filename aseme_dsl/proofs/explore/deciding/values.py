@@ -11,9 +11,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from enum import IntEnum
 from itertools import islice, pairwise, product
-from typing import cast
+from types import NoneType, UnionType
+from typing import Union, cast, get_args, get_origin
 
+from aseme_dsl.proofs.explore.deciding.staging import by_lines_of
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.chart.functions import is_of_library
 from aseme_dsl.runtime.chart.plan import Plan, Transition, Variable
 from aseme_dsl.runtime.message.as_json import member_types
 
@@ -40,6 +43,10 @@ class _Class:
     is_compared: bool = False
     """Whether any of them is compared with another."""
     is_computed: bool = False
+    near: set[float] = field(default_factory=set)
+    """Constants with which something is compared that is computed from them."""
+    is_ordered: bool = False
+    """Whether one is compared with another by more than equality."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,8 +71,14 @@ class Values:
         """What is not tried with all values, with those that are, for readers."""
         self.computed: set[str] = set()
         """What the program computes with, so that a few values do not stand for all."""
+        self._by_lines: set[str] = set()
+        """The types of messages that lines of the document fill, publish, send or receive."""
         for plan in plans:
             _Reader(self, plan).learn()
+            self._by_lines |= {channel.rpartition(".")[2] for channel in by_lines_of(plan)}
+            self._by_lines |= {
+                message for info in plan.branches for _, message in (*info.sends, *info.receives)
+            }
         self.computes = any(item.is_computed for item in self._classes.values())
         """Whether the program computes with numbers that something depends on."""
 
@@ -102,6 +115,37 @@ class Values:
         if len(found) > MOST:
             self.bounds[message] = f"{MOST} contents of {message}"
         return found[:MOST]
+
+    def tried(self, message: str) -> Mapping[tuple[str, ...], tuple[object, ...]] | None:
+        """What is tried for each member of a type of message that is read, by its path; None if one message
+        is compared with another as a whole."""
+        whole = self._classes.get(self._root((message, ())))
+        if whole is not None and whole.is_compared:
+            return None
+        return {
+            path: _values(item, self._classes.get(self._root((message, path)), _Class()), self._agents).values
+            for path, item in _members(self._messages[message])
+            if self.is_read((message, path))
+        }
+
+    def alike(self, message: str, path: tuple[str, ...]) -> Place | None:
+        """What stands for the numbers that are only asked whether they are equal to each other.
+
+        None if a member is not one of them, or if lines of the document fill some of them.
+        """
+        root = self._root((message, path))
+        known = self._classes.get(root)
+        if known is None or not known.is_compared or known.is_computed or known.is_ordered or known.constants:
+            return None
+        places = [place for place in self._parents if self._root(place) == root] + [root]
+        is_free = all(place[0] in self._messages and place[0] not in self._by_lines for place in places)
+        return root if is_free and dict(_members(self._messages[message]))[path] is int else None
+
+    def note(self, message: str, path: tuple[str, ...]) -> None:
+        """One of what is tried for a member is decided: it is said if these are not all."""
+        if self.alike(message, path) is None:
+            kinds = dict(_members(self._messages[message]))
+            self._tried((message, path), kinds[path])
 
     def is_read(self, place: Place) -> bool:
         """Whether anything depends on what stands there."""
@@ -142,6 +186,8 @@ class Values:
             kept.is_read |= gone.is_read
             kept.is_compared |= gone.is_compared
             kept.is_computed |= gone.is_computed
+            kept.is_ordered |= gone.is_ordered
+            kept.near |= gone.near
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,6 +196,11 @@ class _Reader:
 
     values: Values
     plan: Plan
+
+    @property
+    def _library(self) -> frozenset[str]:
+        """The functions of the library that the plan calls."""
+        return frozenset(item[0] for item in self.plan.functions if is_of_library(item[1]))
 
     def learn(self) -> None:
         """Learn what the plan does with values."""
@@ -219,13 +270,25 @@ class _Reader:
             if term[0] != "call":
                 return
         word, *parts = term
+        if word == "call" and parts[0] in self._library:
+            for part in parts[1:]:
+                self._computes(part, taken)
         if word in _ORDER and len(parts) == 2:
-            self._compare(parts[0], parts[1], taken)
+            self._compare(parts[0], parts[1], taken, word not in ("==", "!="))
             return
         for part in parts:
             self._term(part, taken, word in _PLAIN)
 
-    def _compare(self, one: object, other: object, taken: str) -> None:
+    def _computes(self, term: object, taken: str) -> None:
+        """A function of the library, which does what it does in a run, is given a value."""
+        for place in self._places(term, taken):
+            if (
+                self.values._messages.get(self._type_of(place) or "") is None
+            ):  # of a message, it gives anything
+                known = self.values.use(place)
+                known.is_read = known.is_computed = True
+
+    def _compare(self, one: object, other: object, taken: str, is_ordered: bool) -> None:
         """Values are compared: with a constant, with another value, or with what is computed."""
         left, right = self._place(one, taken), self._place(other, taken)
         for place, value, against in ((left, one, other), (right, other, one)):
@@ -234,10 +297,24 @@ class _Reader:
             match against:
                 case ("const", constant) if place is not None:
                     self.values.use(place).constants.add(constant)
+                case ("const", int(constant) | float(constant)):
+                    for inner in self._places(value, taken):
+                        self.values.use(inner).near.add(constant)
         if left is not None and right is not None:
-            self.values.use(left).is_compared = True
-            self.values.use(right).is_compared = True
+            for place in (left, right):
+                known = self.values.use(place)
+                known.is_compared = True
+                known.is_ordered |= is_ordered
             self.values.join(left, right)
+
+    def _places(self, term: object, taken: str) -> Iterator[Place]:
+        """The places in a term."""
+        place = self._place(term, taken)
+        if place is not None:
+            yield place
+        elif isinstance(term, tuple):
+            for part in term:
+                yield from self._places(part, taken)
 
     def _place(self, term: object, taken: str) -> Place | None:
         match term:
@@ -320,12 +397,17 @@ def _values(kind: object, known: _Class, agents: Sequence[str]) -> Tried:
     if kind is str:
         texts = sorted(item for item in known.constants if isinstance(item, str))
         return Tried((*agents, *texts) if agents else ("", *texts), is_all=not known.is_compared)
+    if get_origin(kind) in (Union, UnionType):
+        there = _values(next(arm for arm in get_args(kind) if arm is not NoneType), known, agents)
+        return Tried((None, *there.values), there.is_all)
     return Tried((_default(kind),), is_all=False)
 
 
 def _numbers(known: _Class, constants: Sequence[float], step: float) -> Tried:
     if known.is_compared or known.is_computed or not constants:
-        few = tuple(type(step)(item) for item in FEW)
+        ends = [constant + by for constant in known.near for by in (-step, step)]
+        beside = {sign * end for end in ends for sign in (1, -1)}
+        few = {type(step)(item) for item in ({0, *beside} if beside else FEW)}
         found = sorted({*few, *constants})
         return Tried(tuple(found), is_all=not (known.is_compared or known.is_computed) and not constants)
     ordered = sorted(set(constants))

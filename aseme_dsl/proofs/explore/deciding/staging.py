@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import cast
 
+from aseme_dsl.proofs.explore.deciding.arriving import methods_of
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.chart.board import getter
 from aseme_dsl.runtime.chart.chart import Chart
@@ -32,17 +33,23 @@ OPEN = Open()
 
 
 def staged(
-    chart: type[Chart], decide: Callable[[str, str], object], draw: Callable[[str], float]
+    chart: type[Chart],
+    decide: Callable[[str, str], object],
+    draw: Callable[[str], float],
+    looked_for: Callable[[str], None],
 ) -> type[Chart]:
-    """The chart of a role whose activities all run until they are ended, without modules.
+    """The chart of a role whose activities all run until they are ended, without modules. A pause between two
+    runs of one counts as part of the run before it.
 
     What activities may write is open until it is read: `decide` is asked by the names of the agent and the
-    variable. `draw` is asked for random numbers.
+    variable. `draw` is asked for random numbers. `looked_for` is called with a channel when something looks
+    for a message that is not there.
     """
     plan = replace(
         chart.PLAN,
         activities=tuple(
-            replace(info, simulated=False, takes=None, kind="thread") for info in chart.PLAN.activities
+            replace(info, simulated=False, takes=None, every=None, kind="thread")
+            for info in chart.PLAN.activities
         ),
         modules=(),
     )
@@ -53,7 +60,8 @@ def staged(
         for slot in slots
     }
     held = {slot: f"held_{slot}" for slot in names}
-    own: dict[str, object] = {"__slots__": tuple(held.values()), "PLAN": plan, "AGENT": None}
+    own = methods_of(chart, looked_for)
+    own |= {"__slots__": tuple(held.values()), "PLAN": plan, "AGENT": None}
     own["random"] = lambda chart: draw(chart.agent)
     own |= {slot: _opened(held[slot], name, decide) for slot, name in names.items()}
     kind = cast("type[Chart]", type(chart.__name__, (chart,), own))
@@ -119,6 +127,40 @@ def by_lines(plan: Plan, branch: str) -> frozenset[tuple[str, str]]:
     )
 
 
+def by_lines_of(plan: Plan) -> frozenset[str]:
+    """The channels on which lines of a plan publish."""
+    actions = (action for item in plan.transitions for action in item.actions)
+    return frozenset(channel for action in actions if (channel := published(action)) is not None)
+
+
+def copied(plan: Plan) -> frozenset[str]:
+    """The types of messages that lines keep or hand on as a whole."""
+    found: set[str] = set()
+    todo: list[object] = [action for item in plan.transitions for action in item.actions]
+    todo += [term for state in plan.states for _, term in state.arguments]
+    while todo:
+        term = todo.pop()
+        match term:
+            case ("member", _, str() as channel, ()):
+                found.add(channel.rpartition(".")[2])
+            case tuple():
+                todo += term
+            case _:
+                pass
+    return frozenset(found)
+
+
+def published(action: tuple[object, ...]) -> str | None:
+    """The channel for which an action publishes or prepares a message."""
+    match action:
+        case ("publish", str() as channel):
+            return channel
+        case ("fill", ("member", _, str() as channel, *_), *_):
+            return channel
+        case _:
+            return None
+
+
 def assigned(plan: Plan) -> frozenset[str]:
     """The variables to which lines of the document give another value than the initial one."""
     initial = {item.name: item.initial for item in plan.variables}
@@ -157,8 +199,11 @@ __all__ = [
     "StandsFor",
     "assigned",
     "by_lines",
+    "by_lines_of",
+    "copied",
     "events",
     "lists_of",
+    "published",
     "receivers",
     "staged",
     "undecided",

@@ -1,0 +1,201 @@
+"""Coming: what comes to agents from outside, and from their own activities, when something looks for it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from functools import cached_property
+
+from aseme_dsl.proofs.explore.deciding.choosing import Choices
+from aseme_dsl.proofs.explore.deciding.later import Contents, Later
+from aseme_dsl.proofs.explore.deciding.staging import by_lines_of, copied
+from aseme_dsl.proofs.explore.needed import Needed
+from aseme_dsl.proofs.explore.surroundings import NOW
+from aseme_dsl.runtime.agent.agent import Agent
+from aseme_dsl.runtime.channel.bus import Bus
+from aseme_dsl.runtime.chart.inputs import Sample
+
+
+class Coming:
+    """The channels of a team on which a new message may come whenever an agent steps.
+
+    These are states and data from outside, and those that its own activities publish for it alone. Such a
+    message needs no step of its own: several may come at one moment, with what the agent steps for.
+    """
+
+    def __init__(
+        self,
+        agents: Sequence[Agent],
+        bus: Bus,
+        choices: Choices,
+        contents: Contents,
+        later: Later,
+        of_modules: Collection[str],
+        told: Collection[str],
+    ) -> None:
+        """Modules publish on the channels `of_modules`. Of messages of the types `told`, something else asks
+        what they say, or when they come."""
+        self._agents = agents
+        self._bus = bus
+        self._choices = choices
+        self._contents = contents
+        self._later = later
+        self._of_modules = frozenset(of_modules)
+        self._plans = list({agent.role: agent.plan for agent in agents}.values())
+        self._kept = frozenset(told).union(*map(copied, self._plans))
+        self.needed: Needed | None = None
+        """The regions that matter, if not all do."""
+        self._may_come: dict[str, set[str]] = {}
+        """The channels, by agent, of which a message may have come in the present move."""
+
+    def writers(self) -> Mapping[str, frozenset[str]]:
+        """The agents that may publish on each channel."""
+        found: dict[str, set[str]] = {}
+        for name, channels in self._bus._routes._writes.items():
+            for channel in channels:
+                found.setdefault(channel, set()).add(name)
+        return {channel: frozenset(names) for channel, names in found.items()}
+
+    def reaches(self, writer: str, reader: str, channel: str) -> bool:
+        """Whether what a role publishes on a channel comes to agents of another, or to itself."""
+        readers = {agent.name for agent in self._agents if agent.role == reader}
+        return any(
+            readers.intersection(self._bus._routes.receivers(agent.name, channel).names)
+            for agent in self._agents
+            if agent.role == writer
+        )
+
+    # ---- which they are ----------------------------------------------------------------------
+
+    @cached_property
+    def inputs(self) -> Mapping[str, tuple[str, ...]]:
+        """The channels, by agent, on which messages come from outside: it reads them, and no agent publishes
+        there. What modules publish is such an input, too."""
+        return {agent.name: self._inputs(agent) for agent in self._agents}
+
+    def _inputs(self, agent: Agent) -> tuple[str, ...]:
+        writers = self.writers()
+        rules = {info.name: info for info in agent.plan.channels}
+        return tuple(
+            channel
+            for channel in agent.chart.READERS
+            if channel in rules
+            and (channel not in writers or channel in self._of_modules or rules[channel].is_from_outside)
+            and (self.needed is None or channel in self.needed.reads[agent.role])
+        )
+
+    @cached_property
+    def brief(self) -> Mapping[str, Mapping[str, frozenset[str]]]:
+        """The channels, by agent, with its activities that publish there; none for an input."""
+        within = {channel for plan in self._plans for info in plan.activities for channel in info.writes}
+        within.update(*map(by_lines_of, self._plans))
+        return {
+            agent.name: {
+                **{
+                    channel: frozenset[str]()
+                    for channel in self.inputs[agent.name]
+                    if channel not in within and self._is_brief(channel)
+                },
+                **self.own(agent),
+            }
+            for agent in self._agents
+        }
+
+    def _is_brief(self, channel: str) -> bool:
+        _, kind, message = channel.split(".", 2)
+        return kind != "signal" and message not in self._kept
+
+    def own(self, agent: Agent) -> dict[str, frozenset[str]]:
+        """The channels on which what activities of an agent publish comes to it alone, with these."""
+        found = {
+            channel: frozenset(info.name for info in agent.plan.activities if channel in info.writes)
+            for channel in agent.chart.READERS
+            if self._is_brief(channel)
+        }
+        return {
+            channel: activities
+            for channel, activities in found.items()
+            if activities and self._is_alone(agent, channel)
+        }
+
+    def _is_alone(self, agent: Agent, channel: str) -> bool:
+        """Whether only activities of an agent publish for it on a channel, at once and for it alone."""
+        routes = self._bus._routes
+        rule = next((info for info in agent.plan.channels if info.name == channel), None)
+        others = (name for name in self.writers().get(channel, ()) if name != agent.name)
+        return (
+            (rule is None or (rule.every is None and rule.radio is None and not rule.sources))
+            and not any(agent.name in routes.receivers(name, channel).names for name in others)
+            and routes.receivers(agent.name, channel).names == (agent.name,)
+            and channel not in by_lines_of(agent.plan)
+            and channel not in self._of_modules
+        )
+
+    # ---- in a run ----------------------------------------------------------------------------
+
+    def may_come(self, agent: Agent, channel: str) -> bool:
+        """Whether a new message may come at this moment on a channel of `brief`."""
+        if agent.over or agent.down:
+            return False
+        writers = self.brief[agent.name][channel]
+        by_label = agent.plan.by_label
+        return not writers or any(by_label[leaf].activity in writers for leaf in agent.chart.configuration())
+
+    def is_new(self, agent: Agent, channel: str) -> bool:
+        """Whether the newest message of a channel may be another one whenever the agent looks for it.
+
+        Not if it has become old: then a new one has to come.
+        """
+        return channel in self.brief[agent.name] and all(
+            item is None or item.time == NOW
+            for item in (board.newest(channel) for board in agent.chart.boards() if board is not None)
+        )
+
+    def begin(self) -> None:
+        """A move is made now."""
+        self._may_come = {
+            agent.name: {channel for channel in self.brief[agent.name] if self.may_come(agent, channel)}
+            for agent in self._agents
+        }
+
+    def end(self) -> None:
+        """The move is made: nothing looks for anything."""
+        self._may_come = {}
+
+    def look_for(self, name: str, channel: str) -> None:
+        """An agent looks for a message that is not there: it may just have come."""
+        if channel not in self._may_come.get(name, ()):
+            return
+        message = channel.rpartition(".")[2]
+        if self._choices.of(("come", name, channel), (None, True), f"{name}: {message} has come"):
+            agent = next(item for item in self._agents if item.name == name)
+            is_own = bool(self.brief[name][channel])
+            content = self._contents.new(message, ("input",), "{}", f"{name}: {message}")
+            identity = agent.identity() if is_own else self._bus.outside()
+            item = Sample(channel, content, name if is_own else "input", NOW, identity)
+            for number in agent.chart.READERS[channel]:
+                board = agent.chart.boards()[number]
+                if board is not None and board.newest(channel) is None:
+                    board.put(item, NOW)
+
+    def forget(self, agent: Agent) -> None:
+        """What was decided of the newest messages may be otherwise, as far as new ones may come now."""
+        for channel in self.brief[agent.name]:
+            if not (agent.over or agent.down or self.may_come(agent, channel)):
+                continue
+            for board in agent.chart.boards():
+                item = None if board is None else board.newest(channel)
+                if item is not None and item.time == NOW:
+                    self._later.forget(item.message)
+
+    def give(self, agent: Agent, channel: str) -> None:
+        """A message comes from outside."""
+        for board in agent.chart.boards():
+            if board is not None and channel in board._data:  # of data, the newest is all that is read
+                board._part()
+                del board._data[channel]
+        message = channel.rpartition(".")[2]
+        content = self._contents.new(message, ("input",), "{}", f"{agent.name}: {message}")
+        self._bus.give(agent, channel, content)
+
+
+__all__ = ["Coming"]

@@ -1,0 +1,9 @@
+"""Deciding: what is left open in a run, and what is tried for it.
+
+- `choosing`: one answer after another
+- `values`: what is tried, by what the document does with each value
+- `later`: contents of messages that are decided when they are read
+- `arriving`: messages that are there, or not, when something looks for them
+- `staging`: the statecharts of a team that is explored
+- `acting`: what activities do
+"""

@@ -1,0 +1,56 @@
+"""Arriving: messages that may have come at any time are there, or not, when something looks for them."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from types import FunctionType, MemberDescriptorType
+from typing import cast
+
+from aseme_dsl.runtime.chart.board import Board, getter
+from aseme_dsl.runtime.chart.chart import Chart
+
+
+def methods_of(chart: type[Chart], looked_for: Callable[[str], None]) -> dict[str, object]:
+    """The methods of a chart, with boards that call `looked_for` with a channel when something looks for its
+    newest message and there is none yet. It may put one there."""
+    scope = vars(sys.modules[chart.__module__])
+    boards = {
+        name: _opened(kind, looked_for)
+        for name, kind in scope.items()
+        if isinstance(kind, type) and issubclass(kind, Board) and kind.SLOTS
+    }
+    known = {**scope, **boards}
+    return {
+        name: FunctionType(method.__code__, known, name, method.__defaults__, method.__closure__)
+        for name, method in vars(chart).items()
+        if isinstance(method, FunctionType)
+    }
+
+
+def _opened(kind: type[Board], looked_for: Callable[[str], None]) -> type[Board]:
+    own: dict[str, object] = {"__slots__": ()}
+    held: dict[str, str] = {}
+    for channel, slots in kind.SLOTS.items():
+        for slot, sender in slots:
+            if sender is None:
+                held[slot] = f"held_{slot}"
+                own[held[slot]] = vars(kind)[slot]
+                own[slot] = _member(vars(kind)[slot], channel, looked_for)
+    opened = cast("type[Board]", type(kind.__name__, (kind,), own))
+    opened.shown = getter([held.get(slot, slot) for slot in opened.show_in])
+    return opened
+
+
+def _member(raw: MemberDescriptorType, channel: str, looked_for: Callable[[str], None]) -> property:
+    def read(board: Board) -> object:
+        message = raw.__get__(board)
+        if message is None:
+            looked_for(channel)
+            message = raw.__get__(board)
+        return message
+
+    return property(read, raw.__set__)
+
+
+__all__ = ["methods_of"]

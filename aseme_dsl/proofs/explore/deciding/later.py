@@ -1,0 +1,175 @@
+"""Later: contents of messages of which each member is decided when something reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import field
+from itertools import count
+from operator import attrgetter
+
+from aseme_dsl.proofs.explore.deciding.choosing import Choices
+from aseme_dsl.proofs.explore.deciding.values import Values
+from aseme_dsl.records import dataclass
+
+Path = tuple[str, ...]
+"""The way to a member of a message, from outside."""
+
+
+@dataclass(slots=True)
+class Decided:
+    """What has been decided of contents: by their numbers and the paths of members."""
+
+    values: dict[tuple[int, Path], object] = field(default_factory=dict)
+    made: int = 0
+    """How many contents there have been."""
+
+
+class Later:
+    """Makes contents whose members are decided when they are read."""
+
+    def __init__(self, choices: Choices, values: Values) -> None:
+        self._choices = choices
+        self._values = values
+        self._alike: dict[tuple[str, Path], object] = {}
+        """What stands for numbers that are only compared with each other, by type and path."""
+        self._kind_of: dict[int, str] = {}
+        self._noted: set[tuple[str, Path]] = set()
+        self.decided = Decided()
+        self._kinds: dict[type[object], type[object]] = {}
+
+    def content(self, kind: type[object], tried: Mapping[Path, Sequence[object]], name: str) -> object:
+        """A new message of this kind. For the members at these paths, one of the values is decided when it is
+        read; the others have their defaults. `name` is what it is, for readers."""
+        self.decided.made += 1
+        self._kind_of[self.decided.made] = kind.__name__
+        return self._open(kind, _Content(self, self.decided.made, kind.__name__, tried, name), ())
+
+    def forget(self, message: object) -> None:
+        """What was decided of a message may be otherwise from now on."""
+        content = content_of(message)
+        if content is not None:
+            values = self.decided.values
+            for key in [key for key in values if key[0] == content.number]:
+                del values[key]
+
+    def said(self, number: int) -> str:
+        """What has been decided of a content."""
+        values = self.decided.values
+        return repr(sorted((path, value) for (other, path), value in values.items() if other == number))
+
+    def decide(self, content: _Content, path: Path) -> object:
+        """What a member holds."""
+        key = content.number, path
+        values = self.decided.values
+        if key not in values:
+            answers = self._answers(content, path)
+            if (content.kind, path) not in self._noted:
+                self._noted.add((content.kind, path))
+                self._values.note(content.kind, path)
+            text = f"{content.name}.{'.'.join(path)} is {{}}"
+            values[key] = self._choices.of(("member", *key), answers, text)
+        return values[key]
+
+    def _answers(self, content: _Content, path: Path) -> Sequence[object]:
+        """What a member may hold; of numbers that are only compared with each other those that there are, and
+        another one."""
+        key = content.kind, path
+        if key not in self._alike:
+            self._alike[key] = self._values.alike(*key)
+        alike = self._alike[key]
+        if alike is None:
+            return content.tried[path]
+        values = self.decided.values
+        there = {
+            value
+            for (number, other), value in values.items()
+            if self._alike.get((self._kind_of[number], other)) == alike and isinstance(value, int)
+        }
+        return (*sorted(there), next(number for number in count(1) if number not in there))
+
+    def _open(self, kind: type[object], content: _Content, at: Path) -> object:
+        opened = self._kinds.get(kind)
+        if opened is None:
+            opened = self._kinds[kind] = _opened(kind, self._open)
+        message = object.__new__(opened)
+        object.__setattr__(message, "content", content)
+        object.__setattr__(message, "at", at)
+        return message
+
+
+@dataclass(frozen=True, slots=True)
+class _Content:
+    """The content of one message: its number, its type, and what is tried for its members."""
+
+    later: Later
+    number: int
+    kind: str
+    tried: Mapping[Path, Sequence[object]]
+    name: str
+
+
+def content_of(message: object) -> _Content | None:
+    """The content of a message of which members are decided later; None for any other."""
+    return getattr(message, "content", None) if hasattr(type(message), "is_decided_later") else None
+
+
+class Contents:
+    """Makes the contents of messages that activities and the surroundings decide."""
+
+    def __init__(
+        self,
+        choices: Choices,
+        values: Values,
+        later: Later,
+        messages: Mapping[str, type[object]],
+        told: frozenset[str],
+    ) -> None:
+        """Of the types `told`, contents are decided when they are made: properties ask for them."""
+        self._choices = choices
+        self._values = values
+        self._later = later
+        self._messages = messages
+        self._told = told
+
+    def new(self, message: str, question: Hashable, text: str, name: str) -> object:
+        """A content of a type of message; `name` is what it is, and `text` what is said of one that is
+        decided now, with `{}` for it."""
+        tried = None if message in self._told else self._values.tried(message)
+        if tried is None:
+            return self._choices.of(question, self._values.contents(message), text)
+        return self._later.content(self._messages[message], tried, name)
+
+
+def _opened(kind: type[object], open_: Callable[[type[object], _Content, Path], object]) -> type[object]:
+    """The class of messages of a kind whose members are decided later.
+
+    It tells of no members, so that a trace reads none; and a message is equal to itself alone.
+    """
+    plain = kind()
+    names = attrgetter("__dataclass_fields__")(kind)
+    own: dict[str, object] = {
+        "__slots__": ("at", "content"),
+        "__dataclass_fields__": {},
+        "__eq__": object.__eq__,
+        "__hash__": object.__hash__,
+        "__repr__": lambda item: f"{kind.__name__} {item.content.number} {item.at}",
+        "is_decided_later": True,
+    }
+    own |= {name: _member(name, getattr(plain, name), open_) for name in names}
+    return type(kind.__name__, (kind,), own)
+
+
+def _member(name: str, default: object, open_: Callable[[type[object], _Content, Path], object]) -> property:
+    def read(message: object) -> object:
+        content: _Content = attrgetter("content")(message)
+        path: Path = (*attrgetter("at")(message), name)
+        if path in content.tried:
+            return content.later.decide(content, path)
+        if any(other[: len(path)] == path for other in content.tried):
+            return open_(type(default), content, path)
+        return default
+
+    return property(read)
+
+
+__all__ = ["Contents", "Decided", "Later", "Path", "content_of"]

@@ -1,0 +1,253 @@
+"""Needed: which regions of a team matter to a question; the others need not move while it is answered.
+
+A region that nothing depends on is left where it is: what it could do changes nothing of what is asked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import field
+
+from aseme_dsl.proofs.explore.deciding.staging import published
+from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.chart.plan import Plan, is_in
+
+Part = tuple[str, str]
+"""A region of a role: the names of the role and of the region."""
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """What a question is about: states by role, channels, and variables and timers by their names."""
+
+    states: Mapping[str, frozenset[str]]
+    channels: frozenset[str] = frozenset()
+    names: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class Needed:
+    """The regions that matter, by role, and the channels that they read."""
+
+    regions: Mapping[str, frozenset[str]]
+    reads: Mapping[str, frozenset[str]]
+
+    def has(self, plan: Plan, label: str) -> bool:
+        """Whether a state is in a region that matters, and in no smaller one that does not."""
+        return region_of(plan, label) in self.regions[plan.name]
+
+
+def needed_for(
+    plans: Sequence[Plan],
+    asked: Asked,
+    fails: Collection[str],
+    reaches: Callable[[str, str, str], bool],
+    own: Mapping[str, Collection[str]],
+) -> Needed | None:
+    """The regions that matter to a question, if not all do; None if all do, or if agents send agent messages.
+
+    An activity that has a deadline or is in `fails` matters wherever it is. `reaches` says whether what the
+    first role publishes on a channel comes to the second one. What is published on the channels in `own`, by
+    role, comes to the agent alone, whenever an activity that writes it is active. So one that never ends need
+    not move.
+    """
+    if any(info.sends or info.receives for plan in plans for info in plan.branches):
+        return None
+    search = _Search({plan.name: plan for plan in plans}, reaches, own)
+    for plan in plans:
+        search.states(plan, asked.states.get(plan.name, ()))
+        search.states(
+            plan,
+            (state.label for state in plan.states if state.activity is not None and state.activity in fails),
+        )
+    for name in asked.names:
+        search.named(name)
+    for channel in asked.channels:
+        search.channel(channel)
+    search.run()
+    regions = {
+        name: frozenset(label for role, label in search.parts if role == name) for name in search.plans
+    }
+    if all(len(regions[plan.name]) == len(plan.regions) for plan in plans):
+        return None
+    reads = {name: frozenset(found) for name, found in search.reads.items()}
+    return Needed(regions, reads)
+
+
+def region_of(plan: Plan, label: str) -> str:
+    """The region in which a state is; the root for what is around all regions."""
+    labels = {region.label for region in plan.regions}
+    while label not in labels:
+        parent = plan.by_label[label].parent
+        if parent is None:
+            return plan.regions[0].label
+        label = parent
+    return label
+
+
+@dataclass(slots=True)
+class _Search:
+    plans: Mapping[str, Plan]
+    reaches: Callable[[str, str, str], bool]
+    own: Mapping[str, Collection[str]]
+    parts: set[Part] = field(default_factory=set)
+    reads: dict[str, set[str]] = field(default_factory=dict)
+    _todo: list[Part] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.reads = {name: set() for name in self.plans}
+
+    def run(self) -> None:
+        while self._todo:
+            role, label = self._todo.pop()
+            self._part(self.plans[role], label)
+
+    def _add(self, plan: Plan, region: str) -> None:
+        part = plan.name, region
+        if part not in self.parts:
+            self.parts.add(part)
+            self._todo.append(part)
+
+    # ---- what something asks for ---------------------------------------------------------------
+
+    def states(self, plan: Plan, labels: Iterable[str]) -> None:
+        """These states, and what is inside them."""
+        for label in labels:
+            self._add(plan, region_of(plan, label))
+            for region in plan.regions:
+                if is_in(region.label, label):
+                    self._add(plan, region.label)
+
+    def named(self, name: str) -> None:
+        """A variable or timer of any role."""
+        for plan in self.plans.values():
+            for item in plan.transitions:
+                if any(
+                    action[0] in ("assign", "start_timer") and str(action[1]).partition("@")[0] == name
+                    for action in item.actions
+                ):
+                    self._add(plan, region_of(plan, item.source))
+            scopes = [
+                item.scope for item in plan.variables if item.name.partition("@")[0] == name and item.scope
+            ]
+            writers = {info.name for info in plan.activities if name in info.variables}
+            for state in plan.states:
+                if state.activity is not None and (
+                    state.activity in writers or any(is_in(state.label, scope) for scope in scopes)
+                ):
+                    self._add(plan, region_of(plan, state.label))
+
+    def channel(self, channel: str, reader: str | None = None) -> None:
+        """What is published on a channel, as far as it comes to the reader, a role."""
+        for plan in self.plans.values():
+            if reader is not None and not self.reaches(plan.name, reader, channel):
+                continue
+            writers = {info.name for info in plan.activities if channel in info.writes}
+            is_own = channel in self.own[plan.name]
+            for state in plan.states:
+                if state.activity in writers:
+                    region = region_of(plan, state.label)
+                    around = plan.by_label[region].parent
+                    if is_own and around is not None and _is_steady(plan, region):
+                        region = region_of(plan, around)
+                    self._add(plan, region)
+            for item in plan.transitions:
+                if any(published(action) == channel for action in item.actions):
+                    self._add(plan, region_of(plan, item.source))
+
+    # ---- what a region depends on --------------------------------------------------------------
+
+    def _part(self, plan: Plan, region: str) -> None:
+        around = plan.by_label[region].parent
+        if around is not None:
+            self._add(plan, region_of(plan, around))
+        for item in plan.transitions:
+            if region_of(plan, item.source) == region:
+                self._terms(plan, (item.condition, *item.actions))
+                if plan.by_label[item.source].type == "AND" and not item.first:
+                    self._completion(plan, item.source)
+        for state in plan.states:
+            if state.arguments and region_of(plan, state.label) == region:
+                self._terms(plan, [term for _, term in state.arguments])
+
+    def _completion(self, plan: Plan, label: str) -> None:
+        """The regions of an AND that can come to their end: it is complete when all have."""
+        inside = plan.children(label)
+        if all(_ends(plan, child.label) for child in inside):
+            for child in inside:
+                self._add(plan, child.label)
+
+    def _terms(self, plan: Plan, terms: Iterable[object]) -> None:
+        todo = list(terms)
+        while todo:
+            term = todo.pop()
+            if not isinstance(term, tuple):
+                continue
+            match term:
+                case ("variable", str() as name, *_):
+                    self.named(name.partition("@")[0])
+                case ("expired", str() as name):
+                    self.named(name)
+                case ("member", _, str() as channel, *_):
+                    self.reads[plan.name].add(channel)
+                    self.channel(channel, plan.name)
+                case ("in" | "done" | "count", str() as name):
+                    self.states(plan, _called(plan, name))
+                case ("outcome", str() as name):
+                    self.states(plan, _called(plan, name))
+                case _:
+                    pass
+            todo += term
+
+
+def _called(plan: Plan, name: str) -> Iterator[str]:
+    return (state.label for state in plan.states if name in (state.name, state.activity, state.label))
+
+
+def _is_steady(plan: Plan, region: str) -> bool:
+    """Whether a region is one activity that is begun anew for ever."""
+    inside = [state for state in plan.states if is_in(state.label, region)]
+    is_free = all(
+        item.condition is None and not item.events and not item.actions
+        for item in plan.transitions
+        if is_in(item.source, region)
+    )
+    return is_free and sum(state.type == "BASIC" for state in inside) == 1 and not _ends(plan, region)
+
+
+def _ends(plan: Plan, label: str) -> bool:
+    """Whether a state can be complete, if all conditions may hold."""
+    match plan.by_label[label].type:
+        case "AND":
+            return all(_ends(plan, child.label) for child in plan.children(label))
+        case "OR":
+            return _reaches_end(plan, label)
+        case _:
+            return True
+
+
+def _reaches_end(plan: Plan, label: str) -> bool:
+    inside = {child.label: child for child in plan.children(label)}
+    seen: set[str] = set()
+    todo = [name for name, child in inside.items() if child.type == "START"]
+    while todo:
+        name = todo.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        if inside[name].type == "END":
+            return True
+        is_complete = _ends(plan, name)
+        todo += [
+            other
+            for item in plan.transitions
+            if item.kind == "external"
+            and is_in(item.source, name)
+            and (is_complete or item.first or item.when or item.source != name)
+            for other in inside
+            if is_in(item.target, other)
+        ]
+    return False
+
+
+__all__ = ["Asked", "Needed", "needed_for", "region_of"]

@@ -1,0 +1,167 @@
+"""`asemec prove` on teams that are too large to look at as a whole: what is left out makes no difference."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import Done, Here
+from tests.cli.test_prove import verdicts
+
+ROBOT = """\
+system Robots
+message Ball { bool near }
+topic eye { state Ball }
+srm robot {
+  var tired : bool = false
+  liveness {
+    robot = Look~ || play || (A1 . A2 . A3)~ || (B1 . B2 . B3)~ || (C1 . C2 . C3)~
+    play  = Wait . (Kick | Rest)
+  }
+  activities { Look writes eye.state.Ball }
+  control play {
+    enter Kick : [eye.state.Ball.near && !tired]
+    enter Rest : else
+  }
+}
+team T { one, two, three : robot }
+property "it never kicks" { never some robot in Kick }
+property "one kicks" { never two of robot in Kick }
+property "it rests after it has seen" { every received eye.state.Ball leads to some robot in (Kick or Rest) }
+"""
+
+
+@pytest.fixture
+def prove(here: Here, folder: Path) -> object:
+    def call(text: str, *arguments: object) -> Done:
+        (folder / "it.aseme").write_text(text)
+        return here("prove", "it.aseme", *arguments)
+
+    return call
+
+
+def test_regions_that_do_not_matter_stand_still(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(ROBOT, "it never kicks", "one kicks")
+    assert done.code == 1, done.out
+    first, second = (line for line in done.out.splitlines() if line.startswith("REFUTED"))
+    assert "only the regions that matter to it" in first
+    assert "only the regions that matter to it" in second
+    assert "robot: Ball.near is True" in done.out.replace("one:", "robot:").replace("two:", "robot:")
+
+
+def test_a_region_that_writes_what_another_reads_matters(prove) -> None:  # type: ignore[no-untyped-def]
+    rested = ROBOT.replace("var tired : bool = false", "var tired : bool = true")
+    assert prove(rested, "it never kicks").code == 0
+    for line in ("control robot { enter A2 : / tired = false }", "activities { B2 writes tired }"):
+        text = rested.replace("  control play {", f"  {line}\n  control play {{")
+        done = prove(text, "it never kicks", "--json")
+        assert (done.code, verdicts(done)["it never kicks"]) == (1, "REFUTED"), line
+
+
+def test_a_message_whose_coming_is_asked_for_comes_in_a_move(prove) -> None:  # type: ignore[no-untyped-def]
+    (item,) = prove(ROBOT, "it rests after it has seen", "--robots", "1", "--json").json["results"]
+    assert item["verdict"] != "PROVED" or "vacuous" not in item["reason"], item
+    never = ROBOT.replace(
+        'property "it never kicks" { never some robot in Kick }',
+        'property "nothing is seen" { never received eye.state.Ball }',
+    )
+    done = prove(never, "nothing is seen", "--robots", "1")
+    assert done.code == 1, done.out
+
+
+def test_agents_that_do_not_meet_are_looked_at_apart(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(ROBOT, "deadlock", "dead states", "failures", "--robots", "3", "--json")
+    assert set(verdicts(done).values()) == {"PROVED"}, done.out
+    assert all("agents that do not meet apart" in item["bounds"] for item in done.json["results"])
+    met = ROBOT.replace("topic eye { state Ball }", "topic eye { state Ball from robot }")
+    done = prove(met, "deadlock", "--robots", "2", "--states", "300", "--json")
+    assert "apart" not in done.json["results"][0]["bounds"]
+
+
+NUMBERS = """\
+system Numbers
+message Who { int first  int second }
+message Me { int number }
+topic team { state Who }
+topic my { state Me }
+srm robot {
+  liveness { robot = Wait . (Both | Second | First | None) }
+  control robot {
+    enter Both   : [my.state.Me.number == team.state.Who.first && my.state.Me.number == team.state.Who.second
+                    && team.state.Who.first != team.state.Who.second]
+    enter First  : [my.state.Me.number == team.state.Who.first]
+    enter Second : [my.state.Me.number == team.state.Who.second]
+    enter None   : else
+  }
+}
+team T { one : robot }
+property "it is not both" { never one in Both }
+property "it is one of them" { never one in None }
+"""
+
+
+def test_numbers_that_are_only_compared_with_each_other_stand_for_all(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(NUMBERS, "--json")
+    found = {item["name"]: item for item in done.json["results"]}
+    assert found["it is one of them"]["verdict"] == "REFUTED"
+    assert found["dead states"]["verdict"] == "REFUTED"  # Both
+    assert found["dead states"]["reason"].startswith("never reached: state Both, `[my.state.Me.number ==")
+    assert found["deadlock"]["verdict"] == "PROVED"
+    assert " in 1" not in found["deadlock"]["bounds"], found["deadlock"]
+
+
+COUNTED = """\
+system Cells
+srm cell {
+  liveness { cell = (Grasp+ . Rest)~ }
+  control cell {
+    repeat Grasp : [count(Grasp) < LIMIT]
+    leave  Grasp :
+  }
+}
+team T { one : cell }
+property "it rests" { never one in Rest }
+"""
+
+
+def test_what_counts_without_end_has_an_end(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(COUNTED.replace("LIMIT", "3"), "--json")
+    assert verdicts(done) == {
+        "it rests": "REFUTED",
+        "deadlock": "PROVED",
+        "dead states": "PROVED",
+        "failures": "PROVED",
+    }
+    endless = COUNTED.replace("count(Grasp) < LIMIT", "count(Grasp) > 0")
+    assert verdicts(prove(endless, "dead states", "--json")) == {"dead states": "REFUTED"}
+
+
+def test_a_message_that_never_came_is_not_there(prove) -> None:  # type: ignore[no-untyped-def]
+    text = NUMBERS.replace("enter None   : else", "enter None   : [!has(my.state.Me)]")
+    found = verdicts(prove(text, "deadlock", "it is one of them", "--json"))
+    assert found["it is one of them"] == "REFUTED"
+
+
+def test_a_kept_message_does_not_change(prove) -> None:  # type: ignore[no-untyped-def]
+    """A message that a line has kept as a whole says the same when it is asked again."""
+    text = """\
+system Kept
+message Ball { bool near }
+topic eye { state Ball }
+srm robot {
+  var seen : Ball
+  liveness { robot = Wait . Keep . ((Near . (Same | Other)) | Far) }
+  control robot {
+    enter Keep  : [has(eye.state.Ball)] / seen = eye.state.Ball
+    enter Near . (Same | Other) : [seen.near]
+    enter Far   : else
+    enter Same  : [seen.near]
+    enter Other : else
+  }
+}
+team T { one : robot }
+property "it stays" { never one in Other }
+"""
+    found = verdicts(prove(text, "dead states", "--json"))
+    assert found == {"dead states": "REFUTED"}
