@@ -9,7 +9,7 @@ from aseme_dsl.play.scenario import Condition, Expectation, InPlaces
 from aseme_dsl.play.sight.alarms import Alarms
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import is_in
-from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
+from aseme_dsl.runtime.monitor.rules import State, Verdict, View, deadline, ended, seen
 from aseme_dsl.runtime.trace.records import Record
 
 Place = tuple[str, str]
@@ -41,6 +41,10 @@ class Clauses:
             number: item for number, item in enumerate(conditions) if isinstance(item, InPlaces)
         }
         self._talks: dict[str, _Talk] = {}
+        self._of: dict[Place, list[_Talk]] = {}
+        """The conversations in which an agent takes part with a branch."""
+        self._due: dict[int, _Talk] = {}
+        """Those in which a clause awaits something by a moment: time alone changes no other."""
         self._early: dict[Place, set[str]] = {}
         """What was entered in a branch that is in no conversation yet."""
         self._active: dict[str, frozenset[str]] = {}
@@ -56,11 +60,19 @@ class Clauses:
         self._active[agent] = active
         for branch in branches:
             inside = {label for label in entered if is_in(label, branch)}
-            talks = [talk for talk in self._talks.values() if (agent, branch) in talk.places]
+            talks = self._of.get((agent, branch), [])
             for talk in talks:
                 self._look(talk, {agent: inside}, now, now)
             if not talks and inside:
                 self._early.setdefault((agent, branch), set()).update(inside)
+
+    def crash(self, agent: str, now: int) -> None:
+        """An agent has stopped dead: it is in no state."""
+        self._active[agent] = frozenset()
+        for place in list(self._of):
+            if place[0] == agent:
+                for talk in self._of[place]:
+                    self._look(talk, {}, now, now)
 
     def conversation(self, record: Record, protocol: str, now: int) -> None:
         """An agent opens, joins, or leaves a conversation of a protocol."""
@@ -71,20 +83,26 @@ class Clauses:
             if talk is None:
                 mine = (number for number, item in self._clauses.items() if item.protocol == protocol)
                 talk = self._talks[name] = _Talk(states={number: State() for number in mine})
-            talk.places.add(place)
+            if place not in talk.places:
+                talk.places.add(place)
+                self._of.setdefault(place, []).append(talk)
             self._look(talk, {place[0]: self._early.pop(place, set())}, now, now)
         elif record["what"] == "leave" and name in self._talks:
             self._early.pop(place, None)
-            self._talks[name].places.discard(place)
+            talk = self._talks[name]
+            if place in talk.places:
+                talk.places.discard(place)
+                self._of[place].remove(talk)
+                self._look(talk, {}, now, now)
 
     def rest(self, first: int, last: int) -> None:
         """Nothing happens from `first` to `last`."""
-        for talk in self._talks.values():
+        for talk in list(self._due.values()):
             self._look(talk, {}, first, last, rests=True)
 
     def look(self, now: int) -> None:
         """Time alone may have changed something."""
-        for talk in self._talks.values():
+        for talk in list(self._due.values()):
             self._look(talk, {}, now, now)
 
     def is_awaited(self, number: int, moment: int) -> bool:
@@ -116,6 +134,11 @@ class Clauses:
         view = View(first, last, frozenset(holds), frozenset(occurs), rests=rests)
         for number, state in talk.states.items():
             self._take(talk, number, seen(self._clauses[number].rule, state, view))
+        rules = ((self._clauses[number].rule, state) for number, state in talk.states.items())
+        if any(deadline(rule, state) is not None for rule, state in rules):
+            self._due[id(talk)] = talk
+        else:
+            self._due.pop(id(talk), None)
 
     def _take(self, talk: _Talk, number: int, state: State) -> None:
         if state is talk.states[number]:

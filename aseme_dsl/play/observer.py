@@ -235,7 +235,8 @@ class Observer:
         self._pass_to(self._around.now())
         self.assumed.crash(agent, self._now)
         self._agents[agent].forget()
-        self._clauses.step(agent, (), _NONE, _NONE, self._now)
+        self._clauses.crash(agent, self._now)
+        self._take_clauses()
         self._note(agent, "crashes")
         self.look()
 

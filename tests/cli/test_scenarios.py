@@ -231,6 +231,13 @@ scenario "nobody walks, shrunk" {
     assert (again.code, "failed   nobody walks, shrunk" in again.out) == (1, True), again.out
 
 
+def test_an_input_that_nothing_reads_costs_one_run(here: Here, folder: Path) -> None:
+    text = 'scenario "s" {\n  given far in 0..300\n  %s\n  for 1s\n}\n'
+    for line, runs in (("", ""), ("at 0ms one receives eyes.state.Seen { ball = far > 17 }", "  100 runs")):
+        (folder / "good.aseme").write_text(GOOD + text % line)
+        assert here("test", "good.aseme", "-j", "1").out.startswith(f"passed   s  seed 1  1 s{runs}\n")
+
+
 AWAITED = """
 scenario "it comes home, and sits down" {
   one : robot

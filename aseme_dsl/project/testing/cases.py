@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from random import Random
 
-from aseme_dsl.play.scenario import Given, Scenario, Script
+from aseme_dsl.amola.expression import ParameterValue, Value, walk
+from aseme_dsl.play.scenario import Given, Holds, Receives, Says, Scenario, Script
 from aseme_dsl.records import dataclass
 
 GIVEN = 100
@@ -51,9 +52,30 @@ def inputs_of(script: Script, seed: int, count: int) -> Iterator[Mapping[str, ob
     if count == 1:  # one for each seed: these first
         yield first[seed - 1] if 1 <= seed <= len(first) else _drawn(script, chance)
         return
+    if not _read(script) & set(names):
+        yield first[0]  # each value would give the same run
+        return
     yield from first
     for _ in range(count - len(first)):
         yield _drawn(script, chance)
+
+
+def _read(script: Script) -> set[str]:
+    """The inputs that something in a script reads."""
+    acts = [item.act for item in script.stimuli]
+    contents = [act.content for act in acts if isinstance(act, Receives)]
+    values: list[Value | None] = []
+    for acting in script.activities:
+        contents += [item.content for item in acting.writes] + list(acting.sends)
+        values += [value for _, value in acting.sets]
+    for condition in script.conditions:
+        if isinstance(condition, Holds):
+            values.append(condition.value)
+        elif isinstance(condition, Says):
+            values.append(condition.condition)
+    values += [value for content in contents for _, value in content.members]
+    parts = (part for value in values if value is not None for part in walk(value))
+    return {part.name for part in parts if isinstance(part, ParameterValue)}
 
 
 def _drawn(script: Script, chance: Random) -> Mapping[str, object]:
