@@ -39,6 +39,7 @@ COMMANDS = (
     "goals",
     "metrics",
     "replay",
+    "observe",
     "why",
     "whynot",
     "node",

@@ -9,7 +9,7 @@ from aseme_dsl.play.evaluate import NotEvaluated
 from aseme_dsl.play.observer import KINDS, Observer
 from aseme_dsl.play.scenario import Expectation, Refused, Script
 from aseme_dsl.play.sight.deciding import decided_by
-from aseme_dsl.play.sight.insight import Asked, Present, asked_by, kept
+from aseme_dsl.play.sight.insight import Asked, Kept, Present, asked_by, kept
 from aseme_dsl.play.sight.sightings import LAG, Later, Reporter, Sighting
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import Verdict
@@ -117,11 +117,13 @@ class Watch:
         tell: Callable[[str], None],
         is_strict: bool,
         plans: Iterable[Plan] | None = None,
+        observer: Observer | None = None,
     ) -> None:
         """`tell` is given a line for each that is broken; with `is_strict` that ends the run. The `plans` of
-        the roles are given for a run in real time, and for a recorded one."""
+        the roles are given for a run in real time, and for a recorded one. The `observer` goes on after a
+        breach."""
         self._script = script
-        self._observer = Observer(script, {}, goes_on=True)
+        self._observer = Observer(script, {}, goes_on=True) if observer is None else observer
         self._tell = tell
         self._is_strict = is_strict
         self._told: set[int] = set()
@@ -176,12 +178,16 @@ class Watch:
 
     def see(self, record: Record, chart: Chart | None) -> None:
         """The next line of a trace; `chart` is that of its agent behind it, if it has been followed."""
+        is_step = record["kind"] == "step" and chart is not None
+        self.show(record, kept(chart, self.asked) if is_step and chart is not None else None)
+
+    def show(self, record: Record, inside: Kept | None) -> None:
+        """The next line of a trace; that of a step with the inside of its agent after it, if it is known."""
         assert self._later is not None
         agent, kind = record.get("agent", ""), record["kind"]
         if kind == "life" and record.get("what") == "crash" and agent in dict(self._script.team):
             self._later.crash(agent, record["time"])
         elif kind in KINDS:
-            inside = kept(chart, self.asked) if kind == "step" and chart is not None else None
             self._later.take(Sighting(record, inside))
         self.look(record["time"])
 
@@ -221,7 +227,7 @@ class Watch:
         broken = [number for number, state in enumerate(states) if state.verdict is Verdict.BROKEN]
         for number in sorted(set(broken) - self._told, key=lambda number: (states[number].at, number)):
             self._told.add(number)
-            found = self._of(number, "broken")
+            found = self.of(number, "broken")
             self._tell(found.text)
             self.record(found.breach)
         stranger = None if self._later is None else self._later.stranger
@@ -243,10 +249,11 @@ class Watch:
                 verdict = "open"
             else:
                 verdict = "kept"
-            found.append(self._of(number, verdict))
+            found.append(self.of(number, verdict))
         return tuple(found)
 
-    def _of(self, number: int, verdict: str) -> Watched:
+    def of(self, number: int, verdict: str) -> Watched:
+        """What is said of a statement with this verdict."""
         item, state = self._script.expectations[number], self._observer.states[number]
         broken = self._observer.assumed.broken
         is_late = verdict == "broken" and broken is not None and broken[1] <= state.at

@@ -1,0 +1,166 @@
+"""Evidence: what a log has of a run, and what it would have to have for a statement about it to be decided."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from aseme_dsl.amola import expression as e
+from aseme_dsl.play.scenario import (
+    AllOf,
+    AnyOf,
+    Condition,
+    Expectation,
+    Failed,
+    Faulty,
+    Holds,
+    InPlaces,
+    NotSo,
+    Says,
+    Script,
+)
+from aseme_dsl.runtime.monitor.rules import conditions_of
+from aseme_dsl.runtime.time.clock import shown
+from aseme_dsl.runtime.trace.records import Record
+
+_LATE = 1_000_000_000
+"""In real time, a line may come so much later (ns) than one behind it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Needs:
+    """What a statement asks of a log."""
+
+    steps: frozenset[str] = frozenset()
+    """The agents whose steps it is about."""
+    senders: frozenset[str] = frozenset()
+    """The agents whose agent messages it is about."""
+    channels: bool = False
+    faults: bool = False
+    inside: str | None = None
+    """What only the statechart knows: `the variable tries`."""
+
+
+def needs_of(script: Script, item: Expectation, channels: Iterable[str]) -> Needs:
+    """What a statement asks of a log; `channels` are the types of messages on topics."""
+    topics = frozenset(channels)
+    everyone = frozenset(name for name, _ in script.team)
+    steps: set[str] = set()
+    senders: set[str] = set()
+    has_channels = has_faults = False
+    inside: str | None = None
+    todo = [*conditions_of(item.rule), *item.witnesses]
+    while todo:
+        condition: Condition = script.conditions[todo.pop()]
+        match condition:
+            case InPlaces(places=places):
+                steps.update(places)
+            case Holds(agent=agent, value=value):
+                steps.add(agent)
+                inside = inside or _inside(value)
+            case Says(agents=agents, is_received=is_received, condition=value):
+                (steps if is_received else senders).update(everyone if agents is None else agents)
+                kind = condition.what if condition.is_kind else ""
+                is_mail = condition.performative is not None or (condition.is_kind and kind not in topics)
+                has_channels = has_channels or not is_mail
+                if value is not None:
+                    inside = inside or _inside(value)
+            case Faulty() | Failed():
+                has_faults = True
+            case AllOf(parts=parts) | AnyOf(parts=parts):
+                todo += parts
+            case NotSo(part=part):
+                todo.append(part)
+    return Needs(frozenset(steps), frozenset(senders), has_channels, has_faults, inside)
+
+
+def _inside(value: e.Value) -> str | None:
+    """What a condition asks that no line of a trace says."""
+    for part in e.walk(value):
+        match part:
+            case e.VariableValue(name=name):
+                return f"the variable {name}"
+            case e.Outcome(activity=activity):
+                return f"how {activity} has ended"
+            case e.Expired(timer=timer):
+                return f"the timer {timer}"
+            case e.StateValue(question="done", state=state):
+                return f"whether {state} is complete"
+            case e.StateValue() | e.Member() | e.Literal():
+                pass
+            case _:
+                pass
+    return None
+
+
+@dataclass(slots=True)
+class Evidence:
+    """What has been seen of a run by now. `strangers` are agents of whose steps nothing is known, and why."""
+
+    agents: frozenset[str] = frozenset()
+    """The agents that have a log."""
+    is_trace: bool = True
+    is_one: bool = True
+    """Whether all agents run in one process: then their lines are numbered without a gap."""
+    is_virtual: bool = True
+    strangers: dict[str, str] = field(default_factory=dict)
+    steps: dict[str, int] = field(default_factory=dict)
+    missing: tuple[int, str] | None = None
+    """Since when and how lines are missing."""
+    _numbers: dict[str, int] = field(default_factory=dict)
+    _awaited: dict[tuple[str, int], int] = field(default_factory=dict)
+
+    def see(self, record: Record) -> None:
+        """The next line of a trace."""
+        kind, moment = record["kind"], record["time"]
+        if kind == "step":
+            self._step(record["agent"], record["step"], moment)
+        elif kind == "gap":
+            self._lack(moment, f"{record['lines']} lines are missing ({record['reason']})")
+        elif kind == "checkpoint" and record.get("anew"):
+            self.steps[record["agent"]] = record["step"]
+        if "sequence" in record and self.is_one:
+            self._number(record["agent"], record["sequence"], moment)
+        if self._awaited:
+            place, since = next(iter(self._awaited.items()))
+            if self.is_virtual or moment > since + _LATE:
+                self._lack(since, f"what {place[0]} did there (number {place[1]}) is missing")
+
+    def _step(self, agent: str, number: int, moment: int) -> None:
+        before = self.steps.get(agent, 0)
+        if number > before + 1:
+            self._lack(moment, f"step {before + 1} of {agent} is missing")
+        self.steps[agent] = number
+
+    def _number(self, agent: str, number: int, moment: int) -> None:
+        last = self._numbers.get(agent, 0 if self.is_virtual else number - 1)
+        if number <= last:
+            self._awaited.pop((agent, number), None)
+            return
+        if number > last + 1:
+            self._awaited[agent, last + 1] = moment
+        self._numbers[agent] = number
+
+    def _lack(self, moment: int, how: str) -> None:
+        if self.missing is None:
+            self.missing = moment, f"from {shown(moment)} on, {how}"
+
+    def lacks(self, needs: Needs) -> str | None:
+        """What this log does not have of what a statement asks for; None if it has all."""
+        if needs.inside is not None:
+            again = "; `asemec replay` decides it" if self.steps else ""
+            return f"it asks for {needs.inside}, which a log does not have{again}"
+        for agent in sorted(needs.steps | needs.senders):
+            if agent not in self.agents:
+                return f"there is no log of {agent}"
+        for agent in sorted(needs.steps):
+            if agent in self.strangers:
+                return self.strangers[agent]
+            if agent not in self.steps:
+                return f"the log has no steps of {agent}"
+        if not self.steps and (needs.channels or needs.faults):
+            return f"the log has no {'messages of topics' if needs.channels else 'faults'}"
+        return None
+
+
+__all__ = ["Evidence", "Needs", "needs_of"]

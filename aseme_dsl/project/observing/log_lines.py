@@ -1,0 +1,185 @@
+"""Log lines: agent messages in JSON lines that other programs have written.
+
+    {"time": 1.5, "sender": "ann", "receiver": "bob", "performative": "request", "message": "Dish",
+     "content": {"name": "pie"}, "protocol": "ordering", "conversation": "ordering-ann-1"}
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import cast
+
+from aseme_dsl import outside
+from aseme_dsl.project.observing.talks import Message
+from aseme_dsl.runtime.message.acl import performative_of
+from aseme_dsl.runtime.trace.trace_check import LATEST
+from aseme_dsl.runtime.trace.trace_files import TraceError, reason_of
+from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
+from aseme_dsl.runtime.trace.trace_gzip import unpacked_lines
+from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC, Torn
+
+_SECOND = 1_000_000_000
+_DEEPEST = 60
+"""A content that is deeper than this is none of a message."""
+
+
+class MessageLog:
+    """The messages of a log. `problem` says afterwards what is not whole, `began` when it began."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.problem: str | None = None
+        self.backwards: int | None = None
+        """The first line whose time is before that of the line before it."""
+        self._origin: int | None = None
+        self._performatives: dict[str, str] = {}
+
+    def __iter__(self) -> Iterator[Message]:
+        """The messages in the order of the lines.
+
+        Raises:
+            TraceError: a line that is not the last is no message, or the file cannot be read.
+        """
+        number, last = 0, -LATEST
+        try:
+            with outside.open_file(self.path) as file:
+                is_packed = file.peek(len(GZIP_MAGIC)).startswith(GZIP_MAGIC)
+                for line in unpacked_lines(file) if is_packed else outside.lines(file, LONGEST):
+                    number += 1
+                    if line.isspace():
+                        continue
+                    found = self._message(line)
+                    if isinstance(found, str):
+                        if not line.endswith(b"\n"):
+                            self.problem = f"{self.path}:{number}: the log breaks off here: {found}"
+                            return
+                        raise TraceError(f"{self.path}:{number}: {found}")
+                    if found.moment < last and self.backwards is None:
+                        self.backwards = number
+                    last = found.moment
+                    yield found
+        except Torn as torn:
+            self.problem = f"{self.path}:{number + 1}: the log breaks off here: {torn.reason}"
+        except OSError as problem:
+            raise TraceError(f"{self.path} cannot be read: {reason_of(problem)}") from problem
+
+    def _message(self, line: bytes) -> Message | str:
+        """What a line says, or what is wrong with it."""
+        try:
+            found = outside.loads(line, LONGEST, _DEEPEST)
+        except (ValueError, RecursionError) as problem:
+            return f"this is not JSON: {problem}"
+        if type(found) is not dict:
+            return "a message is a JSON object"
+        sender, performative = found.get("sender"), found.get("performative")
+        protocol, conversation = found.get("protocol"), found.get("conversation")
+        if not (type(sender) is str and type(performative) is str and type(protocol) is str):
+            return _wrong_in(found)
+        if not (type(conversation) is str and conversation and sender):
+            return _wrong_in(found)
+        moment = self._moment(found.get("time"))
+        receivers = found.get("receiver")
+        if type(receivers) is str:
+            receivers = (receivers,)
+        elif type(receivers) is list and all(type(item) is str for item in receivers):
+            receivers = tuple(dict.fromkeys(receivers))
+        else:
+            return _wrong_in(found)
+        if moment is None:
+            return _wrong_in(found)
+        known = self._performatives.get(performative)
+        if known is None:
+            known = performative_of(performative)
+            if known is None:
+                return f"{performative[:40]!r} is not a performative of FIPA"
+            self._performatives[performative] = known
+        message, part, name = found.get("message"), found.get("participant", ""), found.get("id", "")
+        if not ((message is None or type(message) is str) and type(part) is str and type(name) is str):
+            return _wrong_in(found)
+        received = None
+        if "received" in found and (received := self._moment(found["received"])) is None:
+            return _wrong_in(found)
+        content = found.get("content")
+        return Message(
+            *(moment, conversation, protocol, sender, receivers, known, message, content, (part, "")),
+            name=name,
+            received=received,
+        )
+
+    def _moment(self, said: object) -> int | None:
+        """A time in ns: seconds of the run, or a date, which counts from the first one."""
+        if type(said) is int or type(said) is float:
+            seconds = cast(float, said)
+            return round(seconds * _SECOND) if abs(seconds) < LATEST / _SECOND else None
+        if type(said) is not str:
+            return None
+        try:
+            date = datetime.fromisoformat(said)
+        except ValueError:
+            return None
+        date = date if date.tzinfo is not None else date.replace(tzinfo=UTC)
+        since = date - datetime(1970, 1, 1, tzinfo=UTC)
+        moment = (since.days * 86_400 + since.seconds) * _SECOND + since.microseconds * 1000
+        if self._origin is None:
+            self._origin = moment
+        return moment - self._origin
+
+
+_MEMBERS: Mapping[str, tuple[tuple[type, ...], str]] = {
+    "time": ((int, float, str), "seconds, or a date"),
+    "sender": ((str,), "a text"),
+    "receiver": ((str, list), "a text, or a list of texts"),
+    "performative": ((str,), "a text"),
+    "protocol": ((str,), "a text"),
+    "conversation": ((str,), "a text"),
+    "message": ((str, type(None)), "a text"),
+    "participant": ((str,), "a text"),
+    "id": ((str,), "a text"),
+    "received": ((int, float, str), "seconds, or a date"),
+}
+
+
+def _wrong_in(found: Mapping[str, object]) -> str:
+    """Which member of a message is missing, or not as it should be."""
+    for name, (types, wanted) in _MEMBERS.items():
+        value = found.get(name)
+        is_optional = name in ("message", "participant", "id", "received")
+        if name not in found:
+            if not is_optional:
+                return f"a message has no `{name}`"
+        elif type(value) not in types:
+            return f"`{name}` is not {wanted}"
+        elif value == "" and name in ("sender", "conversation"):
+            return f"`{name}` is empty"
+    for name in ("time", "received"):
+        if isinstance(value := found.get(name), str):
+            return f"`{name}` is not a date: {value[:40]!r}"
+    return "`receiver` or `time` is not as it should be"
+
+
+def is_trace(path: Path) -> bool:
+    """Whether a file is a trace of asemec; otherwise its first line is a message of another program.
+
+    Raises:
+        TraceError: it cannot be read.
+    """
+    try:
+        with outside.open_file(path) as file:
+            start = file.peek(len(MAGIC))
+            if start.startswith(MAGIC):
+                return True
+            lines = unpacked_lines(file) if start.startswith(GZIP_MAGIC) else outside.lines(file, LONGEST)
+            first = next((line for line in lines if not line.isspace()), b"")
+        found = outside.loads(first)
+    except Torn:
+        return True  # its reader says what is wrong
+    except OSError as problem:
+        raise TraceError(f"{path} cannot be read: {reason_of(problem)}") from problem
+    except (ValueError, RecursionError):
+        return False
+    return isinstance(found, dict) and "kind" in found
+
+
+__all__ = ["MessageLog", "is_trace"]

@@ -1,0 +1,68 @@
+"""Model: what a log is observed against: the protocols, statements and statecharts of a system."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+
+from aseme_dsl.amola.system import System
+from aseme_dsl.play.scenario import Refused, Script
+from aseme_dsl.project.building.project import Compiled
+from aseme_dsl.project.observing.contract import Contract, contracts_of
+from aseme_dsl.project.settings.configuration import Configuration
+from aseme_dsl.project.testing.replaying import compiled, generated
+from aseme_dsl.project.testing.watching import script_for, script_in
+from aseme_dsl.runtime.chart.plan import Plan
+
+Team = Mapping[str, str]
+"""The roles of agents, by name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Model:
+    """What a log is observed against. `script` says what its statements are about a team, if it has any."""
+
+    system: System
+    contracts: Mapping[str, Contract | None]
+    script: Callable[[Team], Script | Refused | None]
+
+    @property
+    def team(self) -> Team:
+        """The agents of its team; without one, an agent for each role."""
+        found = {agent.name: agent.role for team in self.system.teams[:1] for agent in team.agents}
+        return found or {chart.name: chart.name for chart in self.system.iacs}
+
+    @property
+    def topics(self) -> frozenset[str]:
+        """The types of the messages on topics."""
+        names = (str(rules.channel) for topic in self.system.topics for rules in topic.channels)
+        return frozenset(name.rpartition(".")[2] for name in names)
+
+    def plans(self) -> tuple[Plan, ...]:
+        """The plans of its roles. Raises NotReplayable."""
+        with ExitStack() as stack:
+            charts, _ = generated(self.system, stack)
+            return tuple(chart.PLAN for chart in charts.values())
+
+
+def model_in(sources: Mapping[str, str]) -> Model:
+    """The model that a trace has in it. Raises NotReplayable: this version of asemec does not compile it."""
+    system = compiled(sources)
+    return Model(
+        system, contracts_of(system), lambda team: script_in(sources, Configuration(Path()), team)
+    )
+
+
+def model_of(found: Compiled) -> Model:
+    """The model of a file without errors."""
+    assert found.system is not None
+    return Model(
+        found.system,
+        contracts_of(found.system),
+        lambda team: script_for(found.root, None, found.configuration, team),
+    )
+
+
+__all__ = ["Model", "Team", "model_in", "model_of"]

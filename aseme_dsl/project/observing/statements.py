@@ -1,0 +1,164 @@
+"""Statements: the properties and clauses of a model, watched over the lines of a log as they come."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable
+from dataclasses import dataclass
+
+from aseme_dsl.play.observer import Observer
+from aseme_dsl.play.scenario import Script
+from aseme_dsl.play.sight.insight import Kept
+from aseme_dsl.play.sight.story import Happened
+from aseme_dsl.project.observing.evidence import Evidence, needs_of
+from aseme_dsl.project.testing.watching import Watch, Watched
+from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.monitor.rules import State, Verdict
+from aseme_dsl.runtime.trace.records import Record, agents_of
+
+UNDECIDED = "undecided"
+"""The verdict of a statement for which a log does not have all that it asks for."""
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """What a property or clause says, and whether it was so; why it is undecided; what led to its breach."""
+
+    watched: Watched
+    reason: str = ""
+    story: tuple[Happened, ...] = ()
+
+
+class _Observer(Observer):
+    """Keeps the story of each statement from when it is broken."""
+
+    def __init__(self, script: Script) -> None:
+        super().__init__(script, {}, goes_on=True)
+        self.stories: dict[int, tuple[Happened, ...]] = {}
+
+    def _take(self, place: int, state: State) -> None:
+        super()._take(place, state)
+        if state.verdict is Verdict.BROKEN and place not in self.stories:
+            first, self.broken = self.broken, place
+            self.stories[place] = self.story()
+            self.broken = first
+
+
+class Statements:
+    """Watches the properties and clauses of a model, without making any step again."""
+
+    def __init__(
+        self,
+        script: Script,
+        plans: Collection[Plan],
+        topics: Iterable[str],
+        tell: Callable[[Statement], None] = lambda statement: None,
+    ) -> None:
+        """`plans` are those of the roles, `topics` the types of what is sent on topics. `tell` hears of each
+        that is broken, when it is seen."""
+        self._script = script
+        self._tell = tell
+        self._observer = _Observer(script)
+        self._watch = Watch(script, lambda text: None, False, plans, self._observer)
+        self._plans = {(plan.name, plan.model): plan for plan in plans}
+        self._models = {plan.model: plan for plan in plans}
+        self._running: dict[str, Plan] = {}
+        topics = frozenset(topics)
+        self._needs = [needs_of(script, item, topics) for item in script.expectations]
+        self._told: set[int] = set()
+        self._roles = dict(script.team)
+        self._moment = 0
+        self._reasons: dict[int, str] = {}
+        self.evidence = Evidence(is_trace=False, is_one=False)
+
+    def header(self, record: Record) -> None:
+        """The first line of a trace; of several, those of the other processes."""
+        evidence = self.evidence
+        found = {str(item["name"]): item for item in agents_of(record)}
+        if not evidence.is_trace:
+            evidence.is_trace, evidence.is_one = True, "machine" not in record and "elsewhere" not in record
+            evidence.is_virtual = record.get("clock") == "virtual"
+        evidence.agents |= frozenset(found)
+        for name, item in found.items():
+            role, model = str(item.get("role", "")), str(item.get("model", ""))
+            plan = self._plans.get((role, model))
+            if plan is not None and self._roles.get(name) == role:
+                self._running[name] = plan
+            elif name in self._roles:
+                evidence.strangers[name] = f"{name} ran another version of {role} than that of the model"
+
+    def begin(self, agents: Iterable[str]) -> None:
+        """The log tells of the messages of these agents, and of nothing else."""
+        self.evidence.agents |= frozenset(agents)
+
+    def see(self, record: Record) -> None:
+        """The next line."""
+        evidence = self.evidence
+        if evidence.is_trace:
+            evidence.see(record)
+            if record["kind"] in ("swap", "select"):
+                self._changes(record)
+        agent = record.get("agent", "")
+        self._moment = max(self._moment, record["time"])
+        if evidence.missing is None and agent not in evidence.strangers:
+            self._show(record, self._inside(agent) if record["kind"] == "step" else None)
+        if len(self._observer.stories) > len(self._told):
+            self._judge()
+
+    def rest(self, moment: int) -> None:
+        """Time has passed until this moment, and nothing was seen."""
+        if self.evidence.missing is None:
+            self._watch.look(moment)
+            self._judge()
+
+    def end(self) -> tuple[Statement, ...]:
+        """What has become of all of them when the log has ended."""
+        if self.evidence.missing is None:
+            self._watch.finish(self._moment)
+        self._judge()
+        return tuple(self._statement(number, item) for number, item in enumerate(self._watch.end()))
+
+    def _inside(self, agent: str) -> Kept | None:
+        plan = self._running.get(agent)
+        return None if plan is None else Kept(plan, dict(plan.numbers).get(agent, 1))
+
+    def _show(self, record: Record, inside: Kept | None) -> None:
+        self._watch.show(record, inside)
+        self._watch.look(record["time"])
+
+    def _changes(self, record: Record) -> None:
+        """An agent runs another plan from now on."""
+        agent = record.get("agent", "")
+        if agent not in self._roles or record.get("what", "done") != "done" or "reason" in record:
+            return
+        plan = self._models.get(str(record.get("model", "")))
+        if plan is not None:
+            self._running[agent] = plan
+        else:
+            self.evidence.strangers.setdefault(agent, f"{agent} has changed to another version of its role")
+
+    def _judge(self) -> None:
+        for number in sorted(self._observer.stories.keys() - self._told):
+            self._told.add(number)
+            reason = self.evidence.lacks(self._needs[number])
+            if reason is None:
+                self._tell(self._broken(number))
+            else:
+                self._reasons[number] = reason
+
+    def _broken(self, number: int) -> Statement:
+        return Statement(self._watch.of(number, "broken"), story=self._observer.stories[number])
+
+    def _statement(self, number: int, item: Watched) -> Statement:
+        reason = self._reasons.get(number) or self.evidence.lacks(self._needs[number])
+        if item.verdict == "broken" and number not in self._reasons:
+            return self._broken(number)
+        if reason is None and self.evidence.missing is not None:
+            reason = self.evidence.missing[1]
+        if reason is None and self._watch.stopped is not None:
+            reason = self._watch.stopped
+        if reason is not None:
+            return Statement(self._watch.of(number, UNDECIDED), reason)
+        return Statement(item)
+
+
+__all__ = ["UNDECIDED", "Statement", "Statements"]
