@@ -39,8 +39,8 @@ _WIDE = 10
 @click.command(
     short_help="Check the log of a run against the model.",
     help="Check whether the log of a run keeps the properties, clauses and protocols of its model. No step is"
-    " made again, so that logs of other programs are checked, too. TARGET is a trace (JSON Lines or MCAP), or a"
-    " log of agent messages (JSON Lines). A file, a project directory or an output directory stands for the"
+    " made again, so that logs of other programs are checked, too. TARGET is a trace (JSON Lines or MCAP), or"
+    " a log of agent messages (JSON Lines). A file, a project directory or an output directory stands for the"
     " traces of its last run. Several are the processes of one run. Default: the project in the current"
     " directory.",
     epilog="Example: asemec observe out   ·   asemec observe robots.jsonl --model team.aseme",
@@ -53,7 +53,9 @@ _WIDE = 10
     help="File or project to check against.  [default: the model in the trace]",
 )
 @click.option("--live", is_flag=True, help="Follow a run in progress, until it ends or Ctrl-C.")
-@click.option("--for", "duration", metavar="DURATION", callback=time_limit_of, help="With --live: stop after.")
+@click.option(
+    "--for", "duration", metavar="DURATION", callback=time_limit_of, help="With --live: stop after."
+)
 @click.option(
     "--from-start",
     is_flag=True,
@@ -118,8 +120,8 @@ def command(
         print_json(_as_json(observed, paths, problems))
     else:
         _show(observed, paths, with_stories=not live)
-    for path, problem in problems:
-        say_unreadable(problem, path, colour)
+    for path, text in problems:
+        say_unreadable(text, path, colour)
     code = int(observed.is_broken or bool(problems) or (strict and not observed.is_decided))
     return code if stories is None else max(code, _draw(observed, stories, paths, colour))
 

@@ -50,18 +50,23 @@ def decided_by(script: Script, agent: str) -> Decided:
             partly.append(share)
         else:
             elsewhere.append(item)
-    kept, numbers = _needed(conditions, mine)
+    team = tuple(member for member in script.team if member[0] == agent)
+    small = reduced(replace(script, conditions=tuple(conditions), team=team), mine)
+    return Decided(small, tuple(partly), tuple(elsewhere))
+
+
+def reduced(script: Script, expectations: Sequence[Expectation]) -> Script:
+    """The script with these of its expectations, and the conditions that they need."""
+    kept, numbers = _needed(list(script.conditions), expectations)
     found = tuple(
         replace(
             item,
             rule=renumbered(item.rule, numbers),
             witnesses=tuple(numbers[number] for number in item.witnesses),
         )
-        for item in mine
+        for item in expectations
     )
-    team = tuple(member for member in script.team if member[0] == agent)
-    small = replace(script, team=team, conditions=kept, expectations=found)
-    return Decided(small, tuple(partly), tuple(elsewhere))
+    return replace(script, conditions=kept, expectations=found)
 
 
 def _about(conditions: Sequence[Condition], number: int) -> frozenset[str] | None:
@@ -208,4 +213,4 @@ def _with_parts(condition: Condition, new: Callable[[int], int]) -> Condition:
             return condition
 
 
-__all__ = ["Decided", "agents_about", "decided_by"]
+__all__ = ["Decided", "agents_about", "decided_by", "reduced"]

@@ -1,9 +1,9 @@
 """Beliefs: where in its part an agent may be, after what it has sent and what it was sent.
 
-A message waits until its receiver takes it, which no log of messages shows. So there are several explanations
-of what was seen, and each is a *place*: a participant, a state of its automaton, and what waits there. A belief
-is the set of all places that explain it. What an agent sends is allowed if it is in one of them. Beliefs and
-what follows from them are made once: a log leads through few different ones.
+A message waits until its receiver takes it, which no log of messages shows. So there are several
+explanations of what was seen. Each is a *place*: a participant, a state of its automaton, and what waits
+there. A belief is the set of all places that explain it. What an agent sends is allowed if it is so in one of
+them. Beliefs and what follows from them are made once: a log leads through few different ones.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Belief:
 
 @dataclass(frozen=True, slots=True)
 class Said:
-    """What follows from a message: the belief about its sender, what part that has, and those of the receivers.
+    """What follows from a message: the belief about its sender, and the parts of sender and receivers.
 
     `is_early`: it is a farewell, with which a part ends early.
     """

@@ -42,7 +42,7 @@ class Contract:
     span: Span
 
     def kinds_of(self, performative: str, content: object) -> tuple[Kind, ...]:
-        """What a message without a type may be: by its performative, and by its fields if there are several."""
+        """What a message without a type may be: by its performative, and by its fields."""
         letters = (letter for part in self.parts.values() for letter in _letters(part.automaton))
         found = dict.fromkeys(letter[1:3] for letter in letters if letter[1] == performative)
         if len(found) > 1 and isinstance(content, dict):
@@ -66,7 +66,7 @@ def _letters(automaton: Automaton) -> Iterable[Letter]:
 
 
 def contracts_of(system: System) -> Mapping[str, Contract | None]:
-    """The contracts of a system's protocols, by name; None for one whose automaton is too large to be made."""
+    """The contracts of protocols, by name; None for one whose automaton is too large to be made."""
     plays = [item for srm in system.srms for item in srm.plays]
     plays += [item for aip in system.aips for part in aip.participants for item in part.plays]
     busy = answers_when_busy(plays)
@@ -102,7 +102,7 @@ def _part(
 
 
 def _farewells(eac: Statechart, part: Participant, other: Participant) -> frozenset[Kind]:
-    """What a part says to another one when it ends early: what its lines say, and what the runtime chooses."""
+    """What a part says to another one when it ends early: by its lines, or as the runtime chooses."""
     subchart = subchart_of(eac, part.name)
     said = farewells_of(eac, subchart.label) if subchart is not None else ()
     own = {(item.performative, item.message) for item in said if item.participant in ("", other.name)}

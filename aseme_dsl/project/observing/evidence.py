@@ -1,4 +1,4 @@
-"""Evidence: what a log has of a run, and what it would have to have for a statement about it to be decided."""
+"""Evidence: what a log has of a run, and what a statement about that run asks for."""
 
 from __future__ import annotations
 
@@ -39,6 +39,20 @@ class Needs:
     faults: bool = False
     inside: str | None = None
     """What only the statechart knows: `the variable tries`."""
+
+
+def never_in_a_log(needs: Needs, is_trace: bool) -> str | None:
+    """Why no log of its kind decides a statement: it asks for what such a log does not have."""
+    if needs.inside is not None:
+        again = "; `asemec replay` decides it" if is_trace else ""
+        return f"it asks for {needs.inside}, which a log does not have{again}"
+    if is_trace:
+        return None
+    if needs.steps:
+        return f"the log has no steps of {min(needs.steps)}"
+    if needs.channels or needs.faults:
+        return f"the log has no {'messages of topics' if needs.channels else 'faults'}"
+    return None
 
 
 def needs_of(script: Script, item: Expectation, channels: Iterable[str]) -> Needs:
@@ -99,12 +113,13 @@ class Evidence:
 
     agents: frozenset[str] = frozenset()
     """The agents that have a log."""
-    is_trace: bool = True
     is_one: bool = True
     """Whether all agents run in one process: then their lines are numbered without a gap."""
     is_virtual: bool = True
     strangers: dict[str, str] = field(default_factory=dict)
     steps: dict[str, int] = field(default_factory=dict)
+    protocols: set[str] = field(default_factory=set)
+    """The protocols of which the log shows where their conversations begin and end."""
     missing: tuple[int, str] | None = None
     """Since when and how lines are missing."""
     _numbers: dict[str, int] = field(default_factory=dict)
@@ -113,33 +128,45 @@ class Evidence:
     def see(self, record: Record) -> None:
         """The next line of a trace."""
         kind, moment = record["kind"], record["time"]
+        if "sequence" in record:
+            self._number(record["agent"], record["sequence"], moment)
         if kind == "step":
-            self._step(record["agent"], record["step"], moment)
+            self._step(record, moment)
         elif kind == "gap":
             self._lack(moment, f"{record['lines']} lines are missing ({record['reason']})")
         elif kind == "checkpoint" and record.get("anew"):
             self.steps[record["agent"]] = record["step"]
-        if "sequence" in record and self.is_one:
-            self._number(record["agent"], record["sequence"], moment)
+        elif kind in ("received", "arrived"):
+            self._know(*record["input"])
+        elif kind == "conversation":
+            self.protocols.add(record.get("protocol") or record["conversation"].partition("-")[0])
         if self._awaited:
             place, since = next(iter(self._awaited.items()))
-            if self.is_virtual or moment > since + _LATE:
-                self._lack(since, f"what {place[0]} did there (number {place[1]}) is missing")
+            if (self.is_virtual and self.is_one) or moment > since + _LATE:
+                self._lack(since, f"lines about {place[0]} are missing")
 
-    def _step(self, agent: str, number: int, moment: int) -> None:
+    def _step(self, record: Record, moment: int) -> None:
+        agent, number = record["agent"], record["step"]
         before = self.steps.get(agent, 0)
         if number > before + 1:
             self._lack(moment, f"step {before + 1} of {agent} is missing")
         self.steps[agent] = number
+        for name, which in record["inputs"]:
+            if int(which) > self._numbers.get(str(name), 0):
+                self._awaited.setdefault((str(name), int(which)), moment)
 
     def _number(self, agent: str, number: int, moment: int) -> None:
+        """An agent has done something: where it runs alone, its numbers have no gaps."""
         last = self._numbers.get(agent, 0 if self.is_virtual else number - 1)
-        if number <= last:
-            self._awaited.pop((agent, number), None)
-            return
-        if number > last + 1:
+        if self.is_one and number > last + 1:
             self._awaited[agent, last + 1] = moment
-        self._numbers[agent] = number
+        self._know(agent, number)
+
+    def _know(self, agent: str | int, number: str | int) -> None:
+        name, which = str(agent), int(number)
+        self._numbers[name] = max(which, self._numbers.get(name, 0))
+        if self._awaited:
+            self._awaited.pop((name, which), None)
 
     def _lack(self, moment: int, how: str) -> None:
         if self.missing is None:
@@ -147,9 +174,6 @@ class Evidence:
 
     def lacks(self, needs: Needs) -> str | None:
         """What this log does not have of what a statement asks for; None if it has all."""
-        if needs.inside is not None:
-            again = "; `asemec replay` decides it" if self.steps else ""
-            return f"it asks for {needs.inside}, which a log does not have{again}"
         for agent in sorted(needs.steps | needs.senders):
             if agent not in self.agents:
                 return f"there is no log of {agent}"
@@ -162,5 +186,11 @@ class Evidence:
             return f"the log has no {'messages of topics' if needs.channels else 'faults'}"
         return None
 
+    def lacks_conversations(self, item: Expectation) -> str | None:
+        """Why a clause cannot be decided though something has happened: no conversation is shown."""
+        if item.protocol is None or item.protocol in self.protocols:
+            return None
+        return f"the log does not show which agents take part in conversations of {item.protocol}"
 
-__all__ = ["Evidence", "Needs", "needs_of"]
+
+__all__ = ["Evidence", "Needs", "needs_of", "never_in_a_log"]

@@ -1,7 +1,7 @@
 """Log lines: agent messages in JSON lines that other programs have written.
 
-    {"time": 1.5, "sender": "ann", "receiver": "bob", "performative": "request", "message": "Dish",
-     "content": {"name": "pie"}, "protocol": "ordering", "conversation": "ordering-ann-1"}
+{"time": 1.5, "sender": "ann", "receiver": "bob", "performative": "request", "message": "Dish",
+ "content": {"name": "pie"}, "protocol": "ordering", "conversation": "ordering-ann-1"}
 """
 
 from __future__ import annotations
@@ -21,6 +21,8 @@ from aseme_dsl.runtime.trace.trace_gzip import unpacked_lines
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC, Torn
 
 _SECOND = 1_000_000_000
+_USUAL = 6
+"""So many members a message has at least; what is optional stands beside them."""
 _DEEPEST = 60
 """A content that is deeper than this is none of a message."""
 
@@ -73,39 +75,60 @@ class MessageLog:
             return f"this is not JSON: {problem}"
         if type(found) is not dict:
             return "a message is a JSON object"
-        sender, performative = found.get("sender"), found.get("performative")
-        protocol, conversation = found.get("protocol"), found.get("conversation")
-        if not (type(sender) is str and type(performative) is str and type(protocol) is str):
-            return _wrong_in(found)
-        if not (type(conversation) is str and conversation and sender):
-            return _wrong_in(found)
-        moment = self._moment(found.get("time"))
-        receivers = found.get("receiver")
+        said = cast("dict[str, object]", found)
+        get = said.get
+        sender, receivers, conversation = get("sender"), get("receiver"), get("conversation")
+        performative, protocol, message = get("performative"), get("protocol"), get("message")
         if type(receivers) is str:
-            receivers = (receivers,)
+            to: tuple[str, ...] = (receivers,)
         elif type(receivers) is list and all(type(item) is str for item in receivers):
-            receivers = tuple(dict.fromkeys(receivers))
+            to = tuple(dict.fromkeys(receivers))
         else:
-            return _wrong_in(found)
-        if moment is None:
-            return _wrong_in(found)
+            return _wrong_in(said)
+        moment = self._moment(get("time"))
+        if (
+            moment is None
+            or type(sender) is not str
+            or type(performative) is not str
+            or type(protocol) is not str
+            or type(conversation) is not str
+            or not (message is None or type(message) is str)
+            or not (sender and conversation)
+        ):
+            return _wrong_in(said)
         known = self._performatives.get(performative)
         if known is None:
             known = performative_of(performative)
             if known is None:
                 return f"{performative[:40]!r} is not a performative of FIPA"
             self._performatives[performative] = known
-        message, part, name = found.get("message"), found.get("participant", ""), found.get("id", "")
-        if not ((message is None or type(message) is str) and type(part) is str and type(name) is str):
-            return _wrong_in(found)
+        part: object = ""
+        name: object = ""
         received = None
-        if "received" in found and (received := self._moment(found["received"])) is None:
-            return _wrong_in(found)
-        content = found.get("content")
+        if len(said) > _USUAL:
+            part, name = get("participant", ""), get("id", "")
+            if type(part) is not str or type(name) is not str:
+                return _wrong_in(said)
+            if "received" in said and (received := self._moment(get("received"))) is None:
+                return _wrong_in(said)
+        content = get("content")
+        assert isinstance(part, str) and isinstance(name, str)
+        parts = part, ""
         return Message(
-            *(moment, conversation, protocol, sender, receivers, known, message, content, (part, "")),
-            name=name,
-            received=received,
+            *(
+                moment,
+                conversation,
+                protocol,
+                sender,
+                to,
+                known,
+                message,
+                content,
+                parts,
+                False,
+                name,
+                received,
+            )
         )
 
     def _moment(self, said: object) -> int | None:

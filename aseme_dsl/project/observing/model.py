@@ -50,9 +50,7 @@ class Model:
 def model_in(sources: Mapping[str, str]) -> Model:
     """The model that a trace has in it. Raises NotReplayable: this version of asemec does not compile it."""
     system = compiled(sources)
-    return Model(
-        system, contracts_of(system), lambda team: script_in(sources, Configuration(Path()), team)
-    )
+    return Model(system, contracts_of(system), lambda team: script_in(sources, Configuration(Path()), team))
 
 
 def model_of(found: Compiled) -> Model:

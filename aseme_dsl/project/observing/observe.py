@@ -40,7 +40,9 @@ def _logs(paths: Sequence[Path], session: Session) -> tuple[Observed, tuple[tupl
     problems = [(log.path, log.problem) for log in logs if log.problem is not None]
     for log in logs:
         if log.backwards is not None:
-            session.note(f"{log.path}:{log.backwards}: the times go backwards here: the order of lines counts")
+            session.note(
+                f"{log.path}:{log.backwards}: the times go backwards here: the order of lines counts"
+            )
     return session.end(), tuple(problems)
 
 

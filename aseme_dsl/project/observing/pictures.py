@@ -41,13 +41,13 @@ def _receivers(message: Message) -> str:
 def drawn(observed: Observed) -> Iterator[tuple[str, str]]:
     """An SVG for each page of each story, with a name for its file; names are different."""
     names: set[str] = set()
-    titles = [(f"{item.message.protocol}-{item.message.conversation}", item) for item in observed.deviations]
-    stories = [(item.watched.of, item) for item in observed.statements if item.story]
-    for title, item in (*stories, *titles):
+    stories = [(item.watched.of, _of_statement(item)) for item in observed.statements if item.story]
+    for item in observed.deviations:
+        stories.append((f"{item.message.protocol}-{item.message.conversation}", _of_deviation(item)))
+    for title, diagram in stories:
         plain = re.sub(r"[^\w.-]+", "-", title).strip("-.")[:80] or "story"
         name = next(it for it in (plain, *(f"{plain}-{n}" for n in range(2, 10_000))) if it not in names)
         names.add(name)
-        diagram = _of_statement(item) if isinstance(item, Statement) else _of_deviation(item)
         for number, text in enumerate(pictures(diagram, None), 1):
             yield f"{name}.svg" if number == 1 else f"{name}.page{number}.svg", text
 

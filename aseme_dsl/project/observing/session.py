@@ -92,7 +92,7 @@ class Session:
         }
         self._agents = frozenset(team)
         self._has_several = len(known) > 1
-        self._start(model, self._known(model, team))
+        self._start(model, self._known(model, team), is_trace=True)
         if self._statements is not None:
             for header in known:
                 self._statements.header(header)
@@ -101,7 +101,7 @@ class Session:
         """The log has agent messages, and nothing else. Raises NoModel, NotReplayable."""
         if self._model is None:
             raise NoModel
-        self._start(self._model, self._model.team)
+        self._start(self._model, self._model.team, is_trace=False)
         if self._statements is not None:
             self._statements.begin(self._model.team)
 
@@ -115,20 +115,22 @@ class Session:
         whole = model.team
         return whole if found.items() <= whole.items() else found
 
-    def _start(self, model: Model, team: Team) -> None:
+    def _start(self, model: Model, team: Team, *, is_trace: bool) -> None:
         self._talks = Talks(model.contracts, from_start=self._from_start)
         script = model.script(team) if team else None
         if isinstance(script, Refused):
             self._notes.append(f"properties and clauses are not watched: {script.span}: {script.reason}")
         elif script is not None:
-            self._statements = Statements(script, model.plans(), model.topics, self._tell.statement)
+            self._statements = Statements(
+                script, model.topics, model.plans, self._tell.statement, is_trace=is_trace
+            )
 
     # ---- lines -----------------------------------------------------------------------------------
 
     def see(self, record: Record) -> None:
         """The next line of a trace behind the header."""
         self._events += 1
-        if self._statements is not None:
+        if self._statements is not None and self._statements.is_needed:
             self._statements.see(record)
         match record["kind"]:
             case "agent_message":
@@ -151,17 +153,19 @@ class Session:
         """The next message of a log that has nothing else."""
         self._events += 1
         statements = self._statements
-        if statements is not None:
+        if statements is not None and statements.is_needed:
             self._moment = max(self._moment, message.moment)
             statements.see(_record(message, self._moment, self._events))
-        self._told(self._talks.see(message))
+        found = self._talks.see(message)
+        if found:
+            self._told(found)
 
     def rest(self, moment: int) -> None:
         """Time has passed until this moment, and nothing was seen."""
         if self._statements is not None:
             self._statements.rest(moment)
 
-    def _say(self, record: Record, sender: str, to: tuple[str, ...], number: object) -> None:
+    def _say(self, record: Record, sender: str, to: tuple[str, ...], number: str | int) -> None:
         if record["protocol"]:
             self._told(self._talks.see(_message(record, sender, to, number if self._has_several else None)))
 
@@ -205,7 +209,7 @@ class Session:
             yield "too many conversations at once: the oldest were not followed to their ends"
 
 
-def _message(record: Record, sender: str, to: tuple[str, ...], number: object) -> Message:
+def _message(record: Record, sender: str, to: tuple[str, ...], number: str | int | None) -> Message:
     """An agent message as a trace has it; with a `number`, lines of several traces may be about it."""
     return Message(
         record["time"],
@@ -214,11 +218,11 @@ def _message(record: Record, sender: str, to: tuple[str, ...], number: object) -
         sender,
         to,
         record["performative"],
-        record["message"],
+        str(record["message"]),
         record["content"],
-        (record["participant"], record["receiver"]),
-        True,
-        "" if number is None else f"{sender}-{number}",
+        parts=(record["participant"], record["receiver"]),
+        is_one=True,
+        name="" if number is None else f"{sender}-{number}",
     )
 
 

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import Script
+from aseme_dsl.play.sight.deciding import reduced
 from aseme_dsl.play.sight.insight import Kept
 from aseme_dsl.play.sight.story import Happened
-from aseme_dsl.project.observing.evidence import Evidence, needs_of
+from aseme_dsl.project.observing.evidence import Evidence, needs_of, never_in_a_log
 from aseme_dsl.project.testing.watching import Watch, Watched
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import State, Verdict
@@ -17,6 +18,8 @@ from aseme_dsl.runtime.trace.records import Record, agents_of
 
 UNDECIDED = "undecided"
 """The verdict of a statement for which a log does not have all that it asks for."""
+_OFTEN = 10_000_000
+"""So often (ns of the run) what has come is looked at."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,33 +52,46 @@ class Statements:
     def __init__(
         self,
         script: Script,
-        plans: Collection[Plan],
         topics: Iterable[str],
-        tell: Callable[[Statement], None] = lambda statement: None,
+        plans: Callable[[], Collection[Plan]],
+        tell: Callable[[Statement], None],
+        *,
+        is_trace: bool,
     ) -> None:
-        """`plans` are those of the roles, `topics` the types of what is sent on topics. `tell` hears of each
-        that is broken, when it is seen."""
-        self._script = script
+        """`topics` are the types of what is sent on topics; `plans` gives those of the roles. `tell` hears of
+        each that is broken, when it is seen."""
+        kinds = frozenset(topics)
+        all_needs = [needs_of(script, item, kinds) for item in script.expectations]
+        self._all = script.expectations
+        never = [never_in_a_log(needs, is_trace) for needs in all_needs]
+        self._never = {number: reason for number, reason in enumerate(never) if reason is not None}
+        """Why statements cannot be decided at all."""
+        kept = [number for number, reason in enumerate(never) if reason is None]
+        self._needs = [all_needs[number] for number in kept]
+        self._script = reduced(script, [script.expectations[number] for number in kept])
         self._tell = tell
-        self._observer = _Observer(script)
-        self._watch = Watch(script, lambda text: None, False, plans, self._observer)
-        self._plans = {(plan.name, plan.model): plan for plan in plans}
-        self._models = {plan.model: plan for plan in plans}
+        found = plans() if kept else ()
+        self._observer = _Observer(self._script)
+        self._watch = Watch(self._script, lambda text: None, False, found, self._observer) if kept else None
+        self._plans = {(plan.name, plan.model): plan for plan in found}
+        self._models = {plan.model: plan for plan in found}
         self._running: dict[str, Plan] = {}
-        topics = frozenset(topics)
-        self._needs = [needs_of(script, item, topics) for item in script.expectations]
         self._told: set[int] = set()
         self._roles = dict(script.team)
         self._moment = 0
+        self._looked = 0
         self._reasons: dict[int, str] = {}
-        self.evidence = Evidence(is_trace=False, is_one=False)
+        self.evidence = Evidence(is_one=False)
+        self.is_needed = self._watch is not None
+        """Whether lines have to be shown: whether anything can be decided."""
+        self._is_trace = is_trace
 
     def header(self, record: Record) -> None:
         """The first line of a trace; of several, those of the other processes."""
         evidence = self.evidence
         found = {str(item["name"]): item for item in agents_of(record)}
-        if not evidence.is_trace:
-            evidence.is_trace, evidence.is_one = True, "machine" not in record and "elsewhere" not in record
+        if not evidence.agents:
+            evidence.is_one = "machine" not in record and "elsewhere" not in record
             evidence.is_virtual = record.get("clock") == "virtual"
         evidence.agents |= frozenset(found)
         for name, item in found.items():
@@ -93,37 +109,44 @@ class Statements:
     def see(self, record: Record) -> None:
         """The next line."""
         evidence = self.evidence
-        if evidence.is_trace:
+        if self._is_trace:
             evidence.see(record)
             if record["kind"] in ("swap", "select"):
                 self._changes(record)
-        agent = record.get("agent", "")
         self._moment = max(self._moment, record["time"])
-        if evidence.missing is None and agent not in evidence.strangers:
-            self._show(record, self._inside(agent) if record["kind"] == "step" else None)
+        if evidence.missing is None and record.get("agent", "") not in evidence.strangers:
+            self._show(record)
         if len(self._observer.stories) > len(self._told):
             self._judge()
 
     def rest(self, moment: int) -> None:
         """Time has passed until this moment, and nothing was seen."""
-        if self.evidence.missing is None:
+        if self.evidence.missing is None and self._watch is not None:
             self._watch.look(moment)
             self._judge()
 
     def end(self) -> tuple[Statement, ...]:
         """What has become of all of them when the log has ended."""
-        if self.evidence.missing is None:
+        if self._watch is not None and self.evidence.missing is None:
             self._watch.finish(self._moment)
         self._judge()
-        return tuple(self._statement(number, item) for number, item in enumerate(self._watch.end()))
+        watched = enumerate(() if self._watch is None else self._watch.end())
+        decided = iter([self._statement(number, item) for number, item in watched])
+        return tuple(
+            Statement(Watched(item.of, item.span, UNDECIDED), self._never[number])
+            if number in self._never
+            else next(decided)
+            for number, item in enumerate(self._all)
+        )
 
-    def _inside(self, agent: str) -> Kept | None:
-        plan = self._running.get(agent)
-        return None if plan is None else Kept(plan, dict(plan.numbers).get(agent, 1))
-
-    def _show(self, record: Record, inside: Kept | None) -> None:
-        self._watch.show(record, inside)
-        self._watch.look(record["time"])
+    def _show(self, record: Record) -> None:
+        plan = self._running.get(record.get("agent", "")) if record["kind"] == "step" else None
+        inside = None if plan is None else Kept(plan, dict(plan.numbers).get(record["agent"], 1))
+        if self._watch is not None:
+            self._watch.show(record, inside)
+            if record["time"] >= self._looked + _OFTEN:
+                self._looked = record["time"]
+                self._watch.look(record["time"])
 
     def _changes(self, record: Record) -> None:
         """An agent runs another plan from now on."""
@@ -146,19 +169,22 @@ class Statements:
                 self._reasons[number] = reason
 
     def _broken(self, number: int) -> Statement:
+        assert self._watch is not None
         return Statement(self._watch.of(number, "broken"), story=self._observer.stories[number])
 
     def _statement(self, number: int, item: Watched) -> Statement:
-        reason = self._reasons.get(number) or self.evidence.lacks(self._needs[number])
+        """What has become of one: it is undecided where the log does not have what it asks for."""
+        assert self._watch is not None
         if item.verdict == "broken" and number not in self._reasons:
             return self._broken(number)
-        if reason is None and self.evidence.missing is not None:
-            reason = self.evidence.missing[1]
-        if reason is None and self._watch.stopped is not None:
-            reason = self._watch.stopped
-        if reason is not None:
-            return Statement(self._watch.of(number, UNDECIDED), reason)
-        return Statement(item)
+        evidence = self.evidence
+        reason = self._reasons.get(number) or evidence.lacks(self._needs[number])
+        if reason is None and evidence.missing is not None:
+            reason = evidence.missing[1]
+        reason = reason or self._watch.stopped
+        if reason is None and item.verdict != "vacuous":
+            reason = evidence.lacks_conversations(self._script.expectations[number])
+        return Statement(item) if reason is None else Statement(self._watch.of(number, UNDECIDED), reason)
 
 
 __all__ = ["UNDECIDED", "Statement", "Statements"]

@@ -90,13 +90,26 @@ class ProtocolSum:
     """Conversations with more explanations than are followed."""
 
 
-@dataclass(slots=True)
-class _Last:
-    """What an agent has sent last, as far as lines for single receivers may tell of one message."""
+class _Last(NamedTuple):
+    """What an agent has sent last, and to whom: several lines may tell of one message."""
 
-    key: tuple[str, str | None, object]
-    to: set[str]
+    message: Message
+    to: tuple[str, ...]
     said: Said
+
+    def may_be(self, message: Message) -> bool:
+        """Whether another line may be about the same message, to other agents."""
+        last = self.message
+        return (
+            last.message == message.message
+            and last.performative == message.performative
+            and last.content == message.content
+            and not any(name in self.to for name in message.to)
+        )
+
+
+_Step = tuple[str, "str | None", tuple[str, str], Belief, Belief]
+"""A performative, a type, the parts that are said, and the beliefs about the sender and the receiver."""
 
 
 @dataclass(slots=True)
@@ -132,6 +145,8 @@ class Talks:
         self._talks: dict[str, _Talk] = {}
         self._opened: set[str] = set()
         self._kinds: dict[tuple[str, str, str], tuple[Kind, ...]] = {}
+        self._steps: dict[_Step, tuple[Belief, Belief, Said]] = {}
+        """What was worked out of messages to one agent."""
         self.sums: dict[str, ProtocolSum] = {}
         self.others: Counter[str] = Counter()
         """How many messages are of protocols that the model does not have."""
@@ -169,6 +184,8 @@ class Talks:
             return found
         talk.count += 1
         talk.story.append(message)
+        if self._is_known(talk, message):
+            return found
         try:
             deviation = self._follow(talk, message)
         except TooMany:
@@ -178,8 +195,10 @@ class Talks:
         return found if deviation is None else (*found, deviation)
 
     def arrived(self, message: Message) -> None:
-        """A message has arrived at `to`, by the log of that agent. Where clocks differ, this may be seen before
-        that it was sent."""
+        """A message has arrived at `to`, by the log of that agent.
+
+        Where clocks differ, this may be seen before that it was sent.
+        """
         talk = self._talks.get(message.conversation) or self._begin(message)
         if talk is None or not talk.is_followed or message.name in talk.names:
             return
@@ -236,9 +255,7 @@ class Talks:
         beliefs, kinds = talk.beliefs, self._kinds_of(message, talk)
         names = frozenset(beliefs.contract.parts)
         parts = frozenset(message.parts[:1]) & names or names
-        return not kinds or (
-            beliefs.said(beliefs.narrowed(beliefs.first, parts), kinds, names) is not None
-        )
+        return not kinds or (beliefs.said(beliefs.narrowed(beliefs.first, parts), kinds, names) is not None)
 
     def _kinds_of(self, message: Message, talk: _Talk) -> tuple[Kind, ...]:
         """What a message may be, of what its protocol has; nothing if it has no such message."""
@@ -254,6 +271,25 @@ class Talks:
                 self._kinds[key] = found
         return found
 
+    def _is_known(self, talk: _Talk, message: Message) -> bool:
+        """Follow a message if it is one as there were others before: most are."""
+        to = message.to
+        if len(to) != 1 or message.name or message.received is not None or to[0] == message.sender:
+            return False
+        own, theirs = self._key(message, message.sender, 0), self._key(message, to[0], 1)
+        agents, start = talk.agents, talk.start
+        before = agents.get(own, start), agents.get(theirs, start)
+        step = self._steps.get((message.performative, message.message, message.parts, *before))
+        if step is None:
+            return False
+        if not message.is_one:
+            last = talk.last.get(message.sender)
+            if last is not None and last.may_be(message):
+                return False
+            talk.last[message.sender] = _Last(message, to, step[2])
+        agents[own], agents[theirs] = step[0], step[1]
+        return True
+
     # ---- messages --------------------------------------------------------------------------------
 
     def _follow(self, talk: _Talk, message: Message) -> Deviation | None:
@@ -265,12 +301,13 @@ class Talks:
             if is_answer:
                 return None
             return self._deviation(talk, message, None, f"{beliefs.contract.name} has no such message")
-        own = self._key(message, message.sender, message.parts[0])
-        belief = talk.agents.get(own, talk.start)
+        own = self._key(message, message.sender, 0)
+        before = talk.agents.get(own, talk.start), self._belief(talk, message, message.to[:1])
         to = self._parts_of(talk, message)
-        belief = self._as(beliefs, belief, message.parts[0])
+        belief = self._as(beliefs, before[0], message.parts[0])
         said = beliefs.said(belief, kinds, to)
         again = None if message.is_one or message.name else self._same(talk, message)
+        is_plain = again is None and said is not None and not is_answer and message.message is not None
         if again is not None:
             joined = beliefs.joined(belief, said.belief) if said is not None else belief
             senders = again.said.senders | (said.senders if said is not None else frozenset())
@@ -292,11 +329,24 @@ class Talks:
             place = message.received, next(self._number), talk, message, kinds, said
             heapq.heappush(self._under_way, place)
             return None
-        return self._heard(talk, message, kinds, said)
+        deviation = self._heard(talk, message, kinds, said)
+        if deviation is None and is_plain and len(message.to) == 1 and not message.name:
+            self._learn(talk, message, before, said)
+        return deviation
 
-    def _heard(
-        self, talk: _Talk, message: Message, kinds: tuple[Kind, ...], said: Said
-    ) -> Deviation | None:
+    def _learn(self, talk: _Talk, message: Message, before: tuple[Belief, Belief], said: Said) -> None:
+        """Remember what follows from a message, for those that are like it."""
+        if len(self._steps) >= CONVERSATIONS:
+            self._steps.clear()
+        after = self._belief(talk, message, message.to)
+        key = message.performative, message.message, message.parts, *before
+        self._steps[key] = said.belief, after, said
+
+    def _belief(self, talk: _Talk, message: Message, names: Sequence[str]) -> Belief:
+        """What is believed of the first of some receivers."""
+        return talk.agents.get(self._key(message, names[0], 1), talk.start) if names else talk.start
+
+    def _heard(self, talk: _Talk, message: Message, kinds: tuple[Kind, ...], said: Said) -> Deviation | None:
         """What the receivers may do now."""
         early = talk.early.pop(message.name, None) if message.name else None
         names = message.to if early is None else tuple(name for name in message.to if name not in early)
@@ -305,10 +355,10 @@ class Talks:
             talk.names[message.name].update(message.to)
         if wrong is None or message.performative == NOT_UNDERSTOOD:
             return None
-        key = self._key(message, wrong, message.parts[1])
+        key = self._key(message, wrong, 1)
         part = _one(talk.agents[key].parts) if key in talk.agents else ""
         reason = f"{wrong} takes part{f' as {part}' if part else ''}, which is not sent that"
-        own = self._key(message, message.sender, message.parts[0])
+        own = self._key(message, message.sender, 0)
         return self._deviation(talk, message, talk.agents[own], reason, is_sent=True)
 
     def _hear(
@@ -317,7 +367,7 @@ class Talks:
         """Agents are sent a message; gives the first of them that cannot be meant."""
         wrong = None
         for name in names:
-            key = self._key(message, name, message.parts[1])
+            key = self._key(message, name, 1)
             belief = talk.beliefs.heard(talk.agents.get(key, talk.start), kinds, said.senders, said.receivers)
             if belief is not None:
                 talk.agents[key] = belief
@@ -328,7 +378,7 @@ class Talks:
     def _again(self, talk: _Talk, message: Message) -> Deviation | None:
         """Another line about a message that was seen: only its receivers are new."""
         new = tuple(name for name in message.to if name not in talk.names[message.name])
-        kinds, own = self._kinds_of(message, talk), self._key(message, message.sender, message.parts[0])
+        kinds, own = self._kinds_of(message, talk), self._key(message, message.sender, 0)
         belief = talk.agents.get(own)
         if not new or not kinds or belief is None:
             return None
@@ -339,21 +389,18 @@ class Talks:
     def _same(self, talk: _Talk, message: Message) -> _Last | None:
         """What the sender has said last, if this line may be about the same message to another agent."""
         last = talk.last.get(message.sender)
-        key = message.performative, message.message, message.content
-        return last if last is not None and last.key == key and last.to.isdisjoint(message.to) else None
+        return last if last is not None and last.may_be(message) else None
 
     def _remember(self, talk: _Talk, message: Message, said: Said) -> None:
-        key = message.performative, message.message, message.content
         last = talk.last.get(message.sender)
-        if last is not None and last.key == key and last.to.isdisjoint(message.to):
-            last.to.update(message.to)
-            last.said = said
-        else:
-            talk.last[message.sender] = _Last(key, set(message.to), said)
+        to = message.to
+        if last is not None and last.may_be(message):
+            to = (*last.to, *to)
+        talk.last[message.sender] = _Last(message, to, said)
 
-    def _key(self, message: Message, agent: str, part: str) -> tuple[str, str]:
+    def _key(self, message: Message, agent: str, side: int) -> tuple[str, str]:
         """Where the belief about an agent is: a trace says in each line which participant it is there."""
-        return (agent, part) if message.is_one else (agent, "")
+        return (agent, message.parts[side]) if message.is_one else (agent, "")
 
     def _as(self, beliefs: Beliefs, belief: Belief, part: str) -> Belief:
         """The belief about an agent that plays this participant, if it is said and there is one."""
@@ -368,7 +415,7 @@ class Talks:
             return frozenset((message.parts[1],))
         found = frozenset(contract.parts)
         for name in message.to:
-            belief = talk.agents.get(self._key(message, name, message.parts[1]))
+            belief = talk.agents.get(self._key(message, name, 1))
             if belief is not None:
                 found &= belief.parts
         return found
