@@ -162,6 +162,12 @@ LONG = [
         ["-m", "pytest", "tests/grammar/test_layout_random.py"],
         {"LAYOUT_EXAMPLES": "500"},
     ),
+    (
+        "observed runs have the verdicts of the runs",
+        ["-m", "pytest", "-n", "auto", "tests/cli/test_observe.py"],
+        {"OBSERVED_RUNS": "100"},
+    ),
+    ("how fast logs are observed", ["benchmarks/observe.py"], {}),
     ("latency", ["benchmarks/latency.py"], {}),
     ("agents", ["benchmarks/agents.py"], {}),
     ("a long match", ["benchmarks/soak.py", "0.5"], {}),

@@ -190,6 +190,7 @@ def _protocol_line(name: str, item: ProtocolSum) -> str:
     more = [
         (item.broken, "not kept"),
         (item.from_the_middle, "begun before the log"),
+        (item.early, "left early"),
         (item.unchecked, "with too many explanations"),
     ]
     parts = "".join(f", {number} {what}" for number, what in more if number)
@@ -262,6 +263,7 @@ def _as_json(
                 "messages": item.messages,
                 "broken": item.broken,
                 "from_the_middle": item.from_the_middle,
+                "left_early": item.early,
                 "unchecked": item.unchecked,
             }
             for name, item in sorted(observed.protocols.items())

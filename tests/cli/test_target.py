@@ -92,6 +92,7 @@ USES = {
     "swap": Use(code=1, says="error[E034]: nothing has changed:\nnothing runs from made: "),
     "trace": Use(says="made/trace.jsonl.gz: Walker, seed 1, virtual time\n"),
     "replay": Use(says=" of "),
+    "observe": Use(says="nothing to check: "),
     "coverage": Use(),
     "metrics": Use(),
     "goals": Use(),
@@ -114,7 +115,7 @@ FORMS = (
     "   hint: name a .aseme file, a project's folder or an output folder"
     " (or, for commands that read runs, a trace)\n"
 )
-TRACES = ("trace", "sniff", "replay", "coverage", "metrics")
+TRACES = ("trace", "sniff", "replay", "observe", "coverage", "metrics")
 
 
 @pytest.fixture(autouse=True)

@@ -94,6 +94,9 @@ def test_it_runs(program: Program, tmp_path: Path, capsys: pytest.CaptureFixture
     assert program.ends in done.err or program.ends in str(result["summary"])
     assert [agent["name"] for agent in result["agents"] if agent["failure"]] == ["carrier5"][: program.lost]
     assert result["faults"] == 2 * program.lost  # it crashes, and it stops
+    observed = Here(capsys)("observe", project, "--json")
+    assert observed.code == 0, observed.out
+    assert {item["verdict"] for item in observed.json["protocols"]} <= {"kept"}
 
 
 def test_a_stop_suspends_a_delivery_and_the_lease_inside_it(tmp_path: Path) -> None:

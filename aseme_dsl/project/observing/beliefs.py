@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 
 from aseme_dsl.codegen.automaton import Letter
 from aseme_dsl.project.observing.contract import Contract, Kind, Part
@@ -81,15 +82,19 @@ class Beliefs:
         """One or the other is so."""
         return self._of(one.places | other.places)
 
-    def said(self, belief: Belief, kinds: tuple[Kind, ...], to: frozenset[str]) -> Said | None:
+    def said(
+        self, belief: Belief, kinds: tuple[Kind, ...], to: frozenset[str], *, is_ours: bool
+    ) -> Said | None:
         """What follows if the agent says this to agents that play one of these; None: it may not say it.
+
+        `is_ours`: the runtime of asemec may have said it for the agent.
 
         Raises:
             TooMany: there are too many explanations.
         """
-        key = kinds, to
+        key = kinds, to, is_ours
         if key not in belief.said:
-            belief.said[key] = self._said(belief, kinds, to)
+            belief.said[key] = self._said(belief, kinds, to, is_ours)
         return belief.said[key]
 
     def heard(
@@ -108,8 +113,11 @@ class Beliefs:
 
     # ---- what a place allows ---------------------------------------------------------------------
 
-    def _said(self, belief: Belief, kinds: tuple[Kind, ...], to: frozenset[str]) -> Said | None:
-        for find, is_early in ((self._moves, False), (self._busy, False), (self._farewells, True)):
+    def _said(
+        self, belief: Belief, kinds: tuple[Kind, ...], to: frozenset[str], is_ours: bool
+    ) -> Said | None:
+        farewells = partial(self._farewells, is_ours=is_ours)
+        for find, is_early in ((self._moves, False), (self._busy, False), (farewells, True)):
             found = [item for place in belief.places for item in find(place, kinds, to)]
             if found:
                 receivers = frozenset(other for _, _, others in found for other in others)
@@ -150,12 +158,17 @@ class Beliefs:
             yield name, (name, GONE, ()), to
 
     def _farewells(
-        self, place: Place, kinds: tuple[Kind, ...], to: frozenset[str]
+        self, place: Place, kinds: tuple[Kind, ...], to: frozenset[str], *, is_ours: bool
     ) -> Iterable[tuple[str, Place, frozenset[str]]]:
         """The part ends early, and says so. Others may be told, too."""
         name, _, _ = place
-        said = self.contract.parts[name].farewells
-        others = frozenset(other for other in to if not said[other].isdisjoint(kinds))
+        part = self.contract.parts[name]
+        others = frozenset(
+            other
+            for other in to
+            if not part.farewells[other].isdisjoint(kinds)
+            or (is_ours and not part.chosen[other].isdisjoint(kinds))
+        )
         if others:
             yield name, (name, GONE, ()), others
 

@@ -13,6 +13,8 @@ from aseme_dsl.codegen.moves import farewells_of, subchart_of
 from aseme_dsl.runtime.conversation.losses import FAREWELLS
 from aseme_dsl.source import Span
 
+ENDING = ("cancel", "failure")
+"""What any agent may say that cannot do its part to the end."""
 Kind = tuple[str, str]
 """A performative, and the type of the content."""
 
@@ -27,6 +29,8 @@ class Part:
     receives: frozenset[Kind]
     farewells: Mapping[str, frozenset[Kind]]
     """By participant: what it may be sent by this one at any time, if that leaves its part early."""
+    chosen: Mapping[str, frozenset[Kind]]
+    """The same for agents of asemec: what the runtime sends for them then."""
     busy: frozenset[Kind]
     """What may answer an invitation while all instances are in use."""
     span: Span
@@ -57,7 +61,7 @@ class Contract:
             for name, part in self.parts.items()
             if any(letter[0] != "?" and letter[1:3] == kind for letter in _letters(part.automaton))
             or kind in part.busy
-            or any(kind in items for items in part.farewells.values())
+            or any(kind in items for items in (*part.farewells.values(), *part.chosen.values()))
         )
 
 
@@ -96,20 +100,25 @@ def _part(
         part.most,
         receives,
         {other.name: _farewells(eac, part, other) for other in aip.participants},
+        {other.name: frozenset(_chosen(part, other)) for other in aip.participants},
         frozenset(kind for kind in answers if kind[0]),
         part.span,
     )
 
 
 def _farewells(eac: Statechart, part: Participant, other: Participant) -> frozenset[Kind]:
-    """What a part says to another one when it ends early: by its lines, or as the runtime chooses."""
+    """What a part says to another one when it ends early: by its lines, or that it has failed."""
     subchart = subchart_of(eac, part.name)
     said = farewells_of(eac, subchart.label) if subchart is not None else ()
     own = {(item.performative, item.message) for item in said if item.participant in ("", other.name)}
+    return frozenset((*own, *(kind for kind in _chosen(part, other) if kind[0] in ENDING)))
+
+
+def _chosen(part: Participant, other: Participant) -> list[Kind]:
+    """What the runtime says for a part that ends early: the first of its farewells that the protocol has."""
     received = {(item.performative, item.message) for item in other.receives}
     sent = [(item.performative, item.message) for item in part.sends]
-    chosen = [kind for act in FAREWELLS for kind in sent if kind[0] == act and kind in received]
-    return frozenset((*own, *chosen[:1]))
+    return [kind for act in FAREWELLS for kind in sent if kind[0] == act and kind in received][:1]
 
 
 __all__ = ["Contract", "Kind", "Part", "contracts_of"]

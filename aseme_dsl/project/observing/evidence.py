@@ -25,6 +25,8 @@ from aseme_dsl.runtime.trace.records import Record
 
 _LATE = 1_000_000_000
 """In real time, a line may come so much later (ns) than one behind it."""
+_AWAITED = 1000
+"""So many missing lines are remembered."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +116,7 @@ class Evidence:
     agents: frozenset[str] = frozenset()
     """The agents that have a log."""
     is_one: bool = True
-    """Whether all agents run in one process: then their lines are numbered without a gap."""
+    """Whether all agents run in one process, without a simulated network: their lines are numbered."""
     is_virtual: bool = True
     strangers: dict[str, str] = field(default_factory=dict)
     steps: dict[str, int] = field(default_factory=dict)
@@ -140,7 +142,7 @@ class Evidence:
             self._know(*record["input"])
         elif kind == "conversation":
             self.protocols.add(record.get("protocol") or record["conversation"].partition("-")[0])
-        if self._awaited:
+        if self._awaited and self.steps:  # of messages alone, the numbers have gaps
             place, since = next(iter(self._awaited.items()))
             if (self.is_virtual and self.is_one) or moment > since + _LATE:
                 self._lack(since, f"lines about {place[0]} are missing")
@@ -158,7 +160,7 @@ class Evidence:
     def _number(self, agent: str, number: int, moment: int) -> None:
         """An agent has done something: where it runs alone, its numbers have no gaps."""
         last = self._numbers.get(agent, 0 if self.is_virtual else number - 1)
-        if self.is_one and number > last + 1:
+        if self.is_one and number > last + 1 and len(self._awaited) < _AWAITED:
             self._awaited[agent, last + 1] = moment
         self._know(agent, number)
 

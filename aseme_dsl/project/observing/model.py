@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from aseme_dsl.amola.system import System
@@ -40,11 +40,19 @@ class Model:
         names = (str(rules.channel) for topic in self.system.topics for rules in topic.channels)
         return frozenset(name.rpartition(".")[2] for name in names)
 
-    def plans(self) -> tuple[Plan, ...]:
-        """The plans of its roles. Raises NotReplayable."""
+    def plans(self) -> dict[tuple[str, str], Plan]:
+        """The plans of its roles, by role and the model's hash. Raises NotReplayable."""
         with ExitStack() as stack:
             charts, _ = generated(self.system, stack)
-            return tuple(chart.PLAN for chart in charts.values())
+            return {(chart.PLAN.name, chart.PLAN.model): chart.PLAN for chart in charts.values()}
+
+
+def are_alike(one: Plan, other: Plan) -> bool:
+    """Whether the steps of one are those of the other: wherever their lines stand, and whatever they say."""
+    if [replace(item, at="") for item in one.states] != [replace(item, at="") for item in other.states]:
+        return False
+    ways = [[(item.source, item.target, item.kind) for item in plan.transitions] for plan in (one, other)]
+    return ways[0] == ways[1]
 
 
 def model_in(sources: Mapping[str, str]) -> Model:
@@ -63,4 +71,4 @@ def model_of(found: Compiled) -> Model:
     )
 
 
-__all__ = ["Model", "Team", "model_in", "model_of"]
+__all__ = ["Model", "Team", "are_alike", "model_in", "model_of"]

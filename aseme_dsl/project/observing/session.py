@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from aseme_dsl.play.replay import NotReplayable
 from aseme_dsl.play.scenario import Refused
-from aseme_dsl.project.observing.model import Model, Team, model_in
-from aseme_dsl.project.observing.statements import Statement, Statements
+from aseme_dsl.project.observing.model import Model, Team, are_alike, model_in
+from aseme_dsl.project.observing.statements import Plans, Statement, Statements
 from aseme_dsl.project.observing.talks import Deviation, Message, ProtocolSum, Talks
 from aseme_dsl.runtime.trace.packed import unpacked
 from aseme_dsl.runtime.trace.records import Record, agents_of, as_record
@@ -92,7 +92,7 @@ class Session:
         }
         self._agents = frozenset(team)
         self._has_several = len(known) > 1
-        self._start(model, self._known(model, team), is_trace=True)
+        self._start(model, self._known(model, team), lambda: self._plans(model, known), is_trace=True)
         if self._statements is not None:
             for header in known:
                 self._statements.header(header)
@@ -101,7 +101,7 @@ class Session:
         """The log has agent messages, and nothing else. Raises NoModel, NotReplayable."""
         if self._model is None:
             raise NoModel
-        self._start(self._model, self._model.team, is_trace=False)
+        self._start(self._model, self._model.team, self._model.plans, is_trace=False)
         if self._statements is not None:
             self._statements.begin(self._model.team)
 
@@ -115,14 +115,31 @@ class Session:
         whole = model.team
         return whole if found.items() <= whole.items() else found
 
-    def _start(self, model: Model, team: Team, *, is_trace: bool) -> None:
+    def _plans(self, model: Model, headers: Sequence[Record]) -> Plans:
+        """What the agents of some traces may run; what another model has counts if it is like it."""
+        found = model.plans()
+        ran = {(item.get("role"), item.get("model")) for header in headers for item in agents_of(header)}
+        first = next((item for item in headers if "sources" in item), None)
+        if ran <= found.keys() or first is None:
+            return found
+        try:
+            others = model_in(unpacked(first["sources"])).plans()
+        except NotReplayable:  # it is said of each agent that it ran another version
+            return found
+        own = {role: plan for (role, _), plan in found.items()}
+        alike = {
+            key: own[key[0]] for key, plan in others.items() if key[0] in own and are_alike(plan, own[key[0]])
+        }
+        return found | alike
+
+    def _start(self, model: Model, team: Team, plans: Callable[[], Plans], *, is_trace: bool) -> None:
         self._talks = Talks(model.contracts, from_start=self._from_start)
         script = model.script(team) if team else None
         if isinstance(script, Refused):
             self._notes.append(f"properties and clauses are not watched: {script.span}: {script.reason}")
         elif script is not None:
             self._statements = Statements(
-                script, model.topics, model.plans, self._tell.statement, is_trace=is_trace
+                script, model.topics, plans, self._tell.statement, is_trace=is_trace
             )
 
     # ---- lines -----------------------------------------------------------------------------------
@@ -202,9 +219,9 @@ class Session:
         if self._count > len(self._deviations):
             yield f"{self._count - len(self._deviations)} further conversations leave their protocols"
         for name, number in sorted(talks.too_large.items()):
-            yield f"the protocol {name} is too large to be checked ({number} messages)"
+            yield f"the protocol {name} is too large to be checked ({number} messages of it)"
         for name, number in talks.others.most_common(5):
-            yield f"the model has no protocol {name} ({number} messages)"
+            yield f"the model has no protocol {name} ({number} messages of it)"
         if talks.has_let_go:
             yield "too many conversations at once: the oldest were not followed to their ends"
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 from aseme_dsl.play.observer import Observer
@@ -16,6 +16,8 @@ from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import State, Verdict
 from aseme_dsl.runtime.trace.records import Record, agents_of
 
+Plans = Mapping[tuple[str, str], Plan]
+"""What agents may run, by the names of roles and the hashes of models."""
 UNDECIDED = "undecided"
 """The verdict of a statement for which a log does not have all that it asks for."""
 _OFTEN = 10_000_000
@@ -53,13 +55,13 @@ class Statements:
         self,
         script: Script,
         topics: Iterable[str],
-        plans: Callable[[], Collection[Plan]],
+        plans: Callable[[], Plans],
         tell: Callable[[Statement], None],
         *,
         is_trace: bool,
     ) -> None:
-        """`topics` are the types of what is sent on topics; `plans` gives those of the roles. `tell` hears of
-        each that is broken, when it is seen."""
+        """`topics` are the types of what is sent on topics; `plans` gives what agents may run. `tell` hears
+        of each that is broken, when it is seen."""
         kinds = frozenset(topics)
         all_needs = [needs_of(script, item, kinds) for item in script.expectations]
         self._all = script.expectations
@@ -70,11 +72,13 @@ class Statements:
         self._needs = [all_needs[number] for number in kept]
         self._script = reduced(script, [script.expectations[number] for number in kept])
         self._tell = tell
-        found = plans() if kept else ()
+        found = plans() if kept else {}
         self._observer = _Observer(self._script)
-        self._watch = Watch(self._script, lambda text: None, False, found, self._observer) if kept else None
-        self._plans = {(plan.name, plan.model): plan for plan in found}
-        self._models = {plan.model: plan for plan in found}
+        self._watch: Watch | None = None
+        if kept:
+            self._watch = Watch(self._script, lambda text: None, False, found.values(), self._observer)
+        self._plans = found
+        self._models = {model: plan for (_, model), plan in found.items()}
         self._running: dict[str, Plan] = {}
         self._told: set[int] = set()
         self._roles = dict(script.team)
@@ -91,7 +95,7 @@ class Statements:
         evidence = self.evidence
         found = {str(item["name"]): item for item in agents_of(record)}
         if not evidence.agents:
-            evidence.is_one = "machine" not in record and "elsewhere" not in record
+            evidence.is_one = not {"machine", "elsewhere", "network"} & record.keys()
             evidence.is_virtual = record.get("clock") == "virtual"
         evidence.agents |= frozenset(found)
         for name, item in found.items():
@@ -100,7 +104,7 @@ class Statements:
             if plan is not None and self._roles.get(name) == role:
                 self._running[name] = plan
             elif name in self._roles:
-                evidence.strangers[name] = f"{name} ran another version of {role} than that of the model"
+                evidence.strangers[name] = f"{name} ran another version of {role} than that in the model"
 
     def begin(self, agents: Iterable[str]) -> None:
         """The log tells of the messages of these agents, and of nothing else."""
@@ -187,4 +191,4 @@ class Statements:
         return Statement(item) if reason is None else Statement(self._watch.of(number, UNDECIDED), reason)
 
 
-__all__ = ["UNDECIDED", "Statement", "Statements"]
+__all__ = ["UNDECIDED", "Plans", "Statement", "Statements"]

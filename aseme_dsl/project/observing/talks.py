@@ -86,6 +86,8 @@ class ProtocolSum:
     messages: int = 0
     broken: int = 0
     from_the_middle: int = 0
+    early: int = 0
+    """How often an agent has left early, and said so."""
     unchecked: int = 0
     """Conversations with more explanations than are followed."""
 
@@ -142,7 +144,7 @@ class Talks:
         """`from_start`: no conversation has begun before the log."""
         self._beliefs = {name: None if item is None else Beliefs(item) for name, item in contracts.items()}
         self._from_start = from_start
-        self._talks: dict[str, _Talk] = {}
+        self._talks: dict[tuple[str, str], _Talk] = {}
         self._opened: set[str] = set()
         self._kinds: dict[tuple[str, str, str], tuple[Kind, ...]] = {}
         self._steps: dict[_Step, tuple[Belief, Belief, Said]] = {}
@@ -164,7 +166,7 @@ class Talks:
 
     def opened(self, conversation: str) -> None:
         """The log shows that this conversation begins now."""
-        if conversation not in self._talks and len(self._opened) < CONVERSATIONS:
+        if len(self._opened) < CONVERSATIONS:
             self._opened.add(conversation)
 
     def see(self, message: Message) -> Sequence[Deviation]:
@@ -172,13 +174,14 @@ class Talks:
         found: Sequence[Deviation] = ()
         if self._under_way and self._under_way[0][0] <= message.moment:
             found = self._arrive(message.moment)
-        talk = self._talks.get(message.conversation)
+        key = message.protocol, message.conversation
+        talk = self._talks.get(key)
         if talk is None:
             talk = self._begin(message)
             if talk is None:
                 return found
         elif len(self._talks) > CONVERSATIONS // 2:
-            self._talks[message.conversation] = self._talks.pop(message.conversation)  # the newest comes last
+            self._talks[key] = self._talks.pop(key)  # the newest comes last
         talk.sum.messages += 1
         if not talk.is_followed:
             return found
@@ -199,7 +202,7 @@ class Talks:
 
         Where clocks differ, this may be seen before that it was sent.
         """
-        talk = self._talks.get(message.conversation) or self._begin(message)
+        talk = self._talks.get((message.protocol, message.conversation)) or self._begin(message)
         if talk is None or not talk.is_followed or message.name in talk.names:
             return
         parts, kinds = talk.beliefs.contract.parts, self._kinds_of(message, talk)
@@ -247,7 +250,7 @@ class Talks:
         if len(self._talks) >= CONVERSATIONS:
             self._talks.pop(next(iter(self._talks)))
             self.has_let_go, self._from_start = True, False
-        self._talks[message.conversation] = talk
+        self._talks[message.protocol, message.conversation] = talk
         return talk
 
     def _may_begin(self, talk: _Talk, message: Message) -> bool:
@@ -255,7 +258,10 @@ class Talks:
         beliefs, kinds = talk.beliefs, self._kinds_of(message, talk)
         names = frozenset(beliefs.contract.parts)
         parts = frozenset(message.parts[:1]) & names or names
-        return not kinds or (beliefs.said(beliefs.narrowed(beliefs.first, parts), kinds, names) is not None)
+        return not kinds or (
+            beliefs.said(beliefs.narrowed(beliefs.first, parts), kinds, names, is_ours=message.is_one)
+            is not None
+        )
 
     def _kinds_of(self, message: Message, talk: _Talk) -> tuple[Kind, ...]:
         """What a message may be, of what its protocol has; nothing if it has no such message."""
@@ -305,9 +311,10 @@ class Talks:
         before = talk.agents.get(own, talk.start), self._belief(talk, message, message.to[:1])
         to = self._parts_of(talk, message)
         belief = self._as(beliefs, before[0], message.parts[0])
-        said = beliefs.said(belief, kinds, to)
+        said = beliefs.said(belief, kinds, to, is_ours=message.is_one)
         again = None if message.is_one or message.name else self._same(talk, message)
-        is_plain = again is None and said is not None and not is_answer and message.message is not None
+        is_plain = again is None and not is_answer and message.message is not None
+        is_plain = is_plain and said is not None and not said.is_early
         if again is not None:
             joined = beliefs.joined(belief, said.belief) if said is not None else belief
             senders = again.said.senders | (said.senders if said is not None else frozenset())
@@ -319,6 +326,7 @@ class Talks:
             return self._deviation(talk, message, belief, self._why_not(talk, message, belief, kinds, to))
         if len(message.to) > 1 and (wrong := self._too_many(beliefs, said, message)) is not None:
             return self._deviation(talk, message, belief, wrong)
+        talk.sum.early += said.is_early and again is None
         talk.agents[own] = beliefs.joined(belief, said.belief) if is_answer else said.belief
         if message.name:
             talk.names[message.name] = set()
@@ -434,7 +442,7 @@ class Talks:
     ) -> str:
         beliefs = talk.beliefs
         everyone = frozenset(beliefs.contract.parts)
-        if to != everyone and beliefs.said(belief, kinds, everyone) is not None:
+        if to != everyone and beliefs.said(belief, kinds, everyone, is_ours=message.is_one) is not None:
             others = ", ".join(sorted(to)) or "different participants"
             return f"it is not sent to {others}"
         part = _one(belief.parts)
