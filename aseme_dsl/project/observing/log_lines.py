@@ -42,7 +42,7 @@ class MessageLog:
         """The messages in the order of the lines.
 
         Raises:
-            TraceError: a line that is not the last is no message, or the file cannot be read.
+            TraceError: a line that is not the last is not a message, or the file cannot be read.
         """
         number, last = 0, -LATEST
         try:

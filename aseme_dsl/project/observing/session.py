@@ -14,7 +14,7 @@ from aseme_dsl.runtime.trace.packed import unpacked
 from aseme_dsl.runtime.trace.records import Record, agents_of, as_record
 
 MOST = 100
-"""So many deviations are told; the others are counted."""
+"""So many deviations are listed; the others are counted."""
 
 
 class NoModel(Exception):

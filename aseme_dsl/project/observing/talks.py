@@ -209,7 +209,7 @@ class Talks:
         if kinds and message.parts[0] in parts and message.parts[1] in parts:
             talk.early.setdefault(message.name, set()).update(message.to)
             said = Said(talk.start, frozenset(message.parts[:1]), frozenset(message.parts[1:]))
-            with suppress(TooMany):  # it is told when the message was sent
+            with suppress(TooMany):  # this shows again when the message was sent
                 self._hear(talk, message, message.to, kinds, said)
 
     def end(self) -> Sequence[Deviation]:

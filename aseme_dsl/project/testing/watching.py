@@ -120,8 +120,8 @@ class Watch:
         observer: Observer | None = None,
     ) -> None:
         """`tell` is given a line for each that is broken; with `is_strict` that ends the run. The `plans` of
-        the roles are given for a run in real time, and for a recorded one. The `observer` goes on after a
-        breach."""
+        the roles are given for a run in real time, and for a recorded one. An `observer`
+        has to continue after a breach."""
         self._script = script
         self._observer = Observer(script, {}, goes_on=True) if observer is None else observer
         self._tell = tell
