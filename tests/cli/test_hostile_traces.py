@@ -56,7 +56,7 @@ COMMANDS: list[Callable[[str], list[str]]] = [
     lambda path: ["replay", path],
     lambda path: ["observe", path],
     lambda path: ["observe", path, "--model", "talks.aseme", "--stories", "stories"],
-    lambda path: ["observe", path, "--live", "--for", "100ms"],
+    lambda path: ["observe", path, "--live", "--for", "10ms"],
     lambda path: ["why", "ann", "Think", path, "--at", "300ms"],
     lambda path: ["whynot", "bob", "Muse", path, "--at", "50ms"],
     lambda path: ["metrics", path, "--source", "talks.aseme"],

@@ -26,6 +26,7 @@ class Live:
         self._followers = [TraceFollower(path) for path in paths]
         self._waiting: list[list[Record]] = [[] for _ in paths]
         self._began = [Beginning() for _ in paths]
+        self._counts = [0 for _ in paths]
         self._shifts: list[int] | None = None
         self.has_begun = False
 
@@ -63,9 +64,11 @@ class Live:
 
     def _take(self, number: int, record: Record) -> None:
         path = self._followers[number].path
-        wrong = wrong_in(record)
+        self._counts[number] += 1
+        place, wrong = self._counts[number], wrong_in(record)
         if wrong is not None:
-            raise TraceError(f"{path}: a line of the kind {record['kind'][:40]} is damaged: {wrong}")
+            kind = repr(record["kind"][:40])
+            raise TraceError(f"{path}:{place}: this line of the kind {kind} is damaged: {wrong}")
         if record["kind"] == "header" and self._began[number].agents:
             raise TraceError(f"{path}: another run has begun there")
         if record["kind"] != "header" and not self._began[number].agents:

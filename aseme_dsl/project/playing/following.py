@@ -11,7 +11,7 @@ from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.trace.records import Record
-from aseme_dsl.runtime.trace.trace_blocks import is_ours, packed_blocks, unpacked
+from aseme_dsl.runtime.trace.trace_blocks import Damaged, is_ours, packed_blocks, unpacked
 from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC
@@ -53,7 +53,7 @@ class TraceFollower:
         """The records that were written since it was looked at last; it waits for nothing.
 
         Raises:
-            TraceError: it cannot be read; it is an MCAP file, or another program has compressed it.
+            TraceError: it cannot be read, or is damaged; it is an MCAP file, or another program has compressed it.
         """
         try:
             if self._file is None or self._is_another(self._file):
@@ -67,6 +67,8 @@ class TraceFollower:
                     yield from self._records(piece)
         except OSError as problem:
             raise TraceError(f"{self.path} cannot be read: {reason_of(problem)}") from problem
+        except Damaged as problem:
+            raise TraceError(f"{self.path} cannot be read: {problem}") from problem
 
     def _is_packed(self, file: BufferedReader) -> bool:
         place = file.tell()
