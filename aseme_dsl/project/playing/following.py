@@ -53,7 +53,8 @@ class TraceFollower:
         """The records that were written since it was looked at last; it waits for nothing.
 
         Raises:
-            TraceError: it cannot be read, or is damaged; it is an MCAP file, or another program has compressed it.
+            TraceError: it cannot be read, or is damaged; it is an MCAP file, or another program has
+                compressed it.
         """
         try:
             if self._file is None or self._is_another(self._file):
