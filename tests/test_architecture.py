@@ -60,7 +60,9 @@ SUBPACKAGES = {
     "editor": "reading files answers typing changes",
     "interop": "emf machines export",
     "grammar": "text formulas parsing layout syntax",
-    "project": "files settings code building editing spreading playing studying testing stepping proving observing",
+    "project": (
+        "files settings code building editing spreading playing studying testing stepping proving observing"
+    ),
     "runtime": (
         "time chart plain message library ports trace transport platform channel conversation world activity"
         " version workers agent driver team control monitor"
