@@ -9,11 +9,12 @@ them. Beliefs and what follows from them are made once: a log leads through few 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 
 from aseme_dsl.codegen.automaton import Letter
 from aseme_dsl.project.observing.contract import Contract, Kind, Part
+from aseme_dsl.records import dataclass
 
 MANY = 3
 """So many waiting messages of one kind, or more, are `many`: one more or less makes no difference then."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import Aip, Participant, answers_when_busy
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.automaton import Automaton, Letter, TooManyStates, automaton_of
 from aseme_dsl.codegen.moves import farewells_of, subchart_of
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.conversation.losses import FAREWELLS
 from aseme_dsl.source import Span
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.play.scenario import (
@@ -19,6 +19,7 @@ from aseme_dsl.play.scenario import (
     Says,
     Script,
 )
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import conditions_of
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.runtime.trace.records import Record

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from aseme_dsl.amola.system import System
@@ -14,6 +14,7 @@ from aseme_dsl.project.observing.contract import Contract, contracts_of
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.testing.replaying import compiled, generated
 from aseme_dsl.project.testing.watching import script_for, script_in
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 
 Team = Mapping[str, str]

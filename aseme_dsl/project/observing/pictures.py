@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from aseme_dsl.diagrams.sequence.sequence import Arrow, Lifeline, Mark, Row, SequenceDiagram
 from aseme_dsl.diagrams.sequence.sequence_svg import pictures
-from aseme_dsl.play.sight.story import Happened, content_of, told
+from aseme_dsl.play.sight.story import Happened, told
+from aseme_dsl.play.sight.words import content_of
 from aseme_dsl.project.observing.session import Observed
 from aseme_dsl.project.observing.statements import Statement
 from aseme_dsl.project.observing.talks import Deviation, Message

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from aseme_dsl.play.replay import NotReplayable
 from aseme_dsl.play.scenario import Refused
 from aseme_dsl.project.observing.model import Model, Team, are_alike, model_in
 from aseme_dsl.project.observing.statements import Plans, Statement, Statements
 from aseme_dsl.project.observing.talks import Deviation, Message, ProtocolSum, Talks
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace.packed import unpacked
 from aseme_dsl.runtime.trace.records import Record, agents_of, as_record
 

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 
 from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import Script
 from aseme_dsl.play.sight.deciding import reduced
+from aseme_dsl.play.sight.guards import Guards
 from aseme_dsl.play.sight.insight import Kept
 from aseme_dsl.play.sight.story import Happened
+from aseme_dsl.play.sight.storyteller import Storyteller
 from aseme_dsl.project.observing.evidence import Evidence, needs_of, never_in_a_log
 from aseme_dsl.project.testing.watching import Watch, Watched
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import State, Verdict
 from aseme_dsl.runtime.trace.records import Record, agents_of
@@ -37,14 +39,15 @@ class _Observer(Observer):
     """Keeps the story of each statement from when it is broken."""
 
     def __init__(self, script: Script) -> None:
-        super().__init__(script, {}, goes_on=True)
+        teller = Storyteller((name for name, _ in script.team), Guards({}))
+        super().__init__(script, {}, goes_on=True, teller=teller)
         self.stories: dict[int, tuple[Happened, ...]] = {}
 
     def _take(self, place: int, state: State) -> None:
         super()._take(place, state)
         if state.verdict is Verdict.BROKEN and place not in self.stories:
             first, self.broken = self.broken, place
-            self.stories[place] = self.story()
+            self.stories[place] = self.story({})
             self.broken = first
 
 

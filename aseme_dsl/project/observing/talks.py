@@ -7,11 +7,12 @@ import itertools
 from collections import Counter, deque
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import NamedTuple
 
 from aseme_dsl.project.observing.beliefs import Belief, Beliefs, Said, TooMany
 from aseme_dsl.project.observing.contract import Contract, Kind
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 TOLD = 200
