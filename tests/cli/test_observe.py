@@ -112,7 +112,7 @@ def test_a_trace_is_watched_as_the_run_was(run: list[str], here: Here) -> None:
         f"out/trace.jsonl.gz: {len(run) - 1} events",
         'broken     at 1 s: property "cooked once" (kitchen.aseme:33:26)',
     ]
-    assert "cat  is in Cook" in done.out
+    assert "bob       is in Cook" in done.out
     again = here("replay", "out", "--json").json["traces"][0]["watched"]
     found = observed(here, "out")
     undecided = [item for item in found["statements"] if item["verdict"] == "undecided"]
