@@ -104,6 +104,7 @@ LONG = [
         {"SCENARIO_SEEDS": "20"},
     ),
     ("whether scenarios notice mistakes", ["-m", "benchmarks.mutants"], {}),
+    ("whether mistakes are seen as differences", ["-m", "benchmarks.differences"], {}),
     (
         "certificates of random charts, and of charts with planted faults",
         ["-m", "pytest", "-n", "auto", "tests/proofs/test_certificate.py"],

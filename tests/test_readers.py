@@ -56,6 +56,7 @@ LISTED: dict[str, str] = {
     "play/sight/sightings.py: asked_of: json.loads": "the process that has started this one, over that pipe",
     "project/playing/seen.py: record: json.loads": "the process that has started this one, over that pipe",
     "project/testing/coverage_page.py: page: read_text": OWN,
+    "project/comparing/pictures.py: _marked: fromstring": JUST_WRITTEN,
     "project/testing/coverage_page.py: _coloured: fromstring": JUST_WRITTEN,
     "project/testing/coverage.py: _document: json.loads": CAUGHT,
     "project/settings/configuration.py: configuration_of: tomllib.loads": CAUGHT,

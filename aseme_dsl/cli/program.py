@@ -34,6 +34,7 @@ COMMANDS = (
     "run",
     "test",
     "prove",
+    "diff",
     "sim",
     "coverage",
     "goals",

@@ -1,0 +1,149 @@
+"""Versions: a file, a project's folder or a git revision, as the models of one system."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path, PurePosixPath
+from tempfile import TemporaryDirectory
+
+from aseme_dsl.amola.system import System
+from aseme_dsl.compiler.phases import inspect_files
+from aseme_dsl.diagnostics import Diagnostic, has_errors
+from aseme_dsl.project.building.project import configuration_for, options_of
+from aseme_dsl.project.settings.configuration import Configuration
+from aseme_dsl.project.settings.target import sources_of
+from aseme_dsl.records import dataclass
+
+SUFFIXES = (".aseme", ".proto", ".py", ".toml")
+"""What of a revision is read: sources, the code of functions, and the project's settings."""
+LARGEST = 50_000_000
+"""So many bytes of a revision are read, at the most."""
+_PATIENCE = 60.0
+"""So many seconds git may take."""
+
+
+class NotAVersion(Exception):
+    """What was named is not a version of a system; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Compiled:
+    """One version of a system. `name` is how people named it; a system with errors has none."""
+
+    name: str
+    root: Path
+    configuration: Configuration
+    system: System | None
+    diagnostics: tuple[Diagnostic, ...]
+
+
+@contextmanager
+def opened(name: str, path: str | None = None) -> Iterator[Compiled]:
+    """The version that a name means, as long as it is looked at: a file, a folder, or a git revision.
+
+    Of a revision, `path` is the file or folder; `REVISION:PATH` names both.
+
+    Raises:
+        NotAVersion: it is none, or not of one system.
+    """
+    if Path(name).exists():
+        yield _compiled(name, Path(name))
+        return
+    revision, _, inside = name.partition(":")
+    with TemporaryDirectory(prefix="asemec-diff-") as folder:
+        root = Path(folder).resolve()
+        place = _check_out(revision, inside or path or ".", root, name)
+        yield _compiled(name, place)
+
+
+def _compiled(name: str, place: Path) -> Compiled:
+    inputs = sources_of([str(place)], bytes)
+    if has_errors(inputs.diagnostics):
+        raise NotAVersion(f"{name}: {inputs.diagnostics[0].message}")
+    if len(inputs.roots) != 1 or not isinstance(inputs.roots[0], Path):
+        names = ", ".join(str(root) for root in inputs.roots) or "no `system` declaration"
+        raise NotAVersion(f"{name} contains {len(inputs.roots)} systems ({names}), not one: name its file")
+    root = inputs.roots[0]
+    configuration, problems = configuration_for(root)
+    found = inspect_files(root, None, options_of(configuration)).analysis
+    return Compiled(name, root, configuration, found.system, (*problems, *found.diagnostics))
+
+
+# ---- git ---------------------------------------------------------------------------------------------
+
+
+def _check_out(revision: str, path: str, folder: Path, name: str) -> Path:
+    """Write what a revision has into a folder; the place of the file or folder that is meant."""
+    if revision.startswith("-") or not revision:
+        raise NotAVersion(f"there is no file {name}, and that is not the name of a revision")
+    try:
+        top = Path(_git(["rev-parse", "--show-toplevel"]).decode().strip())
+    except NotAVersion as problem:
+        raise NotAVersion(f"there is no file {name}, and no revision of that name: {problem}") from None
+    try:
+        commit = _git(["rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}"])
+    except NotAVersion:
+        raise NotAVersion(f"there is no file {name}, and no revision {revision}") from None
+    inside = _inside(path, top)
+    listed = _git(["ls-tree", "-r", "-l", "-z", "--full-tree", commit.decode().strip()]).split(b"\0")
+    wanted: list[tuple[str, PurePosixPath]] = []
+    total = 0
+    for line in filter(None, listed):
+        about, _, called = line.partition(b"\t")
+        mode, kind, blob, size = about.split()
+        place = PurePosixPath(called.decode("utf-8", "surrogateescape"))
+        if kind != b"blob" or mode == b"120000" or place.suffix not in SUFFIXES:
+            continue
+        total += int(size)
+        wanted.append((blob.decode(), place))
+    if total > LARGEST:
+        raise NotAVersion(f"the sources of {revision} have more than {LARGEST // 1_000_000} MB")
+    _write(wanted, folder)
+    target = folder / inside
+    if not target.exists():
+        raise NotAVersion(f"{revision} has no {inside}")
+    return target
+
+
+def _inside(path: str, top: Path) -> Path:
+    """Where a path of the working tree is in the repository."""
+    try:
+        return Path(path).resolve().relative_to(top.resolve())
+    except ValueError:
+        raise NotAVersion(f"{path} is not in the git repository {top}") from None
+
+
+def _write(wanted: list[tuple[str, PurePosixPath]], folder: Path) -> None:
+    names = "".join(f"{blob}\n" for blob, _ in wanted)
+    content = _git(["cat-file", "--batch"], names.encode())
+    place = 0
+    for _, path in wanted:
+        end = content.index(b"\n", place)
+        size = int(content[place:end].split()[-1])
+        target = folder / path
+        if ".." in path.parts or path.is_absolute():
+            raise NotAVersion(f"a file of the revision is called {path}")
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(content[end + 1 : end + 1 + size])
+        place = end + 1 + size + 1
+
+
+def _git(arguments: list[str], given: bytes = b"") -> bytes:
+    """What git prints. Raises NotAVersion with what it says."""
+    try:
+        done = subprocess.run(
+            ["git", *arguments], input=given, capture_output=True, timeout=_PATIENCE, check=False
+        )
+    except FileNotFoundError:
+        raise NotAVersion("git is not installed") from None
+    except (OSError, subprocess.TimeoutExpired) as problem:
+        raise NotAVersion(f"git cannot be asked: {problem}") from problem
+    if done.returncode:
+        said = done.stderr.decode(errors="replace").strip().splitlines()
+        raise NotAVersion(said[-1].rstrip(".") if said else f"git ended with {done.returncode}")
+    return done.stdout
+
+
+__all__ = ["Compiled", "NotAVersion", "opened"]

@@ -1,0 +1,285 @@
+"""`asemec diff`: what it says of versions that do and do not behave alike, with exit codes and bounds."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+from pathlib import Path
+from xml.etree import ElementTree as Xml
+
+import pytest
+
+from tests.cli.support import Done, Here
+
+KICK = """\
+system Team
+message Ball { double distance  bool visible }
+topic vision { state Ball from outside }
+topic voice { signal Ball }
+srm player {
+  liveness {
+    player = Look~ || play~
+    play   = Search . [Kick]
+  }
+  let close = vision.state.Ball.distance < 30 && vision.state.Ball.visible
+  activities { Kick takes 200ms }
+  control play {
+    enter [Kick] : [has(vision.state.Ball)]
+    enter Kick   : [close] / write_messages.voice.signal.Ball
+    skip  Kick   : else
+  }
+}
+"""
+
+ASK = """\
+system Shop
+message Order { string what }
+message Price { int euros }
+aip buy {
+  participant buyer {
+    sends    request Order
+    receives inform Price, refuse Order
+    process  = Choose . Wait . (Pay | GoHome)
+  }
+  participant seller {
+    sends    inform Price, refuse Order
+    receives request Order
+    process  = Look . Close
+  }
+  control buyer {
+    enter Wait   : / send request Order { .. } to seller
+    enter Pay    : inform Price from seller
+    enter GoHome : refuse Order from seller or after(10s)
+  }
+  control seller {
+    enter Look  : request Order from buyer
+    enter Close : / send inform Price { euros = 5 } to buyer
+  }
+}
+srm customer { plays buy.buyer liveness { customer = buyer } }
+srm clerk { plays buy.seller liveness { clerk = seller~ } }
+"""
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def compare(here: Here, old: str, new: str, *options: str) -> Done:
+    Path("old.aseme").write_text(old, "utf-8")
+    Path("new.aseme").write_text(new, "utf-8")
+    return here("diff", "old.aseme", "new.aseme", *options)
+
+
+def changed(text: str, *pairs: tuple[str, str]) -> str:
+    for before, after in pairs:
+        assert before in text, before
+        text = text.replace(before, after)
+    return text
+
+
+def runs(done: Done) -> dict[str, list[tuple[list[str], list[str], list[str]]]]:
+    """Of each part the runs: the inputs, and what only the old and only the new version does then."""
+    return {
+        item["what"]: [
+            (
+                [event["input"] for event in one["run"]],
+                [seen["text"] for seen in one["old"]],
+                [seen["text"] for seen in one["new"]],
+            )
+            for one in item["differences"]
+        ]
+        for item in json.loads(done.out)["results"]
+    }
+
+
+@pytest.mark.parametrize(
+    "pairs",
+    [
+        [("let close", "// nearby\n  let   close")],
+        [("[close]", "[vision.state.Ball.distance < 30 && vision.state.Ball.visible]")],
+        [("[close]", "[vision.state.Ball.visible && vision.state.Ball.distance < 30]")],
+        [("[close]", "[!(!vision.state.Ball.visible || vision.state.Ball.distance >= 30)]")],
+        [("close", "nearby")],
+        [("play~", "match~"), ("play   =", "match  ="), ("control play", "control match")],
+        [("Look~ || play~", "play~ || Look~")],
+        [("play   = Search . [Kick]", "play = Search . shoot shoot = [Kick]"),
+         ("enter [Kick] :", "enter shoot :"),
+         ("    enter Kick ", "  }\n  control shoot {\n    enter Kick ")],
+        [("message Ball", "message Extra { int n }\nmessage Ball"), ("message Extra { int n }\n", "")],
+    ],
+    ids="format let-inlined operands-swapped negated let-renamed formula-renamed regions-swapped"
+    " formula-divided nothing".split(),
+)  # fmt: skip
+def test_what_only_says_it_otherwise_is_equal(here: Here, pairs: list[tuple[str, str]]) -> None:
+    done = compare(here, KICK, changed(KICK, *pairs))
+    assert (done.code, done.err) == (0, ""), done.out
+    assert "no difference in behaviour" in done.out.splitlines()[0]
+
+
+@pytest.mark.parametrize(
+    ("pairs", "inputs", "old", "new"),
+    [
+        (
+            [("distance < 30", "distance < 20")],
+            ["it begins", "Search ends"],
+            ["publishes voice.signal.Ball { distance = 0.0, visible = false }", "starts Kick"],
+            ["starts Search"],
+        ),
+        (
+            [("Search . [Kick]", "[Kick] . Search"), ("[has(vision.state.Ball)]", "")],
+            ["it begins"],
+            ["starts Search"],
+            [],
+        ),
+        (
+            [("Search . [Kick]", "Search . [Kick] . Rest")],
+            ["it begins", "Search ends"],
+            ["starts Search"],
+            ["starts Rest"],
+        ),
+        (
+            [(" / write_messages.voice.signal.Ball", "")],
+            ["it begins", "Search ends"],
+            ["publishes voice.signal.Ball { distance = 0.0, visible = false }"],
+            [],
+        ),
+    ],
+    ids="threshold order activity message".split(),
+)
+def test_the_shortest_run_that_shows_a_difference(
+    here: Here, pairs: list[tuple[str, str]], inputs: list[str], old: list[str], new: list[str]
+) -> None:
+    done = compare(here, KICK, changed(KICK, *pairs), "--json")
+    assert done.code == 1, done.err
+    first = runs(done)["role player"][0]
+    assert first[0] == inputs
+    assert set(old) <= set(first[1])
+    assert set(new) <= set(first[2])
+
+
+def test_a_longer_wait_is_seen_when_the_time_has_passed(here: Here) -> None:
+    done = compare(here, ASK, changed(ASK, ("after(10s)", "after(20s)")), "--json")
+    assert done.code == 1
+    found = runs(done)
+    inputs, old, new = found["protocol buy: buyer"][0]
+    assert inputs == ["it begins", "Choose ends", "Wait ends", "10 s pass"]
+    assert (old, new) == (["starts GoHome"], [])
+    assert found["protocol buy: seller"] == []
+    assert found["role customer"][0][1] == ["starts GoHome"]
+
+
+def test_a_message_that_says_something_else(here: Here) -> None:
+    done = compare(here, ASK, changed(ASK, ("euros = 5", "euros = 6")), "--json")
+    assert done.code == 1
+    inputs, old, new = runs(done)["protocol buy: seller"][0]
+    assert inputs == ["it begins", 'request Order { what = "" } arrives from buyer', "Look ends"]
+    assert old == ["sends inform Price to buyer { euros = 5 }"]
+    assert new == ["sends inform Price to buyer { euros = 6 }"]
+
+
+def test_a_rename_is_called_so_and_hides_nothing(here: Here) -> None:
+    renamed = changed(KICK, ("Kick", "Shoot"))
+    done = compare(here, KICK, renamed)
+    assert (done.code, done.out.splitlines()[0]) == (
+        0,
+        "old.aseme -> new.aseme: no difference in behaviour, but in names",
+    )
+    assert "= activity Kick is called Shoot now  (old.aseme:11 -> new.aseme:11)" in done.out
+    done = compare(here, KICK, changed(renamed, ("distance < 30", "distance < 20")), "--json")
+    inputs, old, new = runs(done)["role player"][0]
+    assert inputs == ["it begins", "Search ends"]
+    assert "starts Shoot" in old
+    assert new == ["starts Search"]
+
+
+def test_what_charts_do_not_show_is_a_difference_too(here: Here) -> None:
+    done = compare(here, KICK, changed(KICK, ("takes 200ms", "takes 300ms")))
+    assert done.code == 1
+    assert "~ activity Kick  (old.aseme:11 -> new.aseme:11)\n  - takes 200ms\n  + takes 300ms\n" in done.out
+
+
+def test_a_search_that_was_cut_is_never_equal(here: Here) -> None:
+    new = changed(ASK, ("enter Close :", "enter Close : [1 < 2]"))
+    assert compare(here, ASK, new).code == 0
+    done = compare(here, ASK, new, "--states", "1")
+    assert done.code == 3, done.out
+    assert "no difference in behaviour was found, but not all was compared" in done.out
+    assert re.search(r"role clerk: undecided, no difference was found, cut after 1 states", done.out)
+
+
+def test_as_a_comment_on_a_change(here: Here) -> None:
+    done = compare(here, KICK, changed(KICK, ("distance < 30", "distance < 20")), "--format", "github")
+    lines = done.out.splitlines()
+    assert lines[0] == "<!-- asemec diff -->"
+    assert lines[1] == "### ⚠️ `old.aseme` → `new.aseme`: the behaviour is different"
+    assert done.out.count("<details>") == done.out.count("</details>") == 2
+    assert "| changed | transition enter Kick of player |" in done.out
+
+
+def test_the_picture_marks_what_was_added_changed_and_removed(here: Here, tmp_path: Path) -> None:
+    new = changed(KICK, ("Search . [Kick]", "Search . [Kick] . Rest"), ("distance < 30", "distance < 20"))
+    new = changed(new, ("    enter [Kick] : [has(vision.state.Ball)]\n", ""))
+    done = compare(here, KICK, new, "-o", "drawn")
+    assert "drawn: drawn/iac.player.diff.svg" in done.out
+    tree = Xml.fromstring((tmp_path / "drawn" / "iac.player.diff.svg").read_text("utf-8"))
+    names = [item.get("id") for item in tree.iter() if item.get("id")]
+    assert len(names) == len(set(names))
+    signs = [
+        (item.get("class"), "".join(item.itertext()))
+        for item in tree.iter()
+        if (item.get("class") or "").startswith("badge")
+    ]
+    assert ("badge diff-added", "+") in signs
+    assert ("badge diff-changed", "~") in signs
+    assert ("badge diff-removed", "-") in signs
+
+
+def test_a_drawing_that_cannot_be_written_is_an_error(here: Here) -> None:
+    done = compare(here, KICK, changed(KICK, ("distance < 30", "distance < 20")), "-o", "old.aseme")
+    assert (done.code, done.out) == (1, "")
+    assert "error[E" in done.err
+
+
+def test_two_revisions(here: Here, tmp_path: Path) -> None:
+    def git(*words: str) -> None:
+        settings = ["-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "commit.gpgsign=false"]
+        subprocess.run(["git", *settings, *words], cwd=tmp_path, check=True, capture_output=True)
+
+    file = tmp_path / "team.aseme"
+    git("init", "-q")
+    file.write_text(KICK, "utf-8")
+    git("add", "team.aseme")
+    git("commit", "-qm", "one")
+    file.write_text(changed(KICK, ("distance < 30", "distance < 20")), "utf-8")
+    for words in (["HEAD"], ["HEAD", "team.aseme"], ["HEAD:team.aseme", "team.aseme"]):
+        done = here("diff", *words)
+        assert done.code == 1, (words, done.err)
+        assert "starts Kick" in done.out
+    git("commit", "-qam", "two")
+    assert here("diff", "HEAD~1", "HEAD").code == 1
+    assert here("diff", "HEAD~1", "HEAD", "team.aseme").code == 1
+    assert here("diff", "HEAD").code == 0
+    done = here("diff", "nowhere", "HEAD")
+    assert done.code == 2
+    assert "there is no file nowhere, and no revision nowhere" in done.err
+    done = here("diff", "HEAD:other.aseme", "team.aseme")
+    assert (done.code, "HEAD has no other.aseme" in done.err) == (2, True)
+
+
+def test_outside_of_a_repository(here: Here, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(Path().resolve().parent))
+    done = here("diff", "HEAD~1", "HEAD")
+    assert done.code == 2
+    assert "there is no file HEAD~1, and no revision of that name" in done.err
+    monkeypatch.setenv("PATH", "/nowhere")
+    assert "git is not installed" in here("diff", "HEAD~1", "HEAD").err
+
+
+def test_a_version_with_errors(here: Here) -> None:
+    done = compare(here, KICK, changed(KICK, ("[close]", "[clos]")))
+    assert done.code == 1
+    assert "new.aseme" in done.err
+    assert "error[E" in done.err
