@@ -23,7 +23,7 @@ from tests.support import asleep
 from tests.support.compiling import analysis
 from tests.support.generated import generate
 
-EXAMPLES = how_many(30)
+EXAMPLES = how_many(60)
 GAMES = 3
 GROUPS = 5
 

@@ -39,7 +39,7 @@ from tests.oracle.playing import filled, like
 from tests.support.generated import Generated, imported, system_of
 from tests.support.plain_engine import CannotDo, PlainEngine, plain_class
 
-EXAMPLES = how_many(40)
+EXAMPLES = how_many(80)
 LARGE = {
     "SHARED": 0,
     "TABLE": 3,
