@@ -86,6 +86,7 @@ LISTED: dict[str, str] = {
     "compiler/read/library.py: _text_of: read_text": OWN,
     "diagnostics/pages.py: page: read_text": OWN,
     "diagrams/rendering/store.py: _write: os.fdopen": "it writes",
+    "diagrams/rendering/lines.py: mixed_up: fromstring": "what Graphviz has drawn of our own text",
     "diagrams/rendering/svg.py: faults: fromstring": "what Graphviz has drawn of our own text",
     "documents/html.py: inline: fromstring": "what Graphviz has drawn of our own text",
     "editor/reading/bounded_input.py: readline: readline": "with a largest size",

@@ -65,6 +65,10 @@ __all__ = [
 ]
 
 
+_GAPS = (("0.55", "0.8"), ("0.8", "0.8"), ("0.45", "1.2"), ("1", "1.2"))
+"""Between boxes and ranks, in inches: other layouts of goals and use cases, to be tried in this order."""
+
+
 def drawings(system: System, options: Options = DEFAULT) -> list[Drawing]:
     """A drawing of every model that the system has, named as its file will be.
 
@@ -159,11 +163,11 @@ def _sheets(system: System) -> dict[str, Maker]:
 
 
 def _goals(goals: Sag) -> list[Drawing]:
-    return [of_sheet(sag.sheet(goals, "sag"))]
+    return [of_sheet(sag.sheet(goals, "sag"), gaps=_GAPS)]
 
 
 def _use_cases(cases: Suc) -> list[Drawing]:
-    return [of_sheet(suc.sheet(cases, "suc"))]
+    return [of_sheet(suc.sheet(cases, "suc"), gaps=_GAPS)]
 
 
 def _protocol(protocol: Aip) -> list[Drawing]:

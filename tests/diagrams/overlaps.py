@@ -258,7 +258,8 @@ def _path(text: str) -> Iterator[list[Point]]:
             points.append((x + taken[-2], y + taken[-1]))
         else:
             bends = [(x + a, y + b) for a, b in zip(taken[::2], taken[1::2], strict=True)]
-            points += (_bend([points[-1], *bends], step / 12) for step in range(1, 13))
+            curve = [points[-1], *bends]
+            points += [_bend(curve, step / 12) for step in range(1, 13)]
     if len(points) > 1:
         yield points
 

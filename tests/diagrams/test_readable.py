@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import random
 import re
 from collections.abc import Callable
 from functools import cache
@@ -167,6 +168,42 @@ def models(draw: some.DrawFn) -> tuple[Sag, Suc, Aip]:
 def test_any_text_can_be_read(found: tuple[Sag, Suc, Aip]) -> None:
     for model in found:
         assert hidden_texts(render(draw_model(model), "svg")) == []
+
+
+def dense(seed: int) -> tuple[Sag, Suc]:
+    """Goals and use cases with many lines between them."""
+    chance = random.Random(seed)
+
+    def names(least: int, most: int) -> list[str]:
+        words = ("".join(chance.choices("abcdefgh_", k=chance.randint(1, 26))) for _ in range(most))
+        return list(dict.fromkeys(words))[: chance.randint(least, most)]
+
+    people, goals = names(3, 6), names(4, 7)
+
+    def some_of_them() -> tuple[str, ...]:
+        return tuple(chance.sample(people, min(3, len(people))))
+
+    sag = Sag(
+        tuple(Actor(name, SPAN) for name in people),
+        tuple(Goal(name, chance.choice(people), some_of_them(), "", SPAN) for name in goals),
+    )
+    cases = (
+        UseCase(
+            name, some_of_them(), tuple(n for n in goals[at + 1 :] if chance.random() < 0.5), "", (), SPAN
+        )
+        for at, name in enumerate(goals)
+    )
+    return sag, Suc(tuple(Role(name, RoleType.SYSTEM, SPAN) for name in people), tuple(cases))
+
+
+FEW = (5, 24, 49)
+MANY = os.environ.get("RANDOM_DRAWINGS")
+
+
+@pytest.mark.parametrize("seed", range(int(MANY) // 2) if MANY else FEW)
+def test_lines_are_told_apart_where_many_cross(seed: int) -> None:
+    for model in dense(seed):
+        assert overlaps(render(draw_model(model), "svg")) == []
 
 
 # ---- by day and by night --------------------------------------------------------------------------

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
-from dataclasses import field
+from collections.abc import Callable, Sequence
+from dataclasses import field, replace
 from enum import StrEnum
 
 from aseme_dsl.diagrams.look import dot
@@ -88,7 +88,8 @@ class Drawing(Displayed):
     draw it whole; None where there is nothing to divide. `states` is how many states are in it. `picture` is
     the SVG of a drawing that needs no Graphviz, `note` what must be said of the drawing, and `about` what it
     shows, for readers who cannot see it. `closed` are the labels of the states that a compact drawing shows
-    as boxes without what is inside, and `size` is how wide and high it is, in px.
+    as boxes without what is inside, and `size` is how wide and high it is, in px. `wider` are other layouts
+    in DOT, for when lines run on one another.
     """
 
     name: str
@@ -101,6 +102,7 @@ class Drawing(Displayed):
     about: str = ""
     closed: tuple[str, ...] = ()
     size: tuple[float, float] = (0.0, 0.0)
+    wider: tuple[str, ...] = field(default=(), compare=False, repr=False)
 
 
 def piece_name(name: str, label: str) -> str:
@@ -111,7 +113,15 @@ def piece_name(name: str, label: str) -> str:
 
 
 def of_sheet(
-    sheet: Sheet, *, states: int = 0, pieces: Callable[[], tuple[Drawing, ...]] | None = None
+    sheet: Sheet,
+    *,
+    states: int = 0,
+    pieces: Callable[[], tuple[Drawing, ...]] | None = None,
+    gaps: Sequence[tuple[str, str]] = (),
 ) -> Drawing:
-    """The drawing that a sheet describes."""
-    return Drawing(sheet.name, dot.text(sheet), dot.shown(sheet), states, pieces, about=sheet.about)
+    """The drawing that a sheet describes; `gaps` are those of other layouts."""
+    graphs = ({**sheet.graph, "nodesep": boxes, "ranksep": ranks} for boxes, ranks in gaps)
+    wider = tuple(dot.text(replace(sheet, graph=graph)) for graph in graphs)
+    return Drawing(
+        sheet.name, dot.text(sheet), dot.shown(sheet), states, pieces, about=sheet.about, wider=wider
+    )

@@ -12,8 +12,10 @@ import sysconfig
 from collections.abc import Sequence
 from pathlib import Path
 
+from aseme_dsl.diagrams.look.dot import Kind
 from aseme_dsl.diagrams.look.drawing import Drawing
 from aseme_dsl.diagrams.rendering import svg
+from aseme_dsl.diagrams.rendering.lines import mixed_up
 
 TIME_LIMIT = 10.0
 """How long one run of Graphviz may take, in seconds."""
@@ -100,16 +102,39 @@ def render(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> 
         try:
             if drawing.picture:
                 return _run([graphviz, f"-T{format}"], drawing.dot, time_limit)
-            made = _run([graphviz, "-Tsvg", *flags], drawing.dot, time_limit)
-            picture = svg.cleaned(made, drawing.about or drawing.name)
-            if faults := svg.faults(picture, drawing.shown):
-                raise _Flawed("; ".join(faults[:3]) + (f" and {len(faults) - 3} more" if faults[3:] else ""))
+            text, picture = _clear(drawing, [graphviz, "-Tsvg", *flags], time_limit)
             if format == "svg":
                 return picture
-            return _run([graphviz, f"-T{format}", *flags], drawing.dot, time_limit)
+            return _run([graphviz, f"-T{format}", *flags], text, time_limit)
         except _Flawed as flaw:
             reasons.append(str(flaw))
     raise DrawingFailed(f"{drawing.name} could not be drawn: {' / then '.join(dict.fromkeys(reasons))}")
+
+
+def _clear(drawing: Drawing, command: Sequence[str], time_limit: float) -> tuple[str, bytes]:
+    """The DOT text and the SVG of the usual layout, or of the first wider one whose lines are clear.
+
+    If there is none, it is the one that comes next to that. Raises _Flawed if the usual one is not whole.
+    """
+    lines = [item.id for item in drawing.shown if item.kind is Kind.LINE]
+    text, picture = drawing.dot, _whole(drawing, drawing.dot, command, time_limit)
+    least = mixed_up(picture, lines) if drawing.wider else 0.0
+    for other in drawing.wider:
+        if not least:
+            break
+        with contextlib.suppress(_Flawed):
+            made = _whole(drawing, other, command, time_limit)
+            if (left := mixed_up(made, lines)) < least:
+                text, picture, least = other, made, left
+    return text, picture
+
+
+def _whole(drawing: Drawing, text: str, command: Sequence[str], time_limit: float) -> bytes:
+    """The SVG of a layout. Raises _Flawed if it lacks something."""
+    picture = svg.cleaned(_run(command, text, time_limit), drawing.about or drawing.name)
+    if faults := svg.faults(picture, drawing.shown):
+        raise _Flawed("; ".join(faults[:3]) + (f" and {len(faults) - 3} more" if faults[3:] else ""))
+    return picture
 
 
 def _run(command: Sequence[str], text: str, time_limit: float) -> bytes:

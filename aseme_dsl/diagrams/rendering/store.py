@@ -15,7 +15,7 @@ from aseme_dsl.diagrams.look.drawing import Drawing
 from aseme_dsl.diagrams.rendering.layout import TIME_LIMIT, program, render
 from aseme_dsl.records import dataclass
 
-_REVISION = 2
+_REVISION = 3
 """To be raised when the same DOT text becomes another picture."""
 
 

@@ -64,7 +64,7 @@ def svg(match: Match) -> str:
     """The match so far as an SVG document: the field, the path of the ball, the goals, and the players.
 
     The whole path is drawn thinly, the last seconds before each goal boldly in the colour of the team that
-    scored; the players stand where they are now.
+    scored. The players stand where they are now: those of the first team as circles, the others as squares.
     """
     result, truth = match.result(), match.truth()
     width = 2 * (HALF_LENGTH + BORDER)
@@ -103,10 +103,11 @@ def _circle(x: float, y: float, radius: float, style: str) -> str:
 def _heading(match: Match, width: float) -> Iterator[str]:
     result, truth = match.result(), match.truth()
     middle = width / 2
+    names = f"{escape(result.teams[0])} ●", f"■ {escape(result.teams[1])}"
     for team, (anchor, x) in enumerate((("end", middle - 70.0), ("start", middle + 70.0))):
         yield (
             f'<text x="{_number(x)}" y="46" font-size="36" text-anchor="{anchor}" fill="{_COLOURS[team]}">'
-            f"{escape(result.teams[team])}</text>"
+            f"{names[team]}</text>"
         )
     yield (
         f'<text x="{_number(middle)}" y="48" font-size="42" font-weight="bold" text-anchor="middle">'
@@ -194,10 +195,14 @@ def _robot(robot: RobotTruth) -> Iterator[str]:
     opacity = "0.5" if robot.penalised or robot.posture is not Posture.STANDING else "1"
     outline = "#ffd400" if robot.goalie else "#ffffff"
     name = escape(robot.name)
-    yield (
-        f'<circle cx="{_number(x)}" cy="{_number(y)}" r="{_number(RADIUS)}" fill="{_COLOURS[robot.team]}" '
-        f'fill-opacity="{opacity}" stroke="{outline}" stroke-width="2.5"><title>{name}</title></circle>'
-    )
+    style = f'fill="{_COLOURS[robot.team]}" fill-opacity="{opacity}" stroke="{outline}" stroke-width="2.5"'
+    if robot.team == 0:
+        place = f'cx="{_number(x)}" cy="{_number(y)}" r="{_number(RADIUS)}"'
+        yield f"<circle {place} {style}><title>{name}</title></circle>"
+    else:  # the teams differ in black and white, too
+        place = f'x="{_number(x - RADIUS)}" y="{_number(y - RADIUS)}"'
+        size = f'width="{_number(2 * RADIUS)}" height="{_number(2 * RADIUS)}"'
+        yield f"<rect {place} {size} {style}><title>{name}</title></rect>"
     yield _label(x, y, str(robot.jersey), 15)
 
 
