@@ -8,6 +8,7 @@ from enum import Enum
 from itertools import cycle
 from typing import Any
 
+from aseme_dsl.runtime.chart.board import Known, whole
 from aseme_dsl.runtime.chart.inputs import (
     LOST,
     AgentMessage,
@@ -25,6 +26,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Start,
     Written,
 )
+from aseme_dsl.runtime.chart.saving import Saved
 from tests.oracle.charts import EVENTS, HOSTS, MS
 from tests.oracle.choices import Choices
 from tests.oracle.interpreter import Reference
@@ -125,6 +127,28 @@ def like(example: Any, number: int) -> Any:
 
 
 @dataclass
+class MadeStep:
+    """A step that was made, and from where."""
+
+    now: int
+    inputs: list[Input]
+    late: list[Any]
+    before: Saved
+    contents: object
+    outcome: object = None
+
+
+def plain(saved: Saved) -> object:
+    """What was saved, read anew: nothing that was found out before is asked."""
+    boards = [None if board is None else whole(board) for board in saved.boards]
+    contents = [
+        held and (Known(held[0].states, held[0].data, held[0].signals).messages(), held[1:])
+        for held in boards
+    ]
+    return saved.values, contents, saved.seldom
+
+
+@dataclass
 class Game:
     """The interpreter and the generated class of a role, side by side."""
 
@@ -141,7 +165,9 @@ class Game:
     story: list[str] = field(default_factory=list)
     taken: int = 0
     goes_back: bool = False
-    """Whether each step is made twice, the second time from what was saved before the first."""
+    """Whether each step is made twice, the second time from what was saved before the first; and in the end
+    the second half once more."""
+    made_before: list[MadeStep] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.plan = self.made.plan(self.role)
@@ -154,6 +180,7 @@ class Game:
             self.step(moment)
             if self.expected.finished or self.expected.failure is not None:
                 break
+        self.go_far_back()
 
     def step(self, moment: Moment) -> None:
         due = self.expected.due(self.now)
@@ -172,6 +199,8 @@ class Game:
         expected = self.expected.step(self.now, inputs)
         actual = self.actual.step(self.now, inputs)
         self.compare("the step", shown(expected), shown(actual))
+        if self.goes_back:
+            self.made_before[-1].outcome = shown(actual)
         self.compare("the configuration", self.expected.configuration(), self.actual.configuration())
         self.compare("due", self.expected.due(self.now), self.actual.due(self.now))
         for variable in self.plan.variables:
@@ -191,6 +220,20 @@ class Game:
             self.actual.pending = lambda: self.late
         self.actual.load(before)
         self.compare("what is saved anew", before, self.actual.save())
+        self.made_before.append(MadeStep(self.now, inputs, self.late, before, plain(before)))
+
+    def go_far_back(self) -> None:
+        """A new chart does the second half once more: from what was saved, which has stayed as it was."""
+        again = self.made_before[len(self.made_before) // 2 :]
+        self.made_before = []
+        chart = self.made.chart(self.role, "me")
+        for number, step in enumerate(again):
+            self.compare("what was saved", step.contents, plain(step.before))
+            if number == 0:
+                chart.load(step.before)
+            self.compare("what is saved later", step.before, chart.save())
+            chart.pending = lambda late=step.late: late
+            self.compare("the step made later", step.outcome, shown(chart.step(step.now, step.inputs)))
 
     def _stepped(self, engine: Any, inputs: list[Input]) -> Any:
         """What an engine saves before a step that it makes."""

@@ -31,6 +31,9 @@ class Frame(Part):
         self.names.method(
             "boards(self) -> tuple[Board | None, ...]", "The blackboard of each region.", boards
         )
+        every = self.names.writing(0)
+        every.add(2, f"return ({', '.join(f'self.b{region.number}' for region in regions)},)")
+        self.names.method("all_boards(self) -> tuple[Board, ...]", "The blackboards of all regions.", every)
         self._due()
         self._configuration()
 

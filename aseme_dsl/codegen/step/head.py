@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from aseme_dsl.amola.expression import (
     Publish,
@@ -12,6 +12,7 @@ from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.codegen.code.face import key_of, natural
 from aseme_dsl.codegen.step.boards import Boards
 from aseme_dsl.codegen.step.names import Part, StepNames
+from aseme_dsl.runtime.chart.state import COMMON
 
 
 class Head(Part):
@@ -92,7 +93,10 @@ class Head(Part):
         agents = [agent for team in self.names.system.teams for agent in team.agents]
         if any(agent.settings for agent in agents if agent.role == self.chart.name):
             lines.append("        self.settle()")
-        return lines
+        kept = {self.names.kept(node) for node in self.history.resumed}
+        boards = {f"b{region.number}" for region in regions}
+        own = sorted({name for name, _, _ in attributes} - kept - boards, key=natural)
+        return [*lines, *_saving([*COMMON, *own])]
 
     def _expiring(self) -> list[str]:
         return ["    EXPIRING = True"] if self.boards.expire() else []
@@ -192,6 +196,21 @@ class Head(Part):
             )
             for region in self.flat.regions
         ]
+
+
+def _saving(names: Sequence[str]) -> list[str]:
+    """What gives the plain values of the attributes, and puts them back."""
+    places = ", ".join(f"self.{name}" for name in names)
+    return [
+        "",
+        "    def values(self) -> tuple[object, ...]:",
+        '        """What the places hold."""',
+        f"        return ({places})",
+        "",
+        "    def set_values(self, values: tuple[Any, ...]) -> None:",
+        '        """Let the places hold these again."""',
+        f"        ({places}) = values",
+    ]
 
 
 __all__ = ["Head"]

@@ -306,7 +306,9 @@ class Trial:
                     self._makes_up |= waiting is None
                     inputs.append(waiting or self._message(change, moment.now))
                 case Lacking(input=AgentMessage(branch=branch, identity=identity)):
-                    chart.mail[branch] = [item for item in chart.mail[branch] if item.identity != identity]
+                    chart.mail[branch] = tuple(
+                        [item for item in chart.mail[branch] if item.identity != identity]
+                    )
                     inputs = [item for item in inputs if item is not change.input]
                 case Lacking(input=gone):
                     inputs = [item for item in inputs if item is not gone]

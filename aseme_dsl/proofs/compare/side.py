@@ -233,7 +233,7 @@ class Side:
         for branch, waiting in self.chart.mail.items():
             refused = [item for item in waiting if not self.takes(item)]
             if refused and self.is_in_branch(branch):
-                self.chart.mail[branch] = [item for item in waiting if item not in refused]
+                self.chart.mail[branch] = tuple(item for item in waiting if item not in refused)
                 for item in refused:
                     found.add("refuse", f"answers {item.performative} {item.message} with not_understood")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field, replace
+from operator import attrgetter
 from typing import cast
 
 from aseme_dsl.proofs.compare.decisions import Decisions, Enums, Open
@@ -12,7 +13,7 @@ from aseme_dsl.proofs.explore.deciding.acting import Called
 from aseme_dsl.proofs.explore.deciding.staging import undecided
 from aseme_dsl.proofs.explore.deciding.values import _enums
 from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.chart.board import Board, getter
+from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.functions import find_function
 from aseme_dsl.runtime.chart.plan import Plan
@@ -141,9 +142,12 @@ def staged(version: Version, agent: str, stage: Stage) -> Chart:
     own: dict[str, object] = {"__slots__": tuple(held.values()), "PLAN": plan, "AGENT": None}
     own["random"] = lambda chart: stage.draw()
     own |= {slot: _opened(held[slot], name, stage) for slot, name in names.items()}
+    places = tuple(held.get(name, name) for name in chart.places)
+    if held:  # what is open stays so when it is saved
+        read = attrgetter(*places)
+        own["values"] = lambda chart: read(chart)
     kind = cast("type[Chart]", type(chart.__name__, (chart,), own))
-    kind.places = tuple(dict.fromkeys(held.get(name, name) for name in kind.places))
-    kind.values = getter(kind.places)
+    kind.places = places
     made = kind(agent)
     for number in range(len(kind.REGIONS)):
         _open_board(type(getattr(made, f"b{number}")), stage)

@@ -87,7 +87,7 @@ def _age(chart: Chart, slot: str, since: int) -> Callable[[], None]:
 
 
 def _times(board: Board) -> dict[str, int]:
-    return {slot: getattr(board, slot) for slot in board.show_in if slot.endswith("_time")}
+    return {slot: getattr(board, slot) for slot in [f"{name}_time" for name in sorted(board.TIMED)]}
 
 
 # ---- messages ---------------------------------------------------------------------------------------
@@ -142,8 +142,7 @@ def _messages(board: Board, thresholds: Mapping[str, tuple[int, ...]]) -> Iterat
 
 def _older(board: Board, channel: str, sender: str, item: Sample, age: int) -> Callable[[], None]:
     def make() -> None:
-        if board._known is not None:
-            board._part()
+        board.part()
         board._states[channel][sender] = replace(item, time=NOW - age)
         board._refresh(channel)
 
@@ -152,8 +151,7 @@ def _older(board: Board, channel: str, sender: str, item: Sample, age: int) -> C
 
 def _old(board: Board, channel: str, item: Sample, age: int) -> Callable[[], None]:
     def make() -> None:
-        if board._known is not None:
-            board._part()
+        board.part()
         waiting = board._signals[channel]
         waiting[waiting.index(item)] = replace(item, time=NOW - age)
 

@@ -191,7 +191,7 @@ class Coming:
         """A message comes from outside."""
         for board in agent.chart.boards():
             if board is not None and channel in board._data:  # of data, the newest is all that is read
-                board._part()
+                board.part()
                 del board._data[channel]
         message = channel.rpartition(".")[2]
         content = self._contents.new(message, ("input",), "{}", f"{agent.name}: {message}")

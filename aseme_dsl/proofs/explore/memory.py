@@ -31,6 +31,7 @@ from typing import Any, cast
 
 from aseme_dsl.proofs.explore.deciding.later import content_of
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.chart.board import Whole, whole
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.saving import Saved
 
@@ -390,11 +391,11 @@ class _Keying:
         values = [
             self._value(part) for name, part in zip(names, saved.values, strict=True) if not _is_token(name)
         ]
-        boards = [
-            None if board is None else (self._value(board[0].messages()), *map(self._value, board[1:]))
-            for board in saved.boards
-        ]
+        boards = [None if board is None else self._board(whole(board)) for board in saved.boards]
         return tuple(values), tuple(boards), self._value(tuple(saved.seldom))
+
+    def _board(self, held: Whole) -> object:
+        return self._value(held[0].messages()), *map(self._value, held[1:])
 
     def _value(self, value: Any) -> object:
         kind = type(value)

@@ -491,7 +491,7 @@ class _Carrying:
             if label in self.new.mail:
                 for item in waiting:
                     try:
-                        self.new.mail[label].append(mailed(replace(item, branch=label), self.messages))
+                        self.new.mail[label] += (mailed(replace(item, branch=label), self.messages),)
                     except LookupError:
                         self.lost.append(item.message)
 

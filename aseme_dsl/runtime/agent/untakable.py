@@ -29,7 +29,7 @@ class Untakable:
             if waiting:
                 self._look_at(chart, branch, waiting)
 
-    def _look_at(self, chart: Chart, branch: str, waiting: list[AgentMessage]) -> None:
+    def _look_at(self, chart: Chart, branch: str, waiting: tuple[AgentMessage, ...]) -> None:
         within = f"{branch}."
         leaves = [leaf for leaf in chart.configuration() if leaf.startswith(within)]
         if not leaves:
@@ -38,12 +38,12 @@ class Untakable:
         known, newest = self._seen.get(branch, (None, None))
         self._seen[branch] = taken, waiting[-1].identity
         if known is not None and known <= taken:
-            new = list(takewhile(lambda item: item.identity != newest, reversed(waiting)))[::-1]
+            new = tuple(takewhile(lambda item: item.identity != newest, reversed(waiting)))[::-1]
         else:
             new = waiting
         refused = [item for item in new if item.performative != LOST and not _is_taken(item, taken)]
         if refused:
-            chart.mail[branch] = [item for item in waiting if item not in refused]
+            chart.mail[branch] = tuple([item for item in waiting if item not in refused])
             for item in refused:
                 self._refuse(branch, item.identity)
 

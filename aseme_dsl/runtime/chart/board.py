@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections import deque
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from itertools import repeat
-from operator import attrgetter
 from typing import TYPE_CHECKING, ClassVar, TypeAlias
 
 from aseme_dsl.runtime.chart import history
@@ -84,20 +81,27 @@ class Known:
         return hash(self.messages())
 
 
-SavedBoard: TypeAlias = tuple[Known, frozenset[Identity], tuple[tuple[str, int], ...], SavedDrafts]
+Whole: TypeAlias = tuple[Known, frozenset[Identity], tuple[tuple[str, int], ...], SavedDrafts]
 """All that a board holds between two steps: messages, those read ahead, timers, drafts."""
+
+SavedBoard: TypeAlias = Known | Whole
+"""The same; just the messages where there is nothing else, as at most times."""
 
 _NOBODY: frozenset[Identity] = frozenset()
 
 
-def getter(names: Sequence[str]) -> Callable[[object], tuple[object, ...]]:
-    """What gives the values of these attributes of an object."""
-    if len(names) > 1:
-        return attrgetter(*names)
-    if not names:
-        return lambda item: ()
-    only = attrgetter(*names)
-    return lambda item: (only(item),)
+def whole(saved: SavedBoard) -> Whole:
+    """What a board holds, with what is not there."""
+    return (saved, _NOBODY, (), ()) if isinstance(saved, Known) else saved
+
+
+def saved_board(held: Whole) -> SavedBoard:
+    """What a board holds, as it is saved."""
+    return held if any(held[1:]) else held[0]
+
+
+_EMPTY = Known({}, {}, {}, ())
+"""What a board has that has no channels."""
 
 
 class Board:
@@ -108,7 +112,17 @@ class Board:
     (slot, sender or None), `TIMED` the slots that have a companion `…_time` with the time of measurement.
     """
 
-    __slots__ = ("_data", "_known", "_seen", "_signals", "_states", "ahead", "asked", "drafts", "timers")
+    __slots__ = (
+        "_data",
+        "_known",
+        "_seen",
+        "_signals",
+        "_states",
+        "ahead",
+        "asked",
+        "drafts",
+        "timers",
+    )
 
     CHANNELS: ClassVar[frozenset[str]] = frozenset()
     QUEUED: ClassVar[frozenset[str]] = frozenset()
@@ -117,24 +131,14 @@ class Board:
     RETENTION: ClassVar[Mapping[str, int]] = {}
     SLOTS: ClassVar[Mapping[str, tuple[tuple[str, str | None], ...]]] = {}
     TIMED: ClassVar[frozenset[str]] = frozenset()
-    show_in: ClassVar[tuple[str, ...]] = ()
-    """All slots that show what the messages are."""
-    shown: ClassVar[Callable[[object], tuple[object, ...]]] = getter(())
-    """Gives what these hold."""
-
-    def __init_subclass__(cls) -> None:
-        super().__init_subclass__()
-        slots = [slot for slots in cls.SLOTS.values() for slot, _ in slots]
-        cls.show_in = (*slots, *(slot + "_time" for slot in slots if slot in cls.TIMED))
-        cls.shown = getter(cls.show_in)
 
     def __init__(self) -> None:
-        self._states: dict[str, dict[str, Sample]] = {}
-        self._data: dict[str, History] = {}
-        self._signals: dict[str, list[Sample]] = {}
-        self._seen: dict[tuple[str, str | None], Sample] = {}
-        self._known: Known | None = None
+        self._states: dict[str, dict[str, Sample]] = {} if self.CHANNELS else _EMPTY.states
+        self._data: dict[str, History] = {} if self.CHANNELS else _EMPTY.data
+        self._signals: dict[str, list[Sample]] = {} if self.CHANNELS else _EMPTY.signals
+        self._known: Known | None = None if self.CHANNELS else _EMPTY
         """The messages as a value that is saved; None since they have changed."""
+        self._seen: dict[tuple[str, str | None], Sample] = {}
         self.ahead: set[Identity] = set()
         """What `read_messages` has put here before it comes as an input."""
         self.asked: list[Sample] = []
@@ -148,8 +152,8 @@ class Board:
 
     def inherit(self, outer: Board) -> None:
         """Start with the states and histories of the surrounding region, without signals and timers."""
-        if self._known is not None:
-            self._part()
+        if self._known is not None and self.CHANNELS:
+            self.part()
         for channel in self.CHANNELS:
             if channel in outer._states:
                 self._states[channel] = dict(outer._states[channel])
@@ -163,9 +167,9 @@ class Board:
 
     def put(self, item: Sample, now: int) -> None:
         """Take in a message of one of the board's channels."""
-        if self._known is not None:
-            self._part()
         channel = item.channel
+        if self._known is not None:
+            self.part()
         comm = channel.split(".", 2)[1]
         if comm == "state":
             senders = self._states.setdefault(channel, {})
@@ -280,7 +284,7 @@ class Board:
         for index, other in enumerate(self._signals.get(item.channel, ())):
             if other is item:
                 if self._known is not None:
-                    self._part()
+                    self.part()
                 del self._signals[item.channel][index]
                 self._refresh(item.channel)
                 return True
@@ -297,7 +301,7 @@ class Board:
             waiting = self._signals.get(channel)
             if waiting and any(now - item.time >= longest for item in waiting):
                 if self._known is not None:
-                    self._part()
+                    self.part()
                 dropped += [item for item in waiting if now - item.time >= longest]
                 self._signals[channel] = [item for item in waiting if now - item.time < longest]
                 self._refresh(channel)
@@ -310,12 +314,21 @@ class Board:
         self._seen.clear()
         return dropped
 
-    def _part(self) -> None:
+    def part(self) -> None:
         """Have messages of its own, which what was saved does not share."""
         self._known = None
         self._states = {channel: senders.copy() for channel, senders in self._states.items()}
         self._data = {channel: data.copy() for channel, data in self._data.items()}
         self._signals = {channel: waiting.copy() for channel, waiting in self._signals.items()}
+
+    # ---- saving: what generated classes do with their slots ----------------------------------
+
+    def shown(self) -> tuple[object, ...]:
+        """What the slots hold."""
+        return ()
+
+    def show(self, values: tuple[object, ...]) -> None:
+        """Give the slots what they have held."""
 
     # ---- drafts ----------------------------------------------------------------------------
 
@@ -343,13 +356,12 @@ def save_all(boards: Iterable[Board | None]) -> tuple[SavedBoard | None, ...]:
             continue
         known = board._known
         if known is None:
-            known = Known(board._states, board._data, board._signals, type(board).shown(board))
-            board._known = known
+            known = board._known = Known(board._states, board._data, board._signals, board.shown())
         if board.timers or board.ahead or board.drafts:
             drafts = tuple((key, tuple(members.items())) for key, members in board.drafts.items())
             found.append((known, frozenset(board.ahead), tuple(sorted(board.timers.items())), drafts))
         else:
-            found.append((known, _NOBODY, (), ()))
+            found.append(known)
     return tuple(found)
 
 
@@ -358,21 +370,22 @@ def load_all(boards: Iterable[Board], saved: Iterable[SavedBoard | None]) -> Non
     for board, held in zip(boards, saved, strict=True):
         if held is None:
             continue
-        known, ahead, timers, drafts = held
+        if type(held) is Known:
+            known = held
+            if board.timers or board.ahead or board.drafts:
+                board.timers, board.ahead, board.drafts = {}, set(), {}
+        else:
+            known, ahead, timers, drafts = whole(held)
+            board.timers, board.ahead = dict(timers), set(ahead)
+            board.drafts = {key: dict(members) for key, members in drafts}
         if known is not board._known:
             board._known = known
             board._states, board._data, board._signals = known.states, known.data, known.signals
             if known.shown:
-                deque(map(setattr, repeat(board), board.show_in, known.shown), maxlen=0)
+                board.show(known.shown)
             elif known.shown is None:
                 for channel in board.SLOTS:
                     board._refresh(channel)
-        if timers or board.timers:
-            board.timers = dict(timers)
-        if ahead or board.ahead:
-            board.ahead = set(ahead)
-        if drafts or board.drafts:
-            board.drafts = {key: dict(members) for key, members in drafts}
         if board.asked:
             board.asked = []
             board._seen = {}

@@ -180,7 +180,7 @@ class Chart(ChartState):
             self.suspended[branch] = self.now, timers
             self.effects.append(Suspended(branch))
             return
-        self.mail[branch].clear()
+        self.mail[branch] = ()
         self.rounds.forget(branch)
         self.effects.append(Left(branch, completed))
 
@@ -395,7 +395,7 @@ class Chart(ChartState):
     def take_letter(self, item: AgentMessage) -> None:
         """A transition takes an agent message, unless another part of it has done so."""
         waiting = self.mail[item.branch]
-        left = [other for other in waiting if other is not item]
+        left = tuple([other for other in waiting if other is not item])
         if len(left) < len(waiting):
             self.mail[item.branch] = left
             self.rounds.taken(item)
@@ -404,7 +404,7 @@ class Chart(ChartState):
     def give_mail(self, item: AgentMessage) -> None:
         """An activity takes an agent message. Between two steps."""
         waiting = self.mail[item.branch]
-        self.mail[item.branch] = [other for other in waiting if other.identity != item.identity]
+        self.mail[item.branch] = tuple([other for other in waiting if other.identity != item.identity])
         self.rounds.taken(item)
 
     def invited(self, branch: str, participant: str) -> int:

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import field, replace
-from typing import TypeAlias
+from typing import NamedTuple
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import LOST, Addressed, AgentMessage, Settled
 
 REMEMBERED = 100
@@ -15,12 +13,8 @@ REMEMBERED = 100
 Key = tuple[str, str]
 """The label of a protocol branch, and a participant."""
 
-SavedRound: TypeAlias = tuple[Key, tuple[str, ...], str, frozenset[str], frozenset[str], tuple[str, ...]]
-"""A round as a value: whose it is, and the fields of `Round`."""
 
-
-@dataclass(slots=True)
-class Round:
+class Round(NamedTuple):
     """One send to a participant.
 
     An agent has answered if a message of it was `taken`. It also counts if it is `settled` and no message
@@ -28,11 +22,12 @@ class Round:
     has sent was refused or unexpected.
     """
 
+    key: Key
     agents: tuple[str, ...] = ()
     name: str = ""
     """What answers call the message that was sent."""
-    taken: set[str] = field(default_factory=set)
-    settled: set[str] = field(default_factory=set)
+    taken: frozenset[str] = frozenset()
+    settled: frozenset[str] = frozenset()
     earlier: tuple[str, ...] = ()
     """What answers call the messages of earlier rounds, the newest last."""
 
@@ -53,29 +48,30 @@ class Rounds:
 
     def sent(self, branch: str, participant: str) -> None:
         """A transition sends to a participant: no agent has been addressed yet, none has answered."""
-        before = self._rounds.get((branch, participant))
+        key = branch, participant
+        before = self._rounds.get(key)
         earlier = () if before is None else (*before.earlier, before.name)[-REMEMBERED:]
-        self._rounds[branch, participant] = Round(earlier=tuple(filter(None, earlier)))
+        self._rounds[key] = Round(key, earlier=tuple(filter(None, earlier)))
 
     def addressed(self, item: Addressed) -> None:
         """It is known who gets a message."""
-        before = self._rounds.get((item.branch, item.participant))
+        key = item.branch, item.participant
+        before = self._rounds.get(key)
         if before is None or before.name:  # an activity has sent it
             self.sent(item.branch, item.participant)
-        found = self._rounds[item.branch, item.participant]
-        found.agents, found.name = item.agents, item.name
+        self._rounds[key] = self._rounds[key]._replace(agents=item.agents, name=item.name)
 
     def settled(self, item: Settled) -> None:
         """An agent will not answer any more, or has in a way that nothing can take."""
         found = self._rounds.get((item.branch, item.participant))
         if found is not None and item.in_reply_to not in found.earlier:
-            found.settled.add(item.agent)
+            self._rounds[found.key] = found._replace(settled=found.settled | {item.agent})
 
     def taken(self, mail: AgentMessage) -> None:
         """A transition or an activity takes an agent message."""
         found = self._rounds.get((mail.branch, mail.participant))
         if found is not None and mail.performative != LOST and mail.in_reply_to not in found.earlier:
-            found.taken.add(mail.sender)
+            self._rounds[found.key] = found._replace(taken=found.taken | {mail.sender})
 
     def forget(self, branch: str) -> None:
         """A branch is entered or left."""
@@ -97,26 +93,20 @@ class Rounds:
         new = Rounds()
         for (branch, participant), found in self._rounds.items():
             if branch in labels:
-                copy = replace(found, taken=set(found.taken), settled=set(found.settled))
-                new._rounds[labels[branch], participant] = copy
+                key = labels[branch], participant
+                new._rounds[key] = found._replace(key=key)
         return new
 
-    def save(self) -> tuple[SavedRound, ...]:
+    def save(self) -> tuple[Round, ...]:
         """The rounds as a value."""
-        return tuple(
-            (key, item.agents, item.name, frozenset(item.taken), frozenset(item.settled), item.earlier)
-            for key, item in self._rounds.items()
-        )
+        return tuple(self._rounds.values())
 
-    def load(self, saved: tuple[SavedRound, ...]) -> None:
+    def load(self, saved: Iterable[Round]) -> None:
         """Have the rounds that were saved, and no others."""
-        self._rounds = {
-            key: Round(agents, name, set(taken), set(settled), earlier)
-            for key, agents, name, taken, settled, earlier in saved
-        }
+        self._rounds = {item.key: item for item in saved}
 
     def __bool__(self) -> bool:
         return bool(self._rounds)
 
 
-__all__ = ["Round", "Rounds", "SavedRound"]
+__all__ = ["Round", "Rounds"]

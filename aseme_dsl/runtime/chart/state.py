@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from random import Random
-from typing import TYPE_CHECKING, ClassVar, cast
+from typing import TYPE_CHECKING, ClassVar
 
-from aseme_dsl.runtime.chart.board import QUEUE, Board, getter
+from aseme_dsl.runtime.chart.board import QUEUE, Board
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Outcome, Sample
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.chart.rounds import Rounds
@@ -100,22 +100,15 @@ class ChartState:
     """The labels of each region's leaves by their numbers."""
     places: ClassVar[tuple[str, ...]] = ()
     """The attributes that hold a plain immutable value each (`saving.py`)."""
-    values: ClassVar[Callable[[ChartState], tuple[object, ...]]]
-    """Gives what these hold."""
-    all_boards: ClassVar[Callable[[ChartState], tuple[Board, ...]]]
-    """Gives the blackboards of all regions."""
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
         if cls.REGIONS:  # one that was generated
-            boards = [f"b{number}" for number in range(len(cls.REGIONS))]
-            cls.all_boards = cast("Callable[[ChartState], tuple[Board, ...]]", getter(boards))
-            other = {*boards, *cls.KEPT.values()}
+            other = {*(f"b{number}" for number in range(len(cls.REGIONS))), *cls.KEPT.values()}
             # A class inside a generated one has its attributes.
             kinds = [kind for kind in reversed(cls.__mro__) if getattr(kind, "REGIONS", ())]
             own = [name for kind in kinds for name in kind.__dict__.get("__slots__", ())]
             cls.places = (*COMMON, *(name for name in own if name not in other))
-            cls.values = getter(cls.places)
 
     def __init__(self, agent: str) -> None:
         self.agent = agent
@@ -134,7 +127,7 @@ class ChartState:
         """The events that actions have raised: each is for a step of its own, before what else has come."""
         self.spent: set[tuple[int, str]] = set()
         """The events that a transition of a region has taken in this step."""
-        self.mail: dict[str, list[AgentMessage]] = {info.label: [] for info in self.PLAN.branches}
+        self.mail: dict[str, tuple[AgentMessage, ...]] = {info.label: () for info in self.PLAN.branches}
         self.rounds = Rounds()
         """Who was addressed in the branches, and who has answered."""
         self.abandoning = False
@@ -200,6 +193,18 @@ class ChartState:
 
     def boards(self) -> tuple[Board | None, ...]:
         """The blackboard of each region, None where the region is not active."""
+        raise NotImplementedError
+
+    def all_boards(self) -> tuple[Board, ...]:
+        """The blackboards of all regions."""
+        raise NotImplementedError
+
+    def values(self) -> tuple[object, ...]:
+        """What the `places` hold, in their order."""
+        raise NotImplementedError
+
+    def set_values(self, values: tuple[object, ...]) -> None:
+        """Let the `places` hold these again."""
         raise NotImplementedError
 
     # ---- questions between steps -----------------------------------------------------------

@@ -70,7 +70,7 @@ def _written(chart: ChartState, item: Written) -> None:
 def _mailed(chart: ChartState, item: AgentMessage) -> None:
     if item.sent is None:
         item = replace(item, came=chart.now)
-    chart.mail[item.branch].append(item)
+    chart.mail[item.branch] += (item,)
 
 
 def put(chart: ChartState, region: int, board: Board, item: Sample) -> None:

@@ -11,8 +11,9 @@ from dataclasses import fields, is_dataclass
 from enum import IntEnum
 from typing import TypeAlias, Unpack, cast
 
-from aseme_dsl.runtime.chart.board import Known, Messages, SavedBoard, SavedDrafts
+from aseme_dsl.runtime.chart.board import Known, Messages, SavedBoard, SavedDrafts, saved_board, whole
 from aseme_dsl.runtime.chart.inputs import AgentMessage, Identity, Sample
+from aseme_dsl.runtime.chart.rounds import Round
 from aseme_dsl.runtime.chart.saving import Saved, Seldom
 from aseme_dsl.runtime.message.as_json import from_json, to_json
 
@@ -33,7 +34,9 @@ _CARRIERS = {"sample": cast(_Make, Sample), "mail": cast(_Make, AgentMessage)}
 
 def state_of(saved: Saved, *, shared: bool = True) -> list[object]:
     """A saved state as what `json` can write; if not `shared`, each object is written where it stands."""
-    return cast("list[object]", _Writer(shared).written(tuple(saved)))
+    model, values, boards, seldom = saved
+    every = tuple([None if held is None else whole(held) for held in boards])
+    return cast("list[object]", _Writer(shared).written((model, values, every, seldom)))
 
 
 class _Writer:
@@ -83,14 +86,16 @@ def saved_of(state: object, messages: Mapping[str, type[object]]) -> Saved:
     try:
         model, values, boards, seldom = cast("list[list[object]]", _Reader(messages).read(state))
         saved = tuple([None if board is None else _board(cast(_Board, board)) for board in boards])
-        return Saved(str(model), tuple(values), saved, Seldom(*seldom))  # type: ignore[arg-type]
+        found = Seldom(*seldom)  # type: ignore[arg-type]
+        rounds = tuple([Round._make(item) for item in found.rounds])
+        return Saved(str(model), tuple(values), saved, found._replace(rounds=rounds))
     except (TypeError, LookupError, AttributeError) as problem:
         raise ValueError(f"the state does not fit the model: {problem}") from problem
 
 
 def _board(read: _Board) -> SavedBoard:
     messages, ahead, timers, drafts = read
-    return Known.of(messages), ahead, timers, drafts
+    return saved_board((Known.of(messages), ahead, timers, drafts))
 
 
 class _Reader:

@@ -84,6 +84,16 @@ def test_a_class_inside_a_generated_one_saves_all_of_it() -> None:
     assert inner.places == kind.places
 
 
+@pytest.mark.parametrize("name", ["kouretes", "contract_net"])
+def test_the_values_are_those_of_the_places(name: str) -> None:
+    made = generate((KOURETES.parent / f"{name}.aseme").read_text("utf-8"))
+    for kind in made.charts.values():
+        chart = kind("one")
+        chart.step(5, [])
+        assert chart.values() == tuple(getattr(chart, place) for place in chart.places)
+        assert chart.all_boards() == tuple(getattr(chart, f"b{n}") for n in range(len(chart.REGIONS)))
+
+
 def test_a_chart_is_saved_and_loaded_within_ten_microseconds() -> None:
     """The player of the papers, after a game has begun; a slow machine is given ten times as long."""
     made = generate(KOURETES.read_text("utf-8"))

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from types import FunctionType, MemberDescriptorType
 from typing import cast
 
-from aseme_dsl.runtime.chart.board import Board, getter
+from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.chart import Chart
 
 
@@ -37,9 +37,9 @@ def _opened(kind: type[Board], looked_for: Callable[[str], None]) -> type[Board]
                 held[slot] = f"held_{slot}"
                 own[held[slot]] = vars(kind)[slot]
                 own[slot] = _member(vars(kind)[slot], channel, looked_for)
-    opened = cast("type[Board]", type(kind.__name__, (kind,), own))
-    opened.shown = getter([held.get(slot, slot) for slot in opened.show_in])
-    return opened
+    names = [held.get(slot, slot) for slot in cast("tuple[str, ...]", vars(kind)["__slots__"])]
+    own["shown"] = lambda board: tuple([getattr(board, name) for name in names])
+    return cast("type[Board]", type(kind.__name__, (kind,), own))
 
 
 def _member(raw: MemberDescriptorType, channel: str, looked_for: Callable[[str], None]) -> property:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from operator import attrgetter
 from typing import cast
 
 from aseme_dsl.proofs.explore.deciding.arriving import methods_of
 from aseme_dsl.runtime.activity import context as c
-from aseme_dsl.runtime.chart.board import getter
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, is_in
 
@@ -64,9 +64,12 @@ def staged(
     own |= {"__slots__": tuple(held.values()), "PLAN": plan, "AGENT": None}
     own["random"] = lambda chart: draw(chart.agent)
     own |= {slot: _opened(held[slot], name, decide) for slot, name in names.items()}
+    places = tuple(held.get(name, name) for name in chart.places)
+    if held:  # what is open stays so when it is saved
+        read = attrgetter(*places)
+        own["values"] = lambda chart: read(chart)
     kind = cast("type[Chart]", type(chart.__name__, (chart,), own))
-    kind.places = tuple(dict.fromkeys(held.get(name, name) for name in kind.places))
-    kind.values = getter(kind.places)
+    kind.places = places
     return kind
 
 
