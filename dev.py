@@ -191,6 +191,7 @@ LONG = [
     ("speed, by hand and of others", ["-m", "benchmarks.peers"], {}),
     ("thousands at once", ["benchmarks/batch.py"], {}),
     ("answers to an editor", ["benchmarks/editor.py"], {}),
+    ("charts that are saved and loaded", ["-m", "benchmarks.saving"], {}),
     (
         "random edits",
         ["-m", "pytest", "tests/editor/test_drift.py", "tests/editor/test_endurance.py"],

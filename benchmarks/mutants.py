@@ -5,7 +5,8 @@ drawn with a seed, by turns from every model and of every kind, until NUMBER of 
 *caught* if a scenario of its model fails, is vacuous or cannot be played. One that is not caught *behaves
 otherwise* if what people see of a run (activities, messages, conversations, variables, faults, ends) differs
 in some scenario, or in a run of the example in its world, with one of the seeds 1 to 20. The rest behaves as
-the model does, as far as these runs show. Scenarios without chance in them are compared with two seeds.
+the model does, as far as these runs show, or since the same code is made of it. Scenarios without chance in
+them are compared with two seeds.
 
 What is found is kept in a folder (`--kept`), by the texts that it depends on: a further call goes on, and
 `--for` ends one in time. `--report FILE` writes the tables into a page of the documentation.
@@ -14,7 +15,6 @@ What is found is kept in a folder (`--kept`), by the texts that it depends on: a
 from __future__ import annotations
 
 import argparse
-import hashlib
 import json
 import multiprocessing
 import os
@@ -30,27 +30,11 @@ from dataclasses import asdict, dataclass, replace
 from itertools import zip_longest
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import cast
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from aseme_dsl.compiler.phases import inspect_files, scenarios_of  # noqa: E402
-from aseme_dsl.compiler.read.memory import Memory  # noqa: E402
-from aseme_dsl.diagnostics import has_errors  # noqa: E402
-from aseme_dsl.play.run import NotPlayable, Played, play  # noqa: E402
-from aseme_dsl.play.scenario import Scenario, Script  # noqa: E402
-from aseme_dsl.project.building.build import activities_folder, choose  # noqa: E402
-from aseme_dsl.project.building.project import configuration_for, options_of  # noqa: E402
-from aseme_dsl.project.playing.operate import generate_version, loaded_for  # noqa: E402
-from aseme_dsl.project.playing.play import PlayError, Request, made_world  # noqa: E402
-from aseme_dsl.project.playing.play import play as play_example  # noqa: E402
-from aseme_dsl.project.settings.configuration import OUTPUT, Configuration  # noqa: E402
-from aseme_dsl.project.testing.cases import cases_of  # noqa: E402
-from aseme_dsl.project.testing.playing import world_of  # noqa: E402
-from aseme_dsl.project.testing.verdicts import NotRun, verdict_of  # noqa: E402
-from aseme_dsl.runtime.trace.records import Record, agents_of  # noqa: E402
-from aseme_dsl.runtime.version.loading import activities_in, forgetting, importing  # noqa: E402
+from benchmarks.models import RUNS, SCENARIOS, Made, Model, digest, models  # noqa: E402
 from tests.support.model_mutants import KINDS, ModelMutant, model_mutants  # noqa: E402
 
 KEPT = ROOT / ".mutants"
@@ -59,50 +43,13 @@ SEEDS = 20
 LONGEST = 300
 """So many seconds of CPU time one mutant may take; who takes longer has an endless loop, which is noticed."""
 
-LENGTHS = {"robocup": 30_000_000_000}
-"""How long the runs of an example are, in ns, if they are shorter than the project's: a match takes long."""
-
 NOT_COMPILED, CAUGHT, SURVIVED = "not compiled", "caught", "survived"
 OTHERWISE, SAME = "not caught", "same behaviour"
-SCENARIOS, RUNS = "scenarios", "runs"
-
-
-@dataclass(frozen=True, slots=True)
-class Model:
-    """A system: the file with its scenarios, and the files that mutants are made of."""
-
-    name: str
-    root: Path
-    files: tuple[Path, ...]
-
-    def key(self, part: str = SCENARIOS) -> str:
-        """Names all that decides its behaviour in its folder; scenarios do not decide that of its runs."""
-        folder = self.root.parent
-        files = sorted({*self.files, self.root, *folder.glob("*.py"), *folder.glob("activities/*.py")})
-        texts = [path.read_text("utf-8") for path in files]
-        return _digest(*(text if part == SCENARIOS else text.partition("\nscenario ")[0] for text in texts))
+SAME_CODE = "the code is the same"
 
 
 def _place(file: Path) -> str:
     return str(file.relative_to(ROOT)) if file.is_relative_to(ROOT) else str(file)
-
-
-def _digest(*texts: str) -> str:
-    return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:20]
-
-
-def models() -> tuple[Model, ...]:
-    """The examples, then the acceptance files."""
-    found = []
-    for settings in sorted((ROOT / "examples").glob("*/pyproject.toml")):
-        name = settings.parent.name
-        files = sorted(settings.parent.glob("*.aseme"))
-        (root,) = (path for path in files if "\nsystem " in path.read_text("utf-8"))
-        found.append(Model(name, root, tuple(files)))
-    for path in sorted((ROOT / "tests/acceptance").glob("*.aseme")):
-        scenarios = path.parent / "scenarios" / path.name
-        found.append(Model(f"{path.stem} (acceptance)", scenarios, (path,)))
-    return tuple(found)
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +62,7 @@ class Candidate:
 
     def key(self) -> str:
         """Names the mutant and all texts that its result depends on."""
-        return _digest(self.model.key(), self.mutant.text, _place(self.file))
+        return digest(self.model.key(), self.mutant.text, _place(self.file))
 
 
 def candidates(chosen: Sequence[Model], seed: int) -> Iterator[Candidate]:
@@ -190,179 +137,60 @@ def _caught(candidate: Candidate) -> tuple[str, str]:
 
 def compare(candidate: Candidate, found: Judged, kept: Path, seeds: int) -> Judged:
     """Whether a mutant that no scenario has noticed behaves otherwise than its model, and where first."""
-    difference = _difference(candidate, kept, seeds)
+    with TemporaryDirectory(prefix="mutant-") as own, TemporaryDirectory(prefix="model-") as folder:
+        made = Made.of(candidate.model, {str(candidate.file): candidate.mutant.text}, Path(own))
+        usual = Made.of(candidate.model, {}, Path(folder))
+        assert made is not None and usual is not None, candidate.model.root
+        if made.code() == usual.code():
+            return replace(found, result=SAME, by=SAME_CODE, seeds=seeds)
+        difference = _difference(made, Usual(usual, kept), seeds)
     return replace(found, result=OTHERWISE if difference else SAME, by=difference, seeds=seeds)
 
 
-def _difference(candidate: Candidate, kept: Path, seeds: int) -> str:
-    model = candidate.model
-    in_scenarios = _original(model, kept, SCENARIOS, seeds)
+def _difference(made: Made, usual: Usual, seeds: int) -> str:
+    every = range(1, seeds + 1)
+    for seed in every[:2]:
+        if place := _place_of_difference(made, usual, SCENARIOS, seed):
+            return place
+    for seed in every if made.is_run() else ():
+        if place := _place_of_difference(made, usual, RUNS, seed):
+            return place
+    first = usual.of(1, SCENARIOS)
     by_chance = {
-        name for seen in in_scenarios.values() for name in seen if seen[name] != in_scenarios[1][name]
+        name for seed in every for name, seen in usual.of(seed, SCENARIOS).items() if seen != first[name]
     }
-    with TemporaryDirectory(prefix="mutant-") as folder:
-        made = Made.of(model, {str(candidate.file): candidate.mutant.text}, Path(folder))
-        assert made is not None
-        for part in (SCENARIOS, RUNS) if made.is_run() else (SCENARIOS,):
-            for seed, usual in _original(model, kept, part, seeds).items():
-                wanted = by_chance if part == SCENARIOS and seed > 2 else usual
-                for place, seen in made.behaviours(seed, part, wanted):
-                    if usual[place] != seen:
-                        return f"{place}, seed {seed}"
+    for seed in every[2:]:
+        if place := _place_of_difference(made, usual, SCENARIOS, seed, by_chance):
+            return place
     return ""
 
 
-def _original(model: Model, kept: Path, part: str, seeds: int) -> Mapping[int, Mapping[str, str]]:
-    """The behaviour of a model as it is, by seed, in its scenarios or in its runs."""
-    path = kept / f"{part}-{seeds}-{model.key(part)}.json"
-    if not path.exists():
-        with TemporaryDirectory(prefix="model-") as folder:
-            made = Made.of(model, {}, Path(folder))
-            assert made is not None, model.root
-            found = {seed: dict(made.behaviours(seed, part)) for seed in range(1, seeds + 1)}
-        written = path.with_suffix(f".{os.getpid()}")
-        written.write_text(json.dumps(found), "utf-8")
-        written.replace(path)
-    return {int(seed): seen for seed, seen in json.loads(path.read_text("utf-8")).items()}
+def _place_of_difference(
+    made: Made, usual: Usual, part: str, seed: int, wanted: Container[str] | None = None
+) -> str:
+    expected = usual.of(seed, part)
+    for place, seen in made.behaviours(seed, part, wanted):
+        if expected[place] != seen:
+            return f"{place}, seed {seed}"
+    return ""
 
 
 @dataclass(frozen=True)
-class Made:
-    """A system that can be played, and its scenarios, those with few runs first."""
+class Usual:
+    """The behaviour of a model as it is, which is kept in a folder."""
 
-    model: Model
-    configuration: Configuration
-    scenarios: tuple[Scenario, ...]
-    package: Path
+    made: Made
+    kept: Path
 
-    @classmethod
-    def of(cls, model: Model, changed: Mapping[str, str], folder: Path) -> Made | None:
-        """Compile it, with changed texts; none if it has errors."""
-        configuration, _ = configuration_for(model.root)
-        memory = _MEMORIES.setdefault(model.root, Memory())
-        inspection = inspect_files(model.root, changed, options_of(configuration), memory)
-        system = inspection.analysis.system
-        if system is None or has_errors(inspection.analysis.diagnostics):
-            return None
-        package, _ = generate_version(system, folder, choose(configuration))
-        found = scenarios_of(inspection, {})
-        return cls(model, configuration, tuple(sorted(found, key=_length)), package)
-
-    def verdicts(self) -> Iterator[tuple[str, str]]:
-        """The scenarios by name, and the verdict on each, with the seed of the project."""
-        for scenario in self.scenarios:
-            cases = cases_of(scenario, (self.configuration.seed,))
-            runs: list[Played | NotRun] = []
-            for case in cases if scenario.refused is None else ():
-                run = self._run(scenario.scripts[case.script], case.seed, case.inputs)
-                runs.append(run)
-                if isinstance(run, NotRun) or run.broken is not None:
-                    break
-            yield scenario.name, verdict_of(scenario, cases[: len(runs)] or cases, runs).verdict
-
-    def is_run(self) -> bool:
-        """Whether the project says how it is run."""
-        return self.configuration.run is not None
-
-    def behaviours(
-        self, seed: int, part: str, wanted: Container[str] | None = None
-    ) -> Iterator[tuple[str, str]]:
-        """Digests of what people see, by scenario (all, or those `wanted`), or of the run of the example."""
-        if part == RUNS:
-            yield "the run", self._example(seed)
-            return
-        for scenario in self.scenarios:
-            place = f"scenario {scenario.name!r}"
-            if scenario.refused is None and (wanted is None or place in wanted):
-                digest = Digest()
-                for case in cases_of(scenario, (seed,)):
-                    if case.seed == seed:
-                        self._run(scenario.scripts[case.script], seed, case.inputs, digest)
-                yield place, digest.text()
-
-    @property
-    def _activities(self) -> Path:
-        return activities_folder(self.configuration.output or Path(OUTPUT), choose(self.configuration))
-
-    @property
-    def _project(self) -> Path:
-        return self.configuration.folder.resolve()
-
-    def _run(
-        self, script: Script, seed: int, inputs: Mapping[str, object], listener: Digest | None = None
-    ) -> Played | NotRun:
-        until = max(script.until, self.configuration.length) if script.is_open else script.until
-        world = world_of(script, self.configuration)
-        loaded = loaded_for(self.package, self._project)
-        with forgetting(self._project), importing([self._project, *loaded.path]):
-            try:
-                real = activities_in(self._activities)
-                made = None if world is None else made_world(world, seed)
-                listeners = () if listener is None else (listener,)
-                return play(loaded, script, seed, inputs, real, until, made, listeners)
-            except PlayError as problem:
-                return NotRun(problem.problem.message)
-            except NotPlayable as problem:
-                return NotRun(str(problem), problem.span)
-
-    def _example(self, seed: int) -> str:
-        assert self.configuration.run is not None
-        quiet = replace(self.configuration, run=replace(self.configuration.run, trace=None, progress=None))
-        loaded = loaded_for(self.package, self._project)
-        request = Request(seed=seed, duration=LENGTHS.get(self.model.name))
-        digest = Digest()
-        with forgetting(self._project):
-            try:
-                play_example(
-                    loaded, self._activities, quiet, request, tell=lambda line: None, listeners=(digest,)
-                )
-            except PlayError as problem:
-                return problem.problem.message
-        return digest.text()
-
-
-_MEMORIES: dict[Path, Memory] = {}
-"""What the compiler need not find out again of a model, in this process."""
-
-
-def _length(scenario: Scenario) -> int:
-    return sum((100 if script.inputs else 1) * script.until for script in scenario.scripts)
-
-
-SEEN = {
-    "activity": ("what", "activity", "arguments", "outcome"),
-    "message": ("channel", "message", "to"),
-    "agent_message": ("performative", "message", "content", "protocol", "to"),
-    "conversation": ("what", "participant", "peer", "reason"),
-    "variable": ("variable", "value"),
-    "event": ("event",),
-    "unexpected": ("performative", "message", "reason"),
-    "fault": ("what", "reason", "text"),
-    "error": ("what", "reason", "text"),
-}
-"""What people see of a run, by the kind of the record: neither labels nor numbers of transitions."""
-
-
-class Digest:
-    """What people see of runs, as a short text: equal if they behave alike."""
-
-    def __init__(self) -> None:
-        self._hash = hashlib.sha256()
-
-    def wants(self, kind: str, what: str | None) -> bool:
-        return kind in SEEN or kind == "finish"
-
-    def __call__(self, record: Record) -> None:
-        kind, as_data = record["kind"], cast(Mapping[str, object], record)
-        if kind == "finish":
-            ends = [(a["name"], a.get("finished"), a.get("failure")) for a in agents_of(record)]
-            self._hash.update(repr((record["time"], record["reason"], ends)).encode())
-        elif kind in SEEN and record.get("what") != "late":
-            seen = [as_data.get(name) for name in SEEN[kind]]
-            self._hash.update(repr((record["time"], record.get("agent"), seen)).encode())
-
-    def text(self) -> str:
-        return self._hash.hexdigest()[:20]
+    def of(self, seed: int, part: str) -> Mapping[str, str]:
+        """What people see with a seed in the scenarios, or in the run of the example."""
+        path = self.kept / f"{part}-{self.made.model.key(part)}-{seed}.json"
+        if not path.exists():
+            written = path.with_suffix(f".{os.getpid()}")
+            written.write_text(json.dumps(dict(self.made.behaviours(seed, part))), "utf-8")
+            written.replace(path)
+        found: dict[str, str] = json.loads(path.read_text("utf-8"))
+        return found
 
 
 def _end_with_parent() -> None:
@@ -480,9 +308,11 @@ def not_caught(results: Sequence[Judged]) -> Iterator[str]:
 
 
 def _compared(results: Sequence[Judged]) -> str:
-    counts = Counter(item.seeds for item in results if item.result == SAME)
-    said = ", ".join(f"{count} with the seeds 1 to {seeds}" for seeds, count in sorted(counts.items()))
-    return f"Those with the same behaviour were compared with the model: {said}." if said else ""
+    same = [item for item in results if item.result == SAME]
+    counts = Counter(item.seeds for item in same if item.by != SAME_CODE)
+    said = [f"{count} in runs with the seeds 1 to {seeds}" for seeds, count in sorted(counts.items())]
+    said += [f"{count} by their code" for count in [len(same) - counts.total()] if count]
+    return f"Those with the same behaviour were compared with the model: {', '.join(said)}." if said else ""
 
 
 def write_page(page: Path, results: Sequence[Judged], names: Sequence[str], seed: int) -> None:
