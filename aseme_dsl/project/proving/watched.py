@@ -53,7 +53,7 @@ _PARTS: Mapping[type, tuple[str, ...]] = {
         *("states", "broken", "failures", "_agents", "_held", "_said", "_arrived", "_unread", "_is_over"),
         "_clauses",
     ),
-    Clauses: ("_talks", "_early", "_active", "broken"),
+    Clauses: ("_talks", "_of", "_due", "_early", "_active", "broken"),
 }
 _ONLY_KEPT = ("_said", "_arrived", "_unread", "failures", "broken")
 _OF_PLACES = ("_agents", "_held")
@@ -72,7 +72,7 @@ def layout_of(
         return {}, {}
     asks = any(isinstance(item, Holds | Says) for item in conditions_in(watched.observer.script))
     unkeyed = frozenset((*_ONLY_KEPT, *(() if asks else _OF_PLACES)))
-    return _PARTS, {Observer: unkeyed, Clauses: frozenset(("broken", "_active"))}
+    return _PARTS, {Observer: unkeyed, Clauses: frozenset(("broken", "_active", "_of", "_due"))}
 
 
 def conditions_in(script: Script | None) -> Iterator[Condition]:
