@@ -433,6 +433,7 @@ REFUSED = {
     AgentFeature.NUMBERS: "`index`",
     AgentFeature.STAYING: "`on` without an event",
     AgentFeature.RESUMING: "`resume`",
+    AgentFeature.RAISING: "`raise`",
     AgentFeature.READING: "`read_messages`",
     AgentFeature.LEAVING: "transitions out of a parallel from inside it",
     AgentFeature.ENTERING: "from outside into a part of it",

@@ -169,7 +169,7 @@ def test_completion_scripts(here: Here, shell: str) -> None:
 
 
 def test_completion_completes() -> None:
-    environment = {"_ASEMEC_COMPLETE": "bash_complete", "COMP_WORDS": "asemec di", "COMP_CWORD": "1"}
+    environment = {"_ASEMEC_COMPLETE": "bash_complete", "COMP_WORDS": "asemec dia", "COMP_CWORD": "1"}
     assert asemec(**environment).out.splitlines() == ["plain,diagram"]
     environment |= {"COMP_WORDS": "asemec diagram --form", "COMP_CWORD": "2"}
     assert asemec(**environment).out.splitlines() == ["plain,--format"]

@@ -51,6 +51,7 @@ OPTIONAL = {
     "mypy": ("native", "machine code of plain statecharts"),
     "setuptools": ("native", "calls the C compiler for it"),
     "matplotlib": ("plot", "plots of what `optimise` measures"),
+    "pypdf": ("pdf", "several diagrams in one PDF file"),
     "textual": ("sim", "the screen of `sim`"),
     "distributed": ("cluster", "the runs of `test` and `optimise` on many machines"),
     "jsonschema": ("schema", "validates models and traces against their JSON schemas"),

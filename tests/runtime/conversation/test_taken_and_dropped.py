@@ -80,6 +80,6 @@ def test_the_line_is_shown_as_it_is_written() -> None:
     assert transition_text(way) == "on inform Order o from drone [o.id > 1]"
 
 
-@pytest.mark.parametrize("line", ["on Serve : bell", "on Serve : after(1s)", "on Serve : when [index > 3]"])
+@pytest.mark.parametrize("line", ["on Serve : after(1s)", "on Serve : when [index > 3]"])
 def test_what_takes_nothing_still_needs_an_action(line: str) -> None:
     assert "E423" in codes(DEPOT.replace("LINE", line))
