@@ -106,7 +106,7 @@ USES = {
 }
 """The commands that take a target."""
 OTHERS = {
-    *("new", "explain", "lsp", "status", "switch", "key", "import", "completion", "match"),
+    *("new", "explain", "lsp", "status", "switch", "key", "import", "completion", "match", "diff"),
     *("why", "whynot"),
 }
 """Those that take none, or two, or others before it: `status` and `switch` are about what runs from an output
