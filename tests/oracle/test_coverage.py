@@ -47,7 +47,7 @@ class Counting(Reference):
         self.notes: list[str] = []
         self.evaluated: dict[int, set[tuple[tuple[int, bool], ...]]] = {}
         self.parts: list[tuple[int, bool]] = []
-        self.raised = False
+        self.has_failed = False
         self.is_asked = False
 
     def enter(self, label: str, *arguments: Any) -> None:
@@ -65,15 +65,15 @@ class Counting(Reference):
 
     def condition_holds(self, number: int, transition: Any) -> bool:
         self.parts = []
-        self.raised = False
+        self.has_failed = False
         self.is_asked = True
         result = super().condition_holds(number, transition)
-        if not self.raised:
+        if not self.has_failed:
             self.evaluated.setdefault(number, set()).add((*self.parts, (-1, result)))
         return result
 
     def fault(self, *arguments: Any) -> None:
-        self.raised = True
+        self.has_failed = True
         super().fault(*arguments)
 
     def holds(self, term: Any, region: Any) -> bool:

@@ -21,6 +21,7 @@ class Foreign(Enum):
     DIVISION = "division by a value that may be zero"
     DRAFTS = "a member that a later transition publishes"
     EVENT_OR_ELSE = "a choice between an event and `else`"
+    ENTERING = "a transition from outside into one region of an AND, beside which it starts no other"
     ERRORS = "`error`, which follows a failed activity outwards"
     FUNCTIONS = "a function of what the chart itself changes"
     GIVEN = "what an activity is given, where it may be absent"

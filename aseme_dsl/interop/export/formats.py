@@ -16,6 +16,7 @@ from aseme_dsl.interop.export.lowering import Refusal, lowered
 from aseme_dsl.interop.export.mermaid import mermaid
 from aseme_dsl.interop.export.plantuml import plantuml
 from aseme_dsl.interop.export.scxml import DataModel, scxml
+from aseme_dsl.interop.export.sismic import limits as sismic_limits
 from aseme_dsl.interop.export.sismic import sismic
 from aseme_dsl.interop.export.sketch import crossings
 from aseme_dsl.interop.export.xstate import xstate
@@ -45,6 +46,8 @@ def files_of(
     match format_:
         case Format.SCXML | Format.XSTATE | Format.SISMIC:
             machine, refused = lowered(system, chart)
+            if format_ is Format.SISMIC:
+                refused = (*refused, *sismic_limits(chart))
         case Format.MERMAID | Format.PLANTUML:
             refused = crossings(chart)
         case Format.BPMN:

@@ -6,6 +6,10 @@ import json
 from collections.abc import Iterable, Iterator
 from typing import assert_never
 
+from aseme_dsl.amola.expression import NEVER
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.diagnostics.problems.exporting import Foreign
+from aseme_dsl.interop.export.lowering import Refusal
 from aseme_dsl.interop.export.machine import (
     ALWAYS,
     Act,
@@ -28,6 +32,17 @@ _SCRIPT = Python("event.data", "active")
 def sismic(machine: Machine) -> str:
     """The document of a machine. Texts are written as JSON strings, which are YAML, too."""
     return "\n".join([*_document(machine), ""])
+
+
+def limits(chart: Statechart) -> Iterator[Refusal]:
+    """What Sismic does otherwise: it enters the regions of an AND only together."""
+    for item in chart.transitions:
+        if item.expression is NEVER:
+            continue
+        left = {item.source, *(state.label for state in chart.ancestors(item.source))}
+        entered = {item.target, *(state.label for state in chart.ancestors(item.target))} - left
+        if any(chart.is_region(label) for label in entered):
+            yield Refusal(Foreign.ENTERING, item.span)
 
 
 def _text(text: str) -> str:
@@ -138,4 +153,4 @@ def _statements(acts: Iterable[Act], indent: str) -> Iterator[str]:
         yield f"{indent}pass"
 
 
-__all__ = ["sismic"]
+__all__ = ["limits", "sismic"]

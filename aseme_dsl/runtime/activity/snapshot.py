@@ -35,6 +35,7 @@ class BoardCopy(Board):
 
     def __init__(self, board: Board, channels: Iterable[str]) -> None:
         super().__init__()
+        self.part()
         self._ages = dict(board.EXPIRES)
         for channel in channels:
             if channel in board._states:

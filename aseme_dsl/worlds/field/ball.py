@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from aseme_dsl.records import dataclass
+from dataclasses import dataclass
+
 from aseme_dsl.worlds.field.field import GOAL_HALF_WIDTH, HALF_LENGTH, POST_RADIUS
 from aseme_dsl.worlds.field.geometry import length
 

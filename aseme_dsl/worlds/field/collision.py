@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.worlds.field.ball import BOUNCE, Ball, bounce
 from aseme_dsl.worlds.field.field import BORDER, HALF_LENGTH, HALF_WIDTH
 from aseme_dsl.worlds.field.geometry import clamp, length

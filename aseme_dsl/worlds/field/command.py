@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-
-from aseme_dsl.records import dataclass
+from dataclasses import dataclass
 
 
 def _check(number: float, what: str) -> None:

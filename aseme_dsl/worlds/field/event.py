@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import StrEnum
-
-from aseme_dsl.records import dataclass
 
 
 class EventKind(StrEnum):

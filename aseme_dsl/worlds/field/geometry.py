@@ -7,8 +7,7 @@ decimals here, everything else the field uses is exact by IEEE 754: so a match i
 from __future__ import annotations
 
 import math
-
-from aseme_dsl.records import dataclass
+from dataclasses import dataclass
 
 # (x + R) - R rounds x to a multiple of the last bit of R: about 1e-9 for a ratio, 1e-6 for an angle.
 _RATIO = 1.5 * 2.0**22

@@ -10,9 +10,9 @@ from __future__ import annotations
 import random
 from collections import deque
 from collections.abc import Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.world.body import RadioMessage
 from aseme_dsl.worlds.field import opponent, vision
 from aseme_dsl.worlds.field.ball import Ball, roll

@@ -6,9 +6,9 @@ positive.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import IntEnum
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.worlds.field.command import Walk
 from aseme_dsl.worlds.field.geometry import Pose, length
 

@@ -6,10 +6,9 @@ import random
 import threading
 from collections import deque
 from collections.abc import Iterable
-from dataclasses import field
+from dataclasses import dataclass, field
 from heapq import heappop, heappush
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.world.body import RadioMessage
 
 MILLISECOND = 1_000_000

@@ -7,9 +7,8 @@ change sides at half-time.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.worlds.field import ball as balls
 from aseme_dsl.worlds.field.ball import Ball
 from aseme_dsl.worlds.field.collision import Contact

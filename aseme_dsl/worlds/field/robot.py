@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.worlds.field import ball as balls
 from aseme_dsl.worlds.field.command import Command, Dive, Kick, Motion, Sit, Stand, Walk
 from aseme_dsl.worlds.field.geometry import Pose, clamp, length, unit, wrap

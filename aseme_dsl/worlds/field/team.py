@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.worlds.field.geometry import Pose
 
 MOST_FIELD_PLAYERS = 6

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from array import array
-
-from aseme_dsl.records import dataclass
+from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.worlds.field.ball import Ball
 from aseme_dsl.worlds.field.field import GOAL_HALF_WIDTH, HALF_LENGTH
 from aseme_dsl.worlds.field.geometry import direction, length, unit, wrap

@@ -43,6 +43,7 @@ class Recording:
     """A machine with its first values, what is active at first, and what follows."""
 
     machine: Machine
+    chart: Statechart
     first: tuple[str, ...] | None
     steps: tuple[Step, ...]
 
@@ -104,7 +105,7 @@ class Recorder:
                 break
             data = {key: value for key, value in self.known.items() if before.get(key) != value}
             steps.append(Step(INPUT, self.said | data, active))
-        return Recording(machine, first, tuple(steps))
+        return Recording(machine, self.chart, first, tuple(steps))
 
     def _begun(self, item: Datum, known: dict[str, Any]) -> Datum:
         value = known.get(item.name)

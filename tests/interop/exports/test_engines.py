@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.diagnostics.problems.exporting import Foreign
+from aseme_dsl.interop.export.sismic import limits
 from aseme_dsl.runtime.chart import chart
 from tests.interop.exports.engines import differences, job, on_node, python_statemachine, sismic_engine
 from tests.interop.exports.playing import Recorder, Recording
@@ -108,7 +109,9 @@ def test_engines_in_javascript_do_the_same(engine: str, recorded: Recorded) -> N
 @RECORDED
 def test_sismic_does_the_same(recorded: Recorded) -> None:
     pytest.importorskip("sismic", reason="NOT TRIED, for there is no sismic here")
-    compare([sismic_engine(recording) for _, recording in recorded()], recorded())
+    able = tuple(pair for pair in recorded() if not any(limits(pair[1].chart)))
+    compare([sismic_engine(recording) for _, recording in able], able)
+    assert 2 * len(able) > len(recorded())
 
 
 def test_a_chart_that_means_something_else_is_noticed() -> None:

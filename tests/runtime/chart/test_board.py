@@ -98,6 +98,13 @@ def test_a_snapshot_and_a_region_inside_keep_what_they_have() -> None:
     assert [item.message for item in board.history(CHANNEL)] == list(range(28, 40))
 
 
+def test_a_snapshot_puts_nothing_on_other_boards() -> None:
+    board = Eyes()
+    board.put(seen("ann", 1, 1), 1)
+    assert BoardCopy(board, [CHANNEL]).newest(CHANNEL) is not None
+    assert Board().newest(CHANNEL) is None
+
+
 def test_to_take_in_a_message_costs_the_same_however_many_are_kept() -> None:
     looks = 0
 
