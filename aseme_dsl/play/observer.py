@@ -22,6 +22,7 @@ from aseme_dsl.play.scenario import (
     NotSo,
     Says,
     Script,
+    all_parts,
 )
 from aseme_dsl.play.sight.alarms import Alarms
 from aseme_dsl.play.sight.guards import told
@@ -29,7 +30,7 @@ from aseme_dsl.play.sight.insight import Surroundings
 from aseme_dsl.play.sight.standing import standing
 from aseme_dsl.play.sight.story import Happened, agents_text
 from aseme_dsl.play.sight.storyteller import About, Storyteller
-from aseme_dsl.play.sight.subject import Next, about, all_parts, question, spoken
+from aseme_dsl.play.sight.subject import Next, about, question, spoken
 from aseme_dsl.play.sight.words import Said, failing, few, leaf_names, went_wrong
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan

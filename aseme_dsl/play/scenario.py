@@ -5,7 +5,7 @@ Conditions have numbers, their places in `Script.conditions`; each stands behind
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.records import dataclass
@@ -82,6 +82,27 @@ class NotSo:
 
 
 Condition = InPlaces | Says | Holds | Faulty | Failed | AllOf | AnyOf | NotSo
+
+
+def parts_of(condition: Condition) -> tuple[int, ...]:
+    """The numbers of the conditions of which one is made."""
+    match condition:
+        case AllOf(parts=parts) | AnyOf(parts=parts):
+            return parts
+        case NotSo(part=part):
+            return (part,)
+        case _:
+            return ()
+
+
+def all_parts(conditions: Sequence[Condition], numbers: Iterable[int]) -> Iterator[int]:
+    """Conditions, and those that they are made of."""
+    waiting = list(numbers)
+    while waiting:
+        number = waiting.pop(0)
+        yield number
+        waiting += parts_of(conditions[number])
+
 
 # ---- what is expected -------------------------------------------------------------------------------
 
@@ -346,4 +367,6 @@ __all__ = [
     "Share",
     "Stimulus",
     "Writes",
+    "all_parts",
+    "parts_of",
 ]

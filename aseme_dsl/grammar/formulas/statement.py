@@ -377,7 +377,7 @@ def _of_agent(reader: Reader) -> nodes.Condition:
     agent = _agent(reader)
     if _need(reader, "in", "has") == "in":
         places = _places(reader)
-        return nodes.InState(agent, places, agent.span.to(places[-1].span), which)
+        return nodes.InState(agent, places, reader.since(agent.span.start), which)
     opener = _need(reader, "[")
     inner = operation(reader)
     reader.need("]", opener)
@@ -633,8 +633,9 @@ def _after(reader: Reader) -> nodes.Timed:
     condition: nodes.Condition
     if reader.next == "in":
         reader.take()
+        begin = reader.tokens[min(reader.index, len(reader.tokens) - 1)].start
         places = _places(reader)
-        condition = nodes.InState(None, places, places[0].span.to(places[-1].span))
+        condition = nodes.InState(None, places, reader.since(begin))
     else:
         condition = _condition(reader)
     if reader.next == ":":

@@ -18,6 +18,7 @@ from aseme_dsl.play.scenario import (
     NotSo,
     Says,
     Script,
+    parts_of,
 )
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import Always, Never, conditions_of, renumbered
@@ -179,7 +180,7 @@ def _needed(
     def want(number: int) -> None:
         if number not in wanted:
             wanted.add(number)
-            for part in _parts(conditions[number]):
+            for part in parts_of(conditions[number]):
                 want(part)
 
     for item in expectations:
@@ -191,16 +192,6 @@ def _needed(
         numbers[number] = len(kept)
         kept.append(_with_parts(conditions[number], lambda part: numbers[part]))
     return tuple(kept), numbers
-
-
-def _parts(condition: Condition) -> tuple[int, ...]:
-    match condition:
-        case AllOf(parts=parts) | AnyOf(parts=parts):
-            return parts
-        case NotSo(part=part):
-            return (part,)
-        case _:
-            return ()
 
 
 def _with_parts(condition: Condition, new: Callable[[int], int]) -> Condition:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable
 from typing import assert_never
 
 from aseme_dsl.play.asking.question import NotAsked, goal_of
@@ -10,7 +10,6 @@ from aseme_dsl.play.asking.sending import places, sent_of
 from aseme_dsl.play.scenario import (
     AllOf,
     AnyOf,
-    Condition,
     Failed,
     Faulty,
     Holds,
@@ -18,6 +17,7 @@ from aseme_dsl.play.scenario import (
     NotSo,
     Says,
     Script,
+    all_parts,
 )
 from aseme_dsl.play.sight.deciding import agents_about
 from aseme_dsl.play.sight.storyteller import About
@@ -56,21 +56,6 @@ def spoken(rule: Rule, state: State) -> tuple[int, ...]:
     """The conditions that decide why a rule is broken: of an order the missing part, and the one before."""
     found = conditions_of(rule)
     return found[max(0, state.stage - 1) : state.stage + 1] if isinstance(rule, InOrder) else found
-
-
-def all_parts(conditions: Sequence[Condition], numbers: Iterable[int]) -> Iterator[int]:
-    """Conditions, and those that they are made of."""
-    waiting = list(numbers)
-    while waiting:
-        number = waiting.pop(0)
-        yield number
-        match conditions[number]:
-            case AllOf(parts=parts) | AnyOf(parts=parts):
-                waiting += parts
-            case NotSo(part=part):
-                waiting.append(part)
-            case _:
-                pass
 
 
 def about(script: Script, rule: Rule, state: State, plans: Plans, since: int | None) -> About:
@@ -169,4 +154,4 @@ def _is_known(plan: Plan, what: str) -> bool:
     return True
 
 
-__all__ = ["Next", "about", "all_parts", "question", "spoken"]
+__all__ = ["Next", "about", "question", "spoken"]

@@ -18,6 +18,7 @@ from aseme_dsl.play.scenario import (
     NotSo,
     Says,
     Script,
+    parts_of,
 )
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import conditions_of
@@ -84,10 +85,8 @@ def needs_of(script: Script, item: Expectation, channels: Iterable[str]) -> Need
                     inside = inside or _inside(value)
             case Faulty() | Failed():
                 has_faults = True
-            case AllOf(parts=parts) | AnyOf(parts=parts):
-                todo += parts
-            case NotSo(part=part):
-                todo.append(part)
+            case AllOf() | AnyOf() | NotSo():
+                todo += parts_of(condition)
     return Needs(frozenset(steps), frozenset(senders), has_channels, has_faults, inside)
 
 

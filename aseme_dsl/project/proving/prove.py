@@ -182,15 +182,16 @@ def _searched(
         return
     if watch is not None:
         watch.begin(explored)
-    wanted = () if watch is None else watch.numbers_of(asked)
-    if about is not None:
-        wanted = (0,)
+    wanted: tuple[int, ...] = ()
+    if watch is not None:  # the number of the only one, or of those that were asked for
+        wanted = (0,) if about is not None else watch.numbers_of(asked)
+    is_all = about is not None or 0 < len(asked) == len(wanted)
     graph = search(
         explored,
         eyes,
         None if watch is None else watch.monitors,
         limits,
-        lambda graph: 0 < len(wanted) >= len(asked) and graph.broken.keys() >= set(wanted),
+        lambda graph: is_all and graph.broken.keys() >= set(wanted),
     )
     judge = Judge(scope, explored, graph, watch, assumed, limits, system)
     yield from judge.results() if about is None else judge.expected()

@@ -21,6 +21,7 @@ from aseme_dsl.play.scenario import (
     NotSo,
     Says,
     Script,
+    all_parts,
 )
 from aseme_dsl.play.sight.insight import Insight, Live
 from aseme_dsl.proofs.explore.deciding.staging import undecided
@@ -79,22 +80,11 @@ def conditions_in(script: Script | None) -> Iterator[Condition]:
     """The conditions that the expectations of a script speak of, with those inside."""
     if script is None:
         return
-    todo = [number for item in script.expectations for number in (*conditions_of(item.rule), *item.witnesses)]
-    seen: set[int] = set()
-    while todo:
-        number = todo.pop()
-        if number in seen:
-            continue
-        seen.add(number)
-        condition = script.conditions[number]
-        yield condition
-        match condition:
-            case AllOf(parts=parts) | AnyOf(parts=parts):
-                todo += parts
-            case NotSo(part=part):
-                todo.append(part)
-            case _:
-                pass
+    numbers = (
+        number for item in script.expectations for number in (*conditions_of(item.rule), *item.witnesses)
+    )
+    for number in dict.fromkeys(all_parts(script.conditions, numbers)):
+        yield script.conditions[number]
 
 
 def names_in(script: Script | None) -> frozenset[str]:

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from enum import IntEnum
 from random import Random
-from types import NoneType, UnionType
-from typing import Union, cast, get_args, get_origin
+from typing import cast
 
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
-from aseme_dsl.proofs.explore.deciding.values import Values
+from aseme_dsl.proofs.explore.deciding.values import Values, can_hold
 from aseme_dsl.runtime.chart.plan import Plan, Variable
 from aseme_dsl.runtime.message.convert import converted
 
@@ -138,15 +137,12 @@ class Decisions:
             return None
         if isinstance(kind, type) and issubclass(kind, IntEnum):
             return self._asked.of_enum(kind)
-        if get_origin(kind) in (Union, UnionType):
-            inner = next(arm for arm in get_args(kind) if arm is not NoneType)
-            return (None, *self.values._tried(field, inner))
-        return self.values._tried(field, kind)
+        return self.values.tried_for(field, kind)
 
     def variable(self, variable: Variable, written: Open, known: Callable[[str], str]) -> object:
         """What an activity has written to a variable."""
         tried = (variable.initial, *self.values.of_variable(variable))
-        answers = tuple(dict.fromkeys(item for item in tried if _can_hold(variable, item)))
+        answers = tuple(dict.fromkeys(item for item in tried if can_hold(variable, item)))
         name = known(variable.name.partition("@")[0])
         return self.of(("variable", name, written.number), answers, f"{name} is {{}}")
 
@@ -195,14 +191,6 @@ class _Age(int):
 
 def _said(value: object) -> str:
     return str(value.name) if isinstance(value, IntEnum) else str(value)
-
-
-def _can_hold(variable: Variable, value: object) -> bool:
-    """Whether a value is within the bounds of a variable."""
-    if variable.bounds is None or not isinstance(value, int | float):
-        return True
-    least, most = variable.bounds
-    return least <= value <= most
 
 
 _TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}

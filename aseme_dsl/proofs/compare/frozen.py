@@ -10,6 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
+from aseme_dsl.proofs.explore.needed import can_end
 from aseme_dsl.runtime.chart.plan import Plan, State, Transition, is_in
 
 Terms = tuple[object, ...]
@@ -72,7 +73,7 @@ def _is_alone(plan: Plan, region: State) -> bool:
     label = region.label
     if region.parent is None or plan.by_label[region.parent].type != "AND":
         return False
-    if _completes(plan, region) or any(is_in(info.label, label) for info in plan.branches):
+    if can_end(plan, region.label) or any(is_in(info.label, label) for info in plan.branches):
         return False
     for item in plan.transitions:
         if is_in(item.source, label) and (
@@ -99,19 +100,6 @@ def _is_alone(plan: Plan, region: State) -> bool:
         or own.published & other.heard
         or other.published & own.heard
     )
-
-
-def _completes(plan: Plan, state: State) -> bool:
-    """Whether a state may be complete some time."""
-    match state.type:
-        case "OR":
-            ends = {child.label for child in plan.children(state.label) if child.type == "END"}
-            into = [item.source for item in plan.transitions if item.target in ends]
-            return any(_completes(plan, plan.by_label[source]) for source in into)
-        case "AND":
-            return all(_completes(plan, child) for child in plan.children(state.label))
-        case _:
-            return True
 
 
 class _Uses:

@@ -4,22 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field, replace
-from operator import attrgetter
+from functools import partial
 from typing import cast
 
 from aseme_dsl.proofs.compare.decisions import Decisions, Enums, Open
 from aseme_dsl.proofs.compare.unread import unread
 from aseme_dsl.proofs.explore.deciding.acting import Called
-from aseme_dsl.proofs.explore.deciding.staging import undecided
-from aseme_dsl.proofs.explore.deciding.values import _enums
+from aseme_dsl.proofs.explore.deciding.staging import with_open
+from aseme_dsl.proofs.explore.deciding.values import enums_of
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.functions import find_function
+from aseme_dsl.runtime.chart.functions import find_function, is_of_library
 from aseme_dsl.runtime.chart.plan import Plan
 
-LIBRARY = "aseme_dsl.runtime.library."
-"""Where the functions are that do what they do; what others give is decided."""
 LONG_AGO = -(10**18)
 """The time of a message whose age nothing asks for: it never becomes due."""
 
@@ -65,7 +63,7 @@ class Stage:
         self.decisions = decisions
         self.open = channels
         self.messages = version.messages
-        self.enums: Enums = _enums(version.messages)
+        self.enums: Enums = enums_of(version.messages)
         self.now: int | None = None
         """The time of the present step; None between two of them, when nothing is decided."""
         self._draws = 0
@@ -114,7 +112,7 @@ class Stage:
     def function(self, item: tuple[str, str, str, str]) -> Called:
         """What is called instead of a function of the document."""
         name, target, result, _ = item
-        if target.startswith(LIBRARY):
+        if is_of_library(target):
             return find_function(target)
 
         def answer(*arguments: object) -> object:
@@ -132,22 +130,8 @@ def staged(version: Version, agent: str, stage: Stage) -> Chart:
     # Activities that the document simulates end when anything else does.
     activities = tuple(replace(info, simulated=False, takes=None) for info in chart.PLAN.activities)
     plan = replace(chart.PLAN, activities=activities, modules=())
-    names = {
-        slot: variable
-        for variable, slots in chart.VARIABLES.items()
-        if variable in undecided(plan)
-        for slot in slots
-    }
-    held = {slot: f"held_{slot}" for slot in names}
-    own: dict[str, object] = {"__slots__": tuple(held.values()), "PLAN": plan, "AGENT": None}
-    own["random"] = lambda chart: stage.draw()
-    own |= {slot: _opened(held[slot], name, stage) for slot, name in names.items()}
-    places = tuple(held.get(name, name) for name in chart.places)
-    if held:  # what is open stays so when it is saved
-        read = attrgetter(*places)
-        own["values"] = lambda chart: read(chart)
-    kind = cast("type[Chart]", type(chart.__name__, (chart,), own))
-    kind.places = places
+    own: dict[str, object] = {"random": lambda chart: stage.draw()}
+    kind = with_open(chart, plan, own, partial(_opened, stage))
     made = kind(agent)
     for number in range(len(kind.REGIONS)):
         _open_board(type(getattr(made, f"b{number}")), stage)
@@ -155,7 +139,7 @@ def staged(version: Version, agent: str, stage: Stage) -> Chart:
     return made
 
 
-def _opened(slot: str, variable: str, stage: Stage) -> property:
+def _opened(stage: Stage, slot: str, variable: str) -> property:
     def read(chart: Chart) -> object:
         value = getattr(chart, slot)
         return stage.written(variable, value) if isinstance(value, Open) else value
@@ -177,4 +161,4 @@ def _shown(read: Callable[[str, str | None], object], channel: str, host: str | 
     return property(lambda board: read(channel, host), lambda board, value: None)
 
 
-__all__ = ["LIBRARY", "Stage", "Version", "open_channels", "published", "staged"]
+__all__ = ["Stage", "Version", "open_channels", "published", "staged"]

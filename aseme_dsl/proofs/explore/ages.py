@@ -117,11 +117,13 @@ def asks_for_history(plan: Plan) -> bool:
     """Whether a condition asks what a message was before."""
     todo: list[object] = [part for item in plan.transitions for part in (item.condition, *item.actions)]
     while todo:
-        term = todo.pop()
-        if isinstance(term, tuple):
-            if term[:1] in (("at",), ("mean",)):
+        match todo.pop():
+            case ("at" | "mean", ("member", *_), *_):
                 return True
-            todo += term
+            case tuple() as term:
+                todo += term
+            case _:
+                pass
     return False
 
 

@@ -30,6 +30,7 @@ from types import (
 from typing import Any, cast
 
 from aseme_dsl.proofs.explore.deciding.later import content_of
+from aseme_dsl.proofs.explore.deciding.unread import place_of
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import Whole, whole
 from aseme_dsl.runtime.chart.chart import Chart
@@ -423,7 +424,7 @@ class _Keying:
             return value.name
         content = content_of(value)
         if content is not None:
-            return "", self._renamed("", content.number), getattr(value, "at", ())
+            return "", self._renamed("", content.number), place_of(value)[1]
         if isinstance(value, frozenset):
             return tuple(sorted(map(repr, map(self._value, value))))
         if isinstance(value, tuple):

@@ -173,7 +173,7 @@ class _Search:
     def _completion(self, plan: Plan, label: str) -> None:
         """The regions of an AND that can come to their end: it is complete when all have."""
         inside = plan.children(label)
-        if all(_ends(plan, child.label) for child in inside):
+        if all(can_end(plan, child.label) for child in inside):
             for child in inside:
                 self._add(plan, child.label)
 
@@ -212,14 +212,14 @@ def _is_steady(plan: Plan, region: str) -> bool:
         for item in plan.transitions
         if is_in(item.source, region)
     )
-    return is_free and sum(state.type == "BASIC" for state in inside) == 1 and not _ends(plan, region)
+    return is_free and sum(state.type == "BASIC" for state in inside) == 1 and not can_end(plan, region)
 
 
-def _ends(plan: Plan, label: str) -> bool:
+def can_end(plan: Plan, label: str) -> bool:
     """Whether a state can be complete, if all conditions may hold."""
     match plan.by_label[label].type:
         case "AND":
-            return all(_ends(plan, child.label) for child in plan.children(label))
+            return all(can_end(plan, child.label) for child in plan.children(label))
         case "OR":
             return _reaches_end(plan, label)
         case _:
@@ -237,17 +237,17 @@ def _reaches_end(plan: Plan, label: str) -> bool:
         seen.add(name)
         if inside[name].type == "END":
             return True
-        is_complete = _ends(plan, name)
+        is_complete = can_end(plan, name)
         todo += [
             other
             for item in plan.transitions
             if item.kind == "external"
             and is_in(item.source, name)
-            and (is_complete or item.first or item.when or item.source != name)
+            and (is_complete or item.first or item.when or item.events or item.source != name)
             for other in inside
             if is_in(item.target, other)
         ]
     return False
 
 
-__all__ = ["Asked", "Needed", "needed_for", "region_of"]
+__all__ = ["Asked", "Needed", "can_end", "needed_for", "region_of"]

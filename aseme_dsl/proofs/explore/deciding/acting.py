@@ -10,14 +10,14 @@ from typing import Protocol, cast
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, content_of
 from aseme_dsl.proofs.explore.deciding.staging import OPEN, assigned, by_lines, receivers, watched
-from aseme_dsl.proofs.explore.deciding.values import Values
+from aseme_dsl.proofs.explore.deciding.values import Values, can_hold
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.agent.prepared import Prepared
 from aseme_dsl.runtime.chart import inputs
 from aseme_dsl.runtime.chart.functions import find_function, is_of_library
-from aseme_dsl.runtime.chart.plan import Plan, Variable, is_in
+from aseme_dsl.runtime.chart.plan import Plan, is_in
 
 DRAWN = (0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.9999)
 """What stands for random numbers."""
@@ -124,7 +124,7 @@ class Acting:
         plan = self._plans[role]
         found = next(item for item in plan.variables if item.name == variable)
         tried = (found.initial, *self._values.of_variable(found))
-        answers = tuple(dict.fromkeys(item for item in tried if _can_hold(found, item)))
+        answers = tuple(dict.fromkeys(item for item in tried if can_hold(found, item)))
         return self._choices.of(
             ("variable", agent, variable, self._anew()),
             answers,
@@ -210,14 +210,6 @@ class Acting:
         kinds: Mapping[str, tuple[object, ...]] = {"bool": (False, True)}
         answers = kinds.get(result) or self._values.results(name, result)
         return self._choices.of((agent, name, repr(arguments)), answers, f"{name}() is {{}}")
-
-
-def _can_hold(variable: Variable, value: object) -> bool:
-    """Whether a value is within the bounds of a variable."""
-    if variable.bounds is None or not isinstance(value, int | float):
-        return True
-    least, most = variable.bounds
-    return least <= value <= most
 
 
 class Free(Prepared):

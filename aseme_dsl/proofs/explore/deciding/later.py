@@ -2,26 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import field
 from itertools import count
-from operator import attrgetter
+from typing import cast
 
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
+from aseme_dsl.proofs.explore.deciding.unread import Path, Unread, place_of, unread, unread_class
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.records import dataclass
-
-Path = tuple[str, ...]
-"""The way to a member of a message, from outside."""
 
 
 @dataclass(slots=True)
 class Decided:
-    """What has been decided of contents: by their numbers and the paths of members."""
+    """What has been decided of contents: by their numbers, their types and the paths of members."""
 
-    values: dict[tuple[int, Path], object] = field(default_factory=dict)
+    values: dict[tuple[int, str, Path], object] = field(default_factory=dict)
     made: int = 0
     """How many contents there have been."""
+
+
+def _named(message: object) -> str:
+    content, path = place_of(message)
+    assert isinstance(content, _Content)
+    return f"{content.kind.__name__} {content.number} {path}"
+
+
+_PLAIN = {
+    "__dataclass_fields__": {},
+    "__eq__": object.__eq__,
+    "__hash__": object.__hash__,
+    "__repr__": _named,
+}
+"""It tells of no members, so that a trace reads none, and a message is equal to itself alone."""
 
 
 class Later:
@@ -32,7 +45,6 @@ class Later:
         self._values = values
         self._alike: dict[tuple[str, Path], object] = {}
         """What stands for numbers that are only compared with each other, by type and path."""
-        self._kind_of: dict[int, str] = {}
         self._noted: set[tuple[str, Path]] = set()
         self.decided = Decided()
         self._kinds: dict[type[object], type[object]] = {}
@@ -41,8 +53,7 @@ class Later:
         """A new message of this kind. For the members at these paths, one of the values is decided when it is
         read; the others have their defaults. `name` is what it is, for readers."""
         self.decided.made += 1
-        self._kind_of[self.decided.made] = kind.__name__
-        return self._open(kind, _Content(self, self.decided.made, kind.__name__, tried, name), ())
+        return self._open(kind, _Content(self.decided.made, kind, tried, name), ())
 
     def forget(self, message: object) -> None:
         """What was decided of a message may be otherwise from now on."""
@@ -55,17 +66,17 @@ class Later:
     def said(self, number: int) -> str:
         """What has been decided of a content."""
         values = self.decided.values
-        return repr(sorted((path, value) for (other, path), value in values.items() if other == number))
+        return repr(sorted((path, value) for (other, _, path), value in values.items() if other == number))
 
     def decide(self, content: _Content, path: Path) -> object:
         """What a member holds."""
-        key = content.number, path
+        key = content.number, content.kind.__name__, path
         values = self.decided.values
         if key not in values:
             answers = self._answers(content, path)
-            if (content.kind, path) not in self._noted:
-                self._noted.add((content.kind, path))
-                self._values.note(content.kind, path)
+            if key[1:] not in self._noted:
+                self._noted.add(key[1:])
+                self._values.note(*key[1:])
             text = f"{content.name}.{'.'.join(path)} is {{}}"
             values[key] = self._choices.of(("member", *key), answers, text)
         return values[key]
@@ -73,7 +84,7 @@ class Later:
     def _answers(self, content: _Content, path: Path) -> Sequence[object]:
         """What a member may hold; of numbers that are only compared with each other those that there are, and
         another one."""
-        key = content.kind, path
+        key = content.kind.__name__, path
         if key not in self._alike:
             self._alike[key] = self._values.alike(*key)
         alike = self._alike[key]
@@ -82,35 +93,40 @@ class Later:
         values = self.decided.values
         there = {
             value
-            for (number, other), value in values.items()
-            if self._alike.get((self._kind_of[number], other)) == alike and isinstance(value, int)
+            for (_, *of), value in values.items()
+            if self._alike.get((of[0], of[1])) == alike and isinstance(value, int)
         }
         return (*sorted(there), next(number for number in count(1) if number not in there))
 
     def _open(self, kind: type[object], content: _Content, at: Path) -> object:
         opened = self._kinds.get(kind)
         if opened is None:
-            opened = self._kinds[kind] = _opened(kind, self._open)
-        message = object.__new__(opened)
-        object.__setattr__(message, "content", content)
-        object.__setattr__(message, "at", at)
-        return message
+            opened = self._kinds[kind] = unread_class(kind, self._member, _PLAIN)
+        return unread(opened, content, at)
+
+    def _member(self, content: object, path: Path, hint: object) -> object:
+        assert isinstance(content, _Content)
+        if path in content.tried:
+            return self.decide(content, path)
+        if any(other[: len(path)] == path for other in content.tried):
+            return self._open(cast("type[object]", hint), content, path)
+        return None
 
 
 @dataclass(frozen=True, slots=True)
 class _Content:
     """The content of one message: its number, its type, and what is tried for its members."""
 
-    later: Later
     number: int
-    kind: str
+    kind: type[object]
     tried: Mapping[Path, Sequence[object]]
     name: str
 
 
 def content_of(message: object) -> _Content | None:
     """The content of a message of which members are decided later; None for any other."""
-    return getattr(message, "content", None) if hasattr(type(message), "is_decided_later") else None
+    root = place_of(message)[0] if isinstance(message, Unread) else None
+    return root if isinstance(root, _Content) else None
 
 
 class Contents:
@@ -140,36 +156,4 @@ class Contents:
         return self._later.content(self._messages[message], tried, name)
 
 
-def _opened(kind: type[object], open_: Callable[[type[object], _Content, Path], object]) -> type[object]:
-    """The class of messages of a kind whose members are decided later.
-
-    It tells of no members, so that a trace reads none; and a message is equal to itself alone.
-    """
-    plain = kind()
-    names = attrgetter("__dataclass_fields__")(kind)
-    own: dict[str, object] = {
-        "__slots__": ("at", "content"),
-        "__dataclass_fields__": {},
-        "__eq__": object.__eq__,
-        "__hash__": object.__hash__,
-        "__repr__": lambda item: f"{kind.__name__} {item.content.number} {item.at}",
-        "is_decided_later": True,
-    }
-    own |= {name: _member(name, getattr(plain, name), open_) for name in names}
-    return type(kind.__name__, (kind,), own)
-
-
-def _member(name: str, default: object, open_: Callable[[type[object], _Content, Path], object]) -> property:
-    def read(message: object) -> object:
-        content: _Content = attrgetter("content")(message)
-        path: Path = (*attrgetter("at")(message), name)
-        if path in content.tried:
-            return content.later.decide(content, path)
-        if any(other[: len(path)] == path for other in content.tried):
-            return open_(type(default), content, path)
-        return default
-
-    return property(read)
-
-
-__all__ = ["Contents", "Decided", "Later", "Path", "content_of"]
+__all__ = ["Contents", "Decided", "Later", "content_of"]

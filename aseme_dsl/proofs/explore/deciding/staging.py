@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from operator import attrgetter
 from typing import cast
 
@@ -53,6 +54,18 @@ def staged(
         ),
         modules=(),
     )
+    own = methods_of(chart, looked_for)
+    own["random"] = lambda chart: draw(chart.agent)
+    return with_open(chart, plan, own, partial(_opened, decide))
+
+
+def with_open(
+    chart: type[Chart], plan: Plan, own: Mapping[str, object], opened: Callable[[str, str], property]
+) -> type[Chart]:
+    """A chart with another plan and attributes of its own, in which what activities may write is open.
+
+    `opened` makes the attribute for the name of the slot in which the value stands, and that of the variable.
+    """
     names = {
         slot: variable
         for variable, slots in chart.VARIABLES.items()
@@ -60,10 +73,8 @@ def staged(
         for slot in slots
     }
     held = {slot: f"held_{slot}" for slot in names}
-    own = methods_of(chart, looked_for)
-    own |= {"__slots__": tuple(held.values()), "PLAN": plan, "AGENT": None}
-    own["random"] = lambda chart: draw(chart.agent)
-    own |= {slot: _opened(held[slot], name, decide) for slot, name in names.items()}
+    own = {**own, "__slots__": tuple(held.values()), "PLAN": plan, "AGENT": None}
+    own |= {slot: opened(held[slot], name) for slot, name in names.items()}
     places = tuple(held.get(name, name) for name in chart.places)
     if held:  # what is open stays so when it is saved
         read = attrgetter(*places)
@@ -73,7 +84,7 @@ def staged(
     return kind
 
 
-def _opened(slot: str, variable: str, decide: Callable[[str, str], object]) -> property:
+def _opened(decide: Callable[[str, str], object], slot: str, variable: str) -> property:
     def read(chart: Chart) -> object:
         value = getattr(chart, slot)
         if value is OPEN:
@@ -211,4 +222,5 @@ __all__ = [
     "staged",
     "undecided",
     "watched",
+    "with_open",
 ]

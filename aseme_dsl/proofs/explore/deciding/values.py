@@ -88,7 +88,7 @@ class Values:
         """What a function of the document may give."""
         if kind in self._messages:
             return self.contents(kind)
-        return self._tried((f"{function}()", ()), _type(kind, self._messages))
+        return self.tried_for((f"{function}()", ()), _type(kind, self._messages))
 
     def of_variable(self, variable: Variable) -> tuple[object, ...]:
         """What an activity may write to a variable."""
@@ -101,13 +101,13 @@ class Values:
             return self._agents
         if variable.type.endswith("[]") or not self.is_read(place):
             return ()
-        return self._tried(place, _type(variable.type, self._messages))
+        return self.tried_for(place, _type(variable.type, self._messages))
 
     def contents(self, message: str) -> tuple[object, ...]:
         """The contents that are tried for a type of message."""
         kind = self._messages[message]
         places = [(path, item) for path, item in _members(kind) if self.is_read((message, path))]
-        choices = [self._tried((message, path), item) for path, item in places]
+        choices = [self.tried_for((message, path), item) for path, item in places]
         found = tuple(
             _made(kind, dict(zip([path for path, _ in places], chosen, strict=True)))
             for chosen in islice(product(*choices), MOST + 1)
@@ -145,14 +145,15 @@ class Values:
         """One of what is tried for a member is decided: it is said if these are not all."""
         if self.alike(message, path) is None:
             kinds = dict(_members(self._messages[message]))
-            self._tried((message, path), kinds[path])
+            self.tried_for((message, path), kinds[path])
 
     def is_read(self, place: Place) -> bool:
         """Whether anything depends on what stands there."""
         known = self._classes.get(self._root(place))
         return known is not None and known.is_read
 
-    def _tried(self, place: Place, kind: object) -> tuple[object, ...]:
+    def tried_for(self, place: Place, kind: object) -> tuple[object, ...]:
+        """What is tried for a place that holds values of a type."""
         known = self._classes.get(self._root(place), _Class())
         found = _values(kind, known, self._agents)
         if not found.is_all:
@@ -333,6 +334,14 @@ class _Reader:
         return None
 
 
+def can_hold(variable: Variable, value: object) -> bool:
+    """Whether a value is within the bounds of a variable."""
+    if variable.bounds is None or not isinstance(value, int | float):
+        return True
+    least, most = variable.bounds
+    return least <= value <= most
+
+
 # ---- types ------------------------------------------------------------------------------------------
 
 
@@ -344,10 +353,11 @@ def _type(name: str, messages: Mapping[str, type[object]]) -> object:
         return int
     if name == "agent":
         return str
-    return _enums(messages).get(name, name)
+    return enums_of(messages).get(name, name)
 
 
-def _enums(messages: Mapping[str, type[object]]) -> dict[str, type[IntEnum]]:
+def enums_of(messages: Mapping[str, type[object]]) -> dict[str, type[IntEnum]]:
+    """The enums of members of messages, by their names."""
     found: dict[str, type[IntEnum]] = {}
     for kind in messages.values():
         for item in member_types(cast(type, kind)).values():
@@ -423,4 +433,4 @@ def _default(kind: object) -> object:
     return kind() if callable(kind) else None
 
 
-__all__ = ["Tried", "Values"]
+__all__ = ["Tried", "Values", "can_hold", "enums_of"]
