@@ -111,6 +111,26 @@ def test_numbers_that_are_only_compared_with_each_other_stand_for_all(prove) -> 
     assert " in 1" not in found["deadlock"]["bounds"], found["deadlock"]
 
 
+def test_members_of_messages_may_have_any_name(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Names
+message Ball { bool content  bool at  int path  int root }
+topic eye { state Ball }
+srm robot {
+  liveness { robot = Wait . (Kick | Rest) }
+  control robot {
+    enter Kick : [eye.state.Ball.content && eye.state.Ball.at && eye.state.Ball.path == eye.state.Ball.root]
+    enter Rest : else
+  }
+}
+team T { one : robot }
+property "it rests" { never one in Kick }
+"""
+    done = prove(text, "it rests")
+    assert (done.code, done.err) == (1, ""), done.out
+    assert "one: Ball.content is True; one: Ball.at is True" in done.out
+
+
 COUNTED = """\
 system Cells
 srm cell {

@@ -64,6 +64,11 @@ CASES = {
             "ask next: asemec why bob Chase --at 1s TRACE (`asemec test --traces DIR` writes it)",
         ),
     ),
+    # A condition with brackets is said as it is written.
+    "brackets": (
+        "never bob in (Chase or Rest)  for 2s",
+        ("`bob in (Chase or Rest)` came at 1 s: bob is in Rest",),
+    ),
     # Agents that do the same, and a signal that has not come.
     "alike": (
         "never two of bell in Ring  eventually some bell in Ring within 2s",

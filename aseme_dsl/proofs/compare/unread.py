@@ -15,7 +15,7 @@ Ask = Callable[[Path, object], object]
 
 
 @cache
-def _opened(kind: type[object]) -> type[object]:
+def _opened(kind: type) -> type[object]:
     more = {"__hash__": object.__hash__, "__repr__": _named, "__str__": _named}
     return unread_class(kind, _member, more)
 
@@ -38,7 +38,7 @@ def _member(root: Any, path: Path, hint: Any) -> object:
     return ask(path, hint)
 
 
-def unread(kind: type[object], name: str, ask: Ask) -> object:
+def unread(kind: type, name: str, ask: Ask) -> object:
     """A message of which nothing is decided yet, with its name."""
     return made(_opened(kind), (name, ask), ())
 

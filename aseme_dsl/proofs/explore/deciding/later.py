@@ -93,8 +93,8 @@ class Later:
         values = self.decided.values
         there = {
             value
-            for (_, *of), value in values.items()
-            if self._alike.get((of[0], of[1])) == alike and isinstance(value, int)
+            for (_, kind, path), value in values.items()
+            if self._alike.get((kind, path)) == alike and isinstance(value, int)
         }
         return (*sorted(there), next(number for number in count(1) if number not in there))
 

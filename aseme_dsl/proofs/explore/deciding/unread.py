@@ -29,7 +29,8 @@ def unread_class(kind: type[object], member: Member, more: Mapping[str, object])
     own: dict[str, object] = {"__slots__": (), **more}
     plain = kind()
     own |= {
-        name: _read(name, hint, member, getattr(plain, name)) for name, hint in member_types(kind).items()
+        name: _read(name, hint, member, getattr(plain, name))
+        for name, hint in member_types(cast("type", kind)).items()
     }
     return type(kind.__name__, (held,), own)
 
