@@ -185,3 +185,60 @@ property "it stays" { never one in Other }
 """
     found = verdicts(prove(text, "dead states", "--json"))
     assert found == {"dead states": "REFUTED"}
+
+
+def test_an_activity_with_a_deadline_matters_wherever_it_is(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Late
+srm robot { liveness { robot = (Hold . Done)~ || (A . B)~ } activities { Hold within 1s } }
+team T { one : robot }
+property "it comes to B" { eventually one in B }
+"""
+    done = prove(text, "it comes to B")
+    assert (done.code, "  1  one: 1 s have passed in Hold" in done.out) == (1, True), done.out
+    done = prove(text.replace(" within 1s", " takes 1s"), "it comes to B")
+    assert (done.code, "only the regions that matter to it; 3 states" in done.out) == (0, True), done.out
+
+
+RAISED = """\
+system Raised
+srm robot {
+  var ok : bool = false
+  liveness { robot = (A . B)~ || (W . Alarm)~ }
+  control robot { enter B : [ok] / raise done   enter Alarm : done }
+}
+team T { one : robot }
+property "no alarm" { never one in Alarm }
+property "an alarm" { eventually one in Alarm }
+"""
+
+
+def test_an_event_that_lines_raise_comes_of_them_alone(prove) -> None:  # type: ignore[no-untyped-def]
+    found = verdicts(prove(RAISED, "--json"))
+    assert (found["no alarm"], found["an alarm"], found["deadlock"]) == ("PROVED", "REFUTED", "REFUTED")
+    found = verdicts(prove(RAISED.replace(": [ok] /", ": /"), "--json"))
+    assert (found["no alarm"], found["an alarm"], found["deadlock"]) == ("REFUTED", "PROVED", "PROVED")
+    outside = RAISED.replace("enter B : [ok] / raise done", "enter B : / ok = true")
+    found = verdicts(prove(outside, "--json"))
+    assert (found["no alarm"], found["an alarm"], found["deadlock"]) == ("REFUTED", "REFUTED", "PROVED")
+
+
+def test_a_region_that_takes_an_event_before_the_states_around_it_matters(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Spent
+srm robot {
+  liveness {
+    robot = (A . B)~ || play
+    play  = work . Over
+    work  = (X . Y)~ || Z~
+  }
+  control robot { enter B : / raise done }
+  control play { enter Over : done }
+  control work { on Y : done }
+}
+team T { one : robot }
+property "it is over" { eventually one in Over }
+"""
+    done = prove(text, "it is over")
+    assert (done.code, "only the regions that matter to it" in done.out) == (1, True), done.out
+    assert prove(text.replace("  control work { on Y : done }\n", ""), "it is over").code == 0

@@ -100,6 +100,7 @@ class Explored:
         self.bus = Bus(driver, trace)
         self.conversations = Conversations(driver, trace, system=loaded.name)
         self.bus.links = self.conversations.links = self.ways
+        self._roles = dict(team)
         names = [name for name, _ in team]
         roles = dict.fromkeys(role for _, role in team)
         plans = [loaded.charts[role].PLAN for role in roles]
@@ -138,6 +139,7 @@ class Explored:
             [channel for _, module in self._modules for channel in module.writes],
             told,
         )
+        self._events = {plan.name: events(plan) for plan in plans}
         self._ages = {plan.name: thresholds_of(plan)[0] for plan in plans}
         own = {agent.role: coming.own(agent) for agent in self.agents}
         if asked is not None:
@@ -146,7 +148,7 @@ class Explored:
         """The regions that matter, if not all do."""
         if self.needed is not None:
             reads = self.needed.reads
-            self.ways.taken = lambda receiver, what: what in reads[dict(team)[receiver]]
+            self.ways.taken = lambda receiver, what: what in reads[self._roles[receiver]]
         self._relevant = {plan.name: Relevant(plan, kept) for plan in plans}
         protocols = {info.protocol for plan in plans for info in plan.branches}
         self.memory = Memory(
@@ -301,8 +303,7 @@ class Explored:
 
     def _matters(self, agent: str, label: str) -> bool:
         """Whether a state of an agent matters to what is asked."""
-        plan = next(item.plan for item in self.agents if item.name == agent)
-        return self.needed is None or self.needed.has(plan, label)
+        return self.needed is None or label in self.needed.states[self._roles[agent]]
 
     def _arrivals(self) -> Iterator[Move]:
         for (sender, receiver), waiting in self.ways.ways.items():
@@ -363,7 +364,7 @@ class Explored:
                         agent.name,
                         is_fair=False,
                     )
-            for event in events(agent.plan):
+            for event in self._events[agent.role]:
                 do = partial(self.bus.give_event, agent, event)
                 yield Move(
                     ("event", agent.name, event),

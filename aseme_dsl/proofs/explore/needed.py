@@ -10,7 +10,7 @@ from dataclasses import field
 
 from aseme_dsl.proofs.explore.deciding.staging import published
 from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.chart.plan import Plan, is_in
+from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in
 
 Part = tuple[str, str]
 """A region of a role: the names of the role and of the region."""
@@ -27,14 +27,11 @@ class Asked:
 
 @dataclass(frozen=True, slots=True)
 class Needed:
-    """The regions that matter, by role, and the channels that they read."""
+    """What matters, by role: regions, the states in these and in no smaller one, and what these read."""
 
     regions: Mapping[str, frozenset[str]]
+    states: Mapping[str, frozenset[str]]
     reads: Mapping[str, frozenset[str]]
-
-    def has(self, plan: Plan, label: str) -> bool:
-        """Whether a state is in a region that matters, and in no smaller one that does not."""
-        return region_of(plan, label) in self.regions[plan.name]
 
 
 def needed_for(
@@ -56,10 +53,8 @@ def needed_for(
     search = _Search({plan.name: plan for plan in plans}, reaches, own)
     for plan in plans:
         search.states(plan, asked.states.get(plan.name, ()))
-        search.states(
-            plan,
-            (state.label for state in plan.states if state.activity is not None and state.activity in fails),
-        )
+        endangered = {info.name for info in plan.activities if info.within is not None}.union(fails)
+        search.states(plan, (state.label for state in plan.states if state.activity in endangered))
     for name in asked.names:
         search.named(name)
     for channel in asked.channels:
@@ -70,8 +65,14 @@ def needed_for(
     }
     if all(len(regions[plan.name]) == len(plan.regions) for plan in plans):
         return None
+    states = {
+        plan.name: frozenset(
+            state.label for state in plan.states if region_of(plan, state.label) in regions[plan.name]
+        )
+        for plan in plans
+    }
     reads = {name: frozenset(found) for name, found in search.reads.items()}
-    return Needed(regions, reads)
+    return Needed(regions, states, reads)
 
 
 def region_of(plan: Plan, label: str) -> str:
@@ -164,11 +165,30 @@ class _Search:
         for item in plan.transitions:
             if region_of(plan, item.source) == region:
                 self._terms(plan, (item.condition, *item.actions))
+                self._events(plan, item)
                 if plan.by_label[item.source].type == "AND" and not item.first:
                     self._completion(plan, item.source)
+            elif region_of(plan, item.target) == region:
+                self._add(plan, region_of(plan, item.source))
         for state in plan.states:
             if state.arguments and region_of(plan, state.label) == region:
                 self._terms(plan, [term for _, term in state.arguments])
+
+    def _events(self, plan: Plan, item: Transition) -> None:
+        """The regions that raise an event of a transition, and those inside that may take it, or a signal,
+        before the transition does."""
+        names = {event[1] for event in item.events if event[0] == "raised"}
+        signals = set(_signals(item.condition))
+        for other in plan.transitions:
+            is_inside = other.source != item.source and is_in(other.source, item.source)
+            if any(action[0] == "raise" and action[1] in names for action in other.actions) or (
+                is_inside
+                and (
+                    any(event[0] == "raised" and event[1] in names for event in other.events)
+                    or not signals.isdisjoint(_signals(other.condition))
+                )
+            ):
+                self._add(plan, region_of(plan, other.source))
 
     def _completion(self, plan: Plan, label: str) -> None:
         """The regions of an AND that can come to their end: it is complete when all have."""
@@ -197,6 +217,17 @@ class _Search:
                     self.states(plan, _called(plan, name))
                 case _:
                     pass
+            todo += term
+
+
+def _signals(condition: object) -> Iterator[str]:
+    """The channels with signals that a condition asks for."""
+    todo = [condition]
+    while todo:
+        term = todo.pop()
+        if isinstance(term, tuple):
+            if term[:1] == ("member",) and str(term[2]).split(".", 2)[1] == "signal":
+                yield str(term[2])
             todo += term
 
 

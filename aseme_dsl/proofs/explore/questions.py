@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 
+from aseme_dsl.proofs.explore.deciding.staging import raised_by
 from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.search import Edge, Graph
 from aseme_dsl.records import dataclass
@@ -103,7 +105,11 @@ def _waits(explored: Explored, graph: Graph, state: int, place: int, region: int
     mine = next((item for item, _ in found[agent.name] if item.state == label), None)
     if mine is None or mine.free:
         return None
-    needs = {name: [need for item, need in own if not item.free] for name, own in found.items()}
+    raised = {other.name: raised_by(other.plan) for other in explored.agents}
+    needs = {
+        name: [replace(need, events=need.events - raised[name]) for item, need in own if not item.free]
+        for name, own in found.items()
+    }
     if agent.name in wait_for_input(needs, explored.writers()):
         return None
     return mine

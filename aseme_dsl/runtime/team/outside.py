@@ -20,24 +20,25 @@ class Need:
 
     conversation: str | None
     message: bool
-    event: bool
+    events: frozenset[str]
     channels: frozenset[str]
 
 
 def need_of(plan: Plan, label: str, conversation: str | None, *, complete: bool) -> Need:
     """What a state needs, or the innermost one around it that waits for anything."""
-    message = event = False
+    message = False
+    events: set[str] = set()
     channels: set[str] = set()
     around: str | None = label
-    while around is not None and not (message or event or channels):
+    while around is not None and not (message or events or channels):
         for way in _ways(plan, around, complete=complete):
             kinds = {item[0] for item in way.events}
             asked = tuple(_asked(way.condition))
             message = message or not kinds.isdisjoint(("received", "lost")) or None in asked
-            event = event or "raised" in kinds
+            events.update(str(item[1]) for item in way.events if item[0] == "raised")
             channels.update(channel for channel in asked if channel is not None)
         around, complete = plan.by_label[around].parent, False
-    return Need(conversation, message, event, frozenset(channels))
+    return Need(conversation, message, frozenset(events), frozenset(channels))
 
 
 def _ways(plan: Plan, label: str, *, complete: bool) -> Iterator[Transition]:
@@ -98,7 +99,7 @@ def _is_met(
     agent: str, need: Need, by: Collection[tuple[str, Need]], writers: Mapping[str, Collection[str]]
 ) -> bool:
     """Whether an input from outside meets a need, or one of those whose needs it meets can."""
-    if need.event or any(not writers.get(channel) for channel in need.channels):
+    if need.events or any(not writers.get(channel) for channel in need.channels):
         return True
     if any(other in writers[channel] for channel in need.channels for other, _ in by):
         return True

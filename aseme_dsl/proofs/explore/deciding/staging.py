@@ -202,9 +202,16 @@ def watched(plan: Plan) -> frozenset[str]:
 
 
 def events(plan: Plan) -> tuple[str, ...]:
-    """The events that transitions wait for."""
+    """The events that transitions wait for and that no line raises: they come from elsewhere."""
+    raised = raised_by(plan)
     found = (str(event[1]) for item in plan.transitions for event in item.events if event[0] == "raised")
-    return tuple(dict.fromkeys(found))
+    return tuple(dict.fromkeys(name for name in found if name not in raised))
+
+
+def raised_by(plan: Plan) -> frozenset[str]:
+    """The events that lines raise."""
+    actions = (action for item in plan.transitions for action in item.actions)
+    return frozenset(str(action[1]) for action in actions if action[0] == "raise")
 
 
 __all__ = [
@@ -218,6 +225,7 @@ __all__ = [
     "events",
     "lists_of",
     "published",
+    "raised_by",
     "receivers",
     "staged",
     "undecided",
