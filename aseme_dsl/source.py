@@ -21,6 +21,11 @@ def library_path(name: str) -> str:
     return f"{_LIBRARY}{name}"
 
 
+def without_column(place: str) -> str:
+    """`file:line` of `file:line:column`."""
+    return re.sub(r"(:\d+):\d+$", r"\1", place)
+
+
 def is_library_path(path: str) -> bool:
     """Whether a path is that of a file of the standard library."""
     return path.startswith(_LIBRARY)

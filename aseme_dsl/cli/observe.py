@@ -102,7 +102,7 @@ def command(
     problems: Sequence[tuple[Path, str]] = ()
     try:
         if live:
-            observed = _follow(paths, session, duration)
+            observed, problems = _follow(paths, session, duration)
         else:
             observed, problems = observe(paths, session)
     except NoModel as problem:
@@ -126,11 +126,15 @@ def command(
     return code if stories is None else max(code, _draw(observed, stories, paths, colour))
 
 
-def _follow(paths: Sequence[Path], session: Session, duration: int | None) -> Observed | None:
+def _follow(
+    paths: Sequence[Path], session: Session, duration: int | None
+) -> tuple[Observed | None, Sequence[tuple[Path, str]]]:
     from aseme_dsl.project.observing.live import Live
 
     end = None if duration is None else time.monotonic() + duration * 1e-9
-    return Live(paths, session).follow(lambda: end is not None and time.monotonic() > end)
+    live = Live(paths, session)
+    found = live.follow(lambda: end is not None and time.monotonic() > end)
+    return found, live.problems
 
 
 def _draw(observed: Observed, folder: Path, paths: Sequence[Path], colour: str) -> int:

@@ -166,42 +166,31 @@ def _format(given: str | None, output: Path | None) -> str:
 
 def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -> int:
     """Until all runs have ended, or the user interrupts."""
-    from aseme_dsl.project.playing.following import TraceFollower
-    from aseme_dsl.project.playing.merging import Beginning, shifts
+    from aseme_dsl.project.playing.following import RunFollower
     from aseme_dsl.project.playing.sniff import Sniffer, line_of
-    from aseme_dsl.project.settings.target import traces_of
     from aseme_dsl.runtime.trace.records import agents_of
 
-    followers = [TraceFollower(path) for path in paths]
+    traces = RunFollower(paths)
     sniffer = Sniffer(wanted)
-    began: dict[Path, Beginning] = {}
-    shift: dict[Path, int] = {}
     width = 5
     try:
-        while not all(item.finished for item in followers):
-            for number, item in enumerate(followers):
-                if item.path.is_dir():  # before the first run the name of its trace is not known
-                    item = followers[number] = TraceFollower(*traces_of(item.path, following=True)[0])
-                for record in item.poll():
-                    if record["kind"] in ("header", "peer"):
-                        began.setdefault(item.path, Beginning()).add(record)
-                        shift = dict(zip(began, shifts(list(began.values())), strict=True))
-                    if record["kind"] == "header":
-                        sniffer.header(record)
-                        width = max([width, *(len(agent["name"]) for agent in agents_of(record))])
-                    for row in sniffer.rows(_shifted(record, shift.get(item.path, 0))):
-                        text = json.dumps(_row(row), ensure_ascii=False) if as_json else line_of(row, width)
-                        sys.stdout.write(f"{text}\n")
+        while not traces.finished:
+            for number, record in traces.poll():
+                if record["kind"] == "header":
+                    sniffer.header(record)
+                    width = max([width, *(len(agent["name"]) for agent in agents_of(record))])
+                for row in sniffer.rows(traces.on_one_line(number, record)):
+                    text = json.dumps(_row(row), ensure_ascii=False) if as_json else line_of(row, width)
+                    sys.stdout.write(f"{text}\n")
             sys.stdout.flush()
-            if not all(item.finished for item in followers):
+            if not traces.finished:
                 time.sleep(_PAUSE)
     except KeyboardInterrupt:
         return 0
     finally:
-        for item in followers:
-            item.close()
-            if item.problem is not None:
-                click.echo(item.problem, err=True)
+        traces.close()
+        for _, problem in traces.problems:
+            click.echo(problem, err=True)
         for text in sniffer.remarks():
             click.echo(text, err=True)
     unknown = not_in_traces(sniffer.unknown(), sniffer.team, paths)

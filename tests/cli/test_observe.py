@@ -375,6 +375,9 @@ def test_stories_are_drawn(run: list[str], here: Here) -> None:
     assert names[-2:] == ["property-cooked-once.svg", "property-no-meal.svg"]
     drawn = Path("drawn/ordering-ordering-ann-1.svg").read_text()
     assert "agree Dish" in drawn and "the protocol does not allow it there" in drawn
+    odd = [item.replace('"name":"pie"', '"name":"{pie}"') for item in [*run[: place + 1], *run[place:]]]
+    assert here("observe", put(odd), "--stories", "odd").code == 1
+    assert "{pie}" in Path("odd/ordering-ordering-ann-1.svg").read_text()
 
 
 def test_the_traces_of_several_processes(run: list[str], here: Here) -> None:
@@ -413,6 +416,12 @@ def test_a_run_is_followed(run: list[str], here: Here) -> None:
     shutil.copy("out/trace.jsonl.gz", "packed.jsonl.gz")
     found = observed(here, "packed.jsonl.gz", "--live")
     assert verdicts(found) == verdicts(observed(here, "out"))
+
+
+def test_lines_that_are_skipped_are_said(run: list[str], here: Here) -> None:
+    put([*run[:5], "half a li", *run[5:]], "live.jsonl")
+    done = here("observe", "live.jsonl", "--live")
+    assert "a line is not a record of a trace; the first is line 6" in done.err, done.err
 
 
 # ---- the same as the run -------------------------------------------------------------------------
@@ -466,3 +475,25 @@ def test_verdicts_are_those_of_the_run(seed: int, folder: Path, here: Here) -> N
         (item["of"], item["verdict"], item["time_ns"]) for item in watched
     ]
     assert found["deviations"] == []
+
+
+# ---- agents that the model does not know ---------------------------------------------------------
+
+
+def test_messages_of_an_agent_with_another_version_count(run: list[str], here: Here) -> None:
+    """Only its steps are not known: what it has sent can be read."""
+    Path("later.aseme").write_text(KITCHEN.replace("kitchen = cook~", "kitchen = cook"))
+    found = dict(verdicts(observed(here, "out", "--model", "later.aseme")))
+    assert found['property "no meal"'] == "broken"
+    assert found['property "announced"'] == "kept"
+    assert found['property "cooked once"'] == found["clause of ordering"] == "undecided"
+
+
+def test_a_role_that_the_model_does_not_have(run: list[str], here: Here) -> None:
+    text = KITCHEN.partition("srm kitchen {")[0]
+    text += 'property "it is announced" { some service in Order before some service in Await }'
+    Path("later.aseme").write_text(text)
+    done = here("observe", "out", "--model", "later.aseme")
+    assert done.code == 0, done.out + done.err
+    assert "note: the model has no role kitchen, which bob plays" in done.out
+    assert 'kept       property "it is announced"' in done.out

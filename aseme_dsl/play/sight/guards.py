@@ -11,9 +11,10 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.statechart import Transition as Drawn
 from aseme_dsl.play.asking.sending import places
 from aseme_dsl.play.evaluate import Known, NotEvaluated, value_of
-from aseme_dsl.play.sight.words import cut, short
+from aseme_dsl.play.sight.words import cut
 from aseme_dsl.runtime.chart.plan import Plan, Transition
 from aseme_dsl.runtime.time.clock import readable, shown
+from aseme_dsl.source import without_column
 
 _READ = e.VariableValue | e.Member | e.Age | e.Outcome | e.StateValue | e.Expired
 """The parts of a condition whose values say why it holds or not."""
@@ -103,7 +104,7 @@ class Guards:
                 text = cut(e.value_text(drawn.expression.guard))
                 told = "; ".join(explained(drawn.expression.guard, known, changed))
                 target = plan.called(plan.by_label[item.target])
-                yield f"not {target} : [{text}] ({short(item.at)}){f', {told}' if told else ''}"
+                yield f"not {target} : [{text}] ({without_column(item.at)}){f', {told}' if told else ''}"
         if len(before) > _MOST:
             yield f"and {len(before) - _MOST} more did not hold"
 
@@ -116,7 +117,7 @@ def explained(guard: e.Value, known: Known, changed: Collection[str] | None = No
     for item in dict.fromkeys(_named(guard)):
         text, at = cut(e.value_text(item.expression)), str(item.expression.span)
         if text != item.name and not at.startswith(_LIBRARY):
-            yield f"where {item.name} is {text} ({short(at)})"
+            yield f"where {item.name} is {text} ({without_column(at)})"
 
 
 def _named(value: e.Value) -> Iterator[e.Named]:

@@ -8,10 +8,11 @@ from dataclasses import replace
 from aseme_dsl.play.evaluate import Known
 from aseme_dsl.play.sight.guards import Guards
 from aseme_dsl.play.sight.story import Happened
-from aseme_dsl.play.sight.words import cut, few, leaf_names, short
+from aseme_dsl.play.sight.words import cut, few, leaf_names
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.team.ending import Awaited, Waiting
 from aseme_dsl.runtime.time.clock import readable, shown
+from aseme_dsl.source import without_column
 
 _MOST = 6
 """So many things that a state waits for are named."""
@@ -60,7 +61,7 @@ def _waiting(item: Happened, plan: Plan, waits: Sequence[Waiting], guards: Guard
         if not (is_running and (found.kind == "activity" or found.what == "else"))
     ]
     since = few(list(dict.fromkeys(readable(one.since) for one in sorted(waits, key=lambda one: one.since))))
-    place = f" ({short(first.at)})" if first.at else ""
+    place = f" ({without_column(first.at)})" if first.at else ""
     name = f"{cut(first.name, 60)}{place}"
     is_activity = plan.by_label[first.state].type == "BASIC"
     match first.where:
@@ -110,7 +111,7 @@ def _awaited(plan: Plan, item: Awaited, guards: Guards, known: Known) -> tuple[s
     is_reactive = what.startswith("reactive ")
     if is_reactive:
         what = "another branch of the reactive choice"
-    what += f" ({short(item.at)})" if item.at else ""
+    what += f" ({without_column(item.at)})" if item.at else ""
     what += ", an interrupt" if is_interrupt else ""
     number = next(
         (place for place, one in enumerate(plan.transitions) if one.at == item.at and item.what in one.text),

@@ -11,12 +11,13 @@ from aseme_dsl.play.evaluate import Known
 from aseme_dsl.play.scenario import Cut
 from aseme_dsl.play.sight.guards import Guards
 from aseme_dsl.play.sight.story import Happened
-from aseme_dsl.play.sight.words import Said, content_of, cut, ending, few, name_of, sending, short
+from aseme_dsl.play.sight.words import Said, content_of, cut, ending, few, name_of, sending
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.chart.plan import Plan, is_in
 from aseme_dsl.runtime.time.clock import readable
 from aseme_dsl.runtime.trace.records import Record, Taken
+from aseme_dsl.source import without_column
 
 LAST, FEWEST = 12, 3
 """A story shows so many of the last things that happened to an agent; fewer of each of many."""
@@ -131,9 +132,9 @@ class Storyteller:
                 then, unknown = _at_way(now, before, changes, place)
                 for number in ways[place]:
                     item = plan.transitions[number]
-                    places.append(short(item.at))
+                    places.append(without_column(item.at))
                     what = item.text or ("again" if item.source == item.target else "")
-                    parts += [f"{cut(what)} ({short(item.at)})"] if what else []
+                    parts += [f"{cut(what)} ({without_column(item.at)})"] if what else []
                     details += self.guards.explained(plan, number, then, unknown)
                     details += self.guards.passed_over(plan, number, then, unknown)
             text += f" : {', '.join(parts)}" if parts else ""

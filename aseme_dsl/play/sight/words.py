@@ -12,6 +12,7 @@ from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.trace.records import Record
+from aseme_dsl.source import without_column
 
 _LONGEST = 60
 """A longer content of a message is cut off (characters)."""
@@ -33,12 +34,18 @@ class Said:
 
 def content_of(message: Mapping[str, object]) -> str:
     """` { n = 1 }`: the fields of a message that say something; nothing if none does."""
+    said = fields_of(message)
+    return f" {{ {said} }}" if said else ""
+
+
+def fields_of(message: Mapping[str, object]) -> str:
+    """`n = 1, text = pie`: the fields of a message that say something."""
     said = ", ".join(
         f"{name} = {value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)}"
         for name, value in message.items()
         if value not in ("", None, [], {})
     )
-    return f" {{ {cut(said, _LONGEST)} }}" if said else ""
+    return cut(said, _LONGEST)
 
 
 def cut(text: str, longest: int = LONG) -> str:
@@ -56,11 +63,6 @@ def few(texts: Sequence[str], most: int = 4) -> str:
     if others:
         return f"{', '.join(shown)} and {others} others"
     return f"{', '.join(shown[:-1])} and {shown[-1]}"
-
-
-def short(at: str) -> str:
-    """`file:line` of `file:line:column`."""
-    return re.sub(r"(:\d+):\d+$", r"\1", at)
 
 
 def name_of(plan: Plan, label: str) -> str:
@@ -119,7 +121,7 @@ def failing(plan: Plan, reason: str) -> str:
     found = re.search(r" of state ([\d.]+) failed: ", reason)
     if found is None or found[1] not in plan.by_label:
         return reason
-    at = short(plan.by_label[found[1]].at)
+    at = without_column(plan.by_label[found[1]].at)
     text = f"{reason[: found.start()]} ({at}) failed: {reason[found.end() :]}"
     return f"{text}; no `error` transition leads out of there"
 
@@ -140,10 +142,10 @@ __all__ = [
     "ending",
     "failing",
     "few",
+    "fields_of",
     "leaf_names",
     "name_of",
     "sending",
-    "short",
     "way",
     "went_wrong",
 ]

@@ -44,15 +44,16 @@ class Contract:
     parts: Mapping[str, Part]
     fields: Mapping[str, frozenset[str]]
     span: Span
+    kinds: Mapping[str, tuple[Kind, ...]]
+    """What its participants send and receive, by performative."""
 
     def kinds_of(self, performative: str, content: object) -> tuple[Kind, ...]:
         """What a message without a type may be: by its performative, and by its fields."""
-        letters = (letter for part in self.parts.values() for letter in _letters(part.automaton))
-        found = dict.fromkeys(letter[1:3] for letter in letters if letter[1] == performative)
+        found = self.kinds.get(performative, ())
         if len(found) > 1 and isinstance(content, dict):
-            given = frozenset(content)
-            found = {kind: None for kind in found if given <= self.fields.get(kind[1], frozenset())} or found
-        return tuple(found)
+            fitting = (kind for kind in found if content.keys() <= self.fields.get(kind[1], frozenset()))
+            found = tuple(fitting) or found
+        return found
 
     def said_by(self, kind: Kind) -> tuple[str, ...]:
         """The participants that ever send a message."""
@@ -85,8 +86,16 @@ def contracts_of(system: System) -> Mapping[str, Contract | None]:
         except TooManyStates:
             found[aip.name] = None
         else:
-            found[aip.name] = Contract(aip.name, parts, fields, aip.span)
+            found[aip.name] = Contract(aip.name, parts, fields, aip.span, _kinds(parts))
     return found
+
+
+def _kinds(parts: Mapping[str, Part]) -> Mapping[str, tuple[Kind, ...]]:
+    found: dict[str, dict[Kind, None]] = {}
+    for part in parts.values():
+        for letter in _letters(part.automaton):
+            found.setdefault(letter[1], {})[letter[1:3]] = None
+    return {performative: tuple(kinds) for performative, kinds in found.items()}
 
 
 def _part(

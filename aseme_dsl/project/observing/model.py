@@ -13,7 +13,7 @@ from aseme_dsl.project.building.project import Compiled
 from aseme_dsl.project.observing.contract import Contract, contracts_of
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.testing.replaying import compiled, generated
-from aseme_dsl.project.testing.watching import script_for, script_in
+from aseme_dsl.project.testing.watching import may_say_something, script_for, script_in
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 
@@ -43,9 +43,18 @@ class Model:
 
     def plans(self) -> dict[tuple[str, str], Plan]:
         """The plans of its roles, by role and the model's hash. Raises NotReplayable."""
-        with ExitStack() as stack:
-            charts, _ = generated(self.system, stack)
-            return {(chart.PLAN.name, chart.PLAN.model): chart.PLAN for chart in charts.values()}
+        return _plans_of(self.system)
+
+
+def plans_in(sources: Mapping[str, str]) -> dict[tuple[str, str], Plan]:
+    """The plans of the roles of a model that a trace has in it. Raises NotReplayable."""
+    return _plans_of(compiled(sources))
+
+
+def _plans_of(system: System) -> dict[tuple[str, str], Plan]:
+    with ExitStack() as stack:
+        charts, _ = generated(system, stack)
+        return {(chart.PLAN.name, chart.PLAN.model): chart.PLAN for chart in charts.values()}
 
 
 def are_alike(one: Plan, other: Plan) -> bool:
@@ -64,12 +73,15 @@ def model_in(sources: Mapping[str, str]) -> Model:
 
 def model_of(found: Compiled) -> Model:
     """The model of a file without errors."""
-    assert found.system is not None
-    return Model(
-        found.system,
-        contracts_of(found.system),
-        lambda team: script_for(found.root, None, found.configuration, team),
-    )
+    system = found.system
+    assert system is not None
+    sources = {item.path: item.text for item in system.sources}
+
+    def script(team: Team) -> Script | Refused | None:
+        says_something = may_say_something(sources)
+        return script_for(found.root, None, found.configuration, team) if says_something else None
+
+    return Model(system, contracts_of(system), script)
 
 
-__all__ = ["Model", "Team", "are_alike", "model_in", "model_of"]
+__all__ = ["Model", "Team", "are_alike", "model_in", "model_of", "plans_in"]

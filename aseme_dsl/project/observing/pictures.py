@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 from aseme_dsl.diagrams.sequence.sequence import Arrow, Lifeline, Mark, Row, SequenceDiagram
 from aseme_dsl.diagrams.sequence.sequence_svg import pictures
 from aseme_dsl.play.sight.story import Happened, told
-from aseme_dsl.play.sight.words import content_of
+from aseme_dsl.play.sight.words import content_of, fields_of
 from aseme_dsl.project.observing.session import Observed
 from aseme_dsl.project.observing.statements import Statement
 from aseme_dsl.project.observing.talks import Deviation, Message
+from aseme_dsl.project.testing.story_pictures import diagram_of_story, file_names
 from aseme_dsl.runtime.time.clock import shown
 
 LINES = 8
@@ -41,14 +41,11 @@ def _receivers(message: Message) -> str:
 
 def drawn(observed: Observed) -> Iterator[tuple[str, str]]:
     """An SVG for each page of each story, with a name for its file; names are different."""
-    names: set[str] = set()
     stories = [(item.watched.of, _of_statement(item)) for item in observed.statements if item.story]
     for item in observed.deviations:
         stories.append((f"{item.message.protocol}-{item.message.conversation}", _of_deviation(item)))
-    for title, diagram in stories:
-        plain = re.sub(r"[^\w.-]+", "-", title).strip("-.")[:80] or "story"
-        name = next(it for it in (plain, *(f"{plain}-{n}" for n in range(2, 10_000))) if it not in names)
-        names.add(name)
+    names = file_names((title for title, _ in stories), "story")
+    for name, (_, diagram) in zip(names, stories, strict=True):
         for number, text in enumerate(pictures(diagram, None), 1):
             yield f"{name}.svg" if number == 1 else f"{name}.page{number}.svg", text
 
@@ -71,7 +68,7 @@ def _of_deviation(item: Deviation) -> SequenceDiagram:
 
 
 def _arrow(message: Message) -> Arrow:
-    content = content_of(message.content).strip(" {}") if isinstance(message.content, Mapping) else ""
+    content = fields_of(message.content) if isinstance(message.content, Mapping) else ""
     kind = message.message or ""
     return Arrow(
         *(message.moment, message.sender, message.to, message.performative, kind, content),
@@ -80,16 +77,8 @@ def _arrow(message: Message) -> Arrow:
 
 
 def _of_statement(item: Statement) -> SequenceDiagram:
-    names = dict.fromkeys(name for happened in item.story for name in (happened.agent, *happened.to))
-    rows: Iterable[Row] = (
-        Arrow(happened.moment, happened.agent, happened.to, happened.sent, "")
-        if happened.to
-        else Mark(happened.moment, happened.agent, happened.line)
-        for happened in item.story
-    )
     watched = item.watched
-    remarks = (f"{watched.span}: broken at {shown(watched.time_ns)}",)
-    return SequenceDiagram(watched.of, tuple(Lifeline(name) for name in names), tuple(rows), remarks)
+    return diagram_of_story(watched.of, item.story, f"{watched.span}: broken at {shown(watched.time_ns)}", {})
 
 
 __all__ = ["drawn", "lines_of"]

@@ -7,7 +7,7 @@ from dataclasses import field
 
 from aseme_dsl.play.replay import NotReplayable
 from aseme_dsl.play.scenario import Refused
-from aseme_dsl.project.observing.model import Model, Team, are_alike, model_in
+from aseme_dsl.project.observing.model import Model, Team, are_alike, model_in, plans_in
 from aseme_dsl.project.observing.statements import Plans, Statement, Statements
 from aseme_dsl.project.observing.talks import Deviation, Message, ProtocolSum, Talks
 from aseme_dsl.records import dataclass
@@ -124,7 +124,7 @@ class Session:
         if ran <= found.keys() or first is None:
             return found
         try:
-            others = model_in(unpacked(first["sources"])).plans()
+            others = plans_in(unpacked(first["sources"]))
         except NotReplayable:  # it is said of each agent that it ran another version
             return found
         own = {role: plan for (role, _), plan in found.items()}
@@ -177,11 +177,6 @@ class Session:
         found = self._talks.see(message)
         if found:
             self._told(found)
-
-    def rest(self, moment: int) -> None:
-        """Time has passed until this moment, and nothing was seen."""
-        if self._statements is not None:
-            self._statements.rest(moment)
 
     def _say(self, record: Record, sender: str, to: tuple[str, ...], number: str | int) -> None:
         if record["protocol"]:

@@ -16,14 +16,16 @@ from aseme_dsl.project.testing.watching import Watch, Watched
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import State, Verdict
-from aseme_dsl.runtime.trace.records import Record, agents_of
+from aseme_dsl.runtime.trace.records import Record, agents_of, as_record
 
 Plans = Mapping[tuple[str, str], Plan]
 """What agents may run, by the names of roles and the hashes of models."""
 UNDECIDED = "undecided"
 """The verdict of a statement for which a log does not have all that it asks for."""
-_OFTEN = 10_000_000
-"""So often (ns of the run) what has come is looked at."""
+_OF_STATES = ("activity", "conversation")
+"""Lines with labels of states, which only the version that the agent ran explains."""
+_OF_MEMBERS = ("step", "error")
+"""Lines that only an agent of the team can have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +88,6 @@ class Statements:
         self._told: set[int] = set()
         self._roles = dict(script.team)
         self._moment = 0
-        self._looked = 0
         self._reasons: dict[int, str] = {}
         self.evidence = Evidence(is_one=False)
         self.is_needed = self._watch is not None
@@ -121,15 +122,9 @@ class Statements:
             if record["kind"] in ("swap", "select"):
                 self._changes(record)
         self._moment = max(self._moment, record["time"])
-        if evidence.missing is None and record.get("agent", "") not in evidence.strangers:
-            self._show(record)
+        if evidence.missing is None and (known := self._known(record)) is not None:
+            self._show(known)
         if len(self._observer.stories) > len(self._told):
-            self._judge()
-
-    def rest(self, moment: int) -> None:
-        """Time has passed until this moment, and nothing was seen."""
-        if self.evidence.missing is None and self._watch is not None:
-            self._watch.look(moment)
             self._judge()
 
     def end(self) -> tuple[Statement, ...]:
@@ -146,14 +141,23 @@ class Statements:
             for number, item in enumerate(self._all)
         )
 
+    def _known(self, record: Record) -> Record | None:
+        """What a line says that can be understood; None if that is nothing.
+
+        Of an agent that runs another version, messages can be, and that it has received some.
+        """
+        agent, kind = record.get("agent", ""), record["kind"]
+        if agent in self.evidence.strangers:
+            if kind in _OF_STATES:
+                return None
+            return _without_states(record) if kind == "step" else record
+        return None if kind in _OF_MEMBERS and agent not in self._roles else record
+
     def _show(self, record: Record) -> None:
         plan = self._running.get(record.get("agent", "")) if record["kind"] == "step" else None
         inside = None if plan is None else Kept(plan, dict(plan.numbers).get(record["agent"], 1))
         if self._watch is not None:
             self._watch.show(record, inside)
-            if record["time"] >= self._looked + _OFTEN:
-                self._looked = record["time"]
-                self._watch.look(record["time"])
 
     def _changes(self, record: Record) -> None:
         """An agent runs another plan from now on."""
@@ -164,6 +168,7 @@ class Statements:
         if plan is not None:
             self._running[agent] = plan
         else:
+            self._running.pop(agent, None)
             self.evidence.strangers.setdefault(agent, f"{agent} has changed to another version of its role")
 
     def _judge(self) -> None:
@@ -192,6 +197,11 @@ class Statements:
         if reason is None and item.verdict != "vacuous":
             reason = evidence.lacks_conversations(self._script.expectations[number])
         return Statement(item) if reason is None else Statement(self._watch.of(number, UNDECIDED), reason)
+
+
+def _without_states(step: Record) -> Record:
+    """A step of which only the inputs are known."""
+    return as_record({name: value for name, value in step.items() if name != "configuration"} | {"taken": []})
 
 
 __all__ = ["UNDECIDED", "Plans", "Statement", "Statements"]

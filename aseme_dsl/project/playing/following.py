@@ -1,17 +1,20 @@
-"""Following: the lines of a trace while it is being written."""
+"""Following: the lines of traces while they are being written."""
 
 from __future__ import annotations
 
 import os
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from io import BufferedReader
 from pathlib import Path
 
 from aseme_dsl import outside
-from aseme_dsl.runtime.trace.records import Record
+from aseme_dsl.project.playing.merging import Beginning, shifts
+from aseme_dsl.project.settings.target import traces_of
+from aseme_dsl.runtime.trace.records import Record, as_record
 from aseme_dsl.runtime.trace.trace_blocks import Damaged, is_ours, packed_blocks, unpacked
+from aseme_dsl.runtime.trace.trace_check import wrong_in
 from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC
@@ -145,4 +148,64 @@ class TraceFollower:
         return False
 
 
-__all__ = ["TraceFollower"]
+class RunFollower:
+    """The traces of the processes of one run, which write them or will write them."""
+
+    def __init__(self, paths: Sequence[Path]) -> None:
+        """A folder stands for the trace of the run that will begin there."""
+        self._traces = [TraceFollower(path) for path in paths]
+        self._lines = [0 for _ in paths]
+        self._began: dict[int, Beginning] = {}
+        self._shifts: dict[int, int] = {}
+
+    @property
+    def finished(self) -> bool:
+        """Whether all have ended."""
+        return all(item.finished for item in self._traces)
+
+    @property
+    def problems(self) -> tuple[tuple[Path, str], ...]:
+        """What is to be said of lines that were skipped, and of which traces."""
+        found = ((item.path, item.problem) for item in self._traces)
+        return tuple((path, problem) for path, problem in found if problem is not None)
+
+    def path(self, number: int) -> Path:
+        """The path of the trace with this number (from 0)."""
+        return self._traces[number].path
+
+    def poll(self) -> Iterator[tuple[int, Record]]:
+        """The records that were written since it was looked at last, with the numbers of their traces.
+
+        Raises:
+            TraceError: as `TraceFollower.poll`, or a record is damaged.
+        """
+        for number, trace in enumerate(self._traces):
+            if trace.path.is_dir():  # before the first run the name of its trace is not known
+                trace = self._traces[number] = TraceFollower(*traces_of(trace.path, following=True)[0])
+            for record in trace.poll():
+                self._check(number, record)
+                if record["kind"] in ("header", "peer"):
+                    self._began.setdefault(number, Beginning()).add(record)
+                    found = shifts(list(self._began.values()))
+                    self._shifts = dict(zip(self._began, found, strict=True))
+                yield number, record
+
+    def _check(self, number: int, record: Record) -> None:
+        self._lines[number] = 1 if record["kind"] == "header" else self._lines[number] + 1
+        wrong = wrong_in(record)
+        if wrong is not None:
+            place, kind = f"{self.path(number)}:{self._lines[number]}", repr(record["kind"][:40])
+            raise TraceError(f"{place}: this line of the kind {kind} is damaged: {wrong}")
+
+    def on_one_line(self, number: int, record: Record) -> Record:
+        """A record of a trace with the time since the first of the processes began, as far as it is known."""
+        shift = self._shifts.get(number, 0)
+        return as_record(record | {"time": record["time"] + shift}) if shift else record
+
+    def close(self) -> None:
+        """Let the files go."""
+        for item in self._traces:
+            item.close()
+
+
+__all__ = ["RunFollower", "TraceFollower"]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 
 from aseme_dsl.runtime.team.ending import Awaited, Member, Unread, Waiting
 from aseme_dsl.runtime.team.team import AgentResult, RunResult
 from aseme_dsl.runtime.trace.fault_counts import FaultCount
+from aseme_dsl.source import without_column
 
 _MOST = 20
 """So many lines of one sort are printed; of the others only the number."""
@@ -80,17 +80,14 @@ def _member_lines(member: Member) -> list[str]:
     return [f"{who} waits {waits_text(item)}" for item in member.waits]
 
 
-def waits_text(item: Waiting, *, interrupts: bool = False) -> str:
+def waits_text(item: Waiting) -> str:
     """Where an agent waits and for what: `after Ask (a.aseme:4) for agree Offer from seller (a.aseme:9)`.
 
-    Of an activity that runs, what may interrupt it is said only with `interrupts`; it is in --json, too.
+    What may interrupt an activity that runs is only in --json.
     """
-    is_running = _runs(item)
-    awaits = [found for found in item.awaits if not (is_running and found.kind == "activity")]
-    awaited = _few([_awaited(found) for found in awaits], _MOST_AWAITED, " or ")
-    if is_running:
-        other = f", or for {awaited}" if interrupts and awaited else ""
-        return f"for its activity {_cut(item.name)}{_place(item.at)} to end{other}"
+    if _runs(item):
+        return f"for its activity {_cut(item.name)}{_place(item.at)} to end"
+    awaited = _few([_awaited(found) for found in item.awaits], _MOST_AWAITED, " or ")
     what = f" for {awaited}" if awaited else ""
     return f"{item.where} {_cut(item.name)}{_place(item.at)}{what}, since {item.since / 1e9:g} s"
 
@@ -130,12 +127,7 @@ def _cut(text: str) -> str:
 
 
 def _place(at: str) -> str:
-    return f" ({_short(at)})" if at else ""
-
-
-def _short(at: str) -> str:
-    """`file:line` of `file:line:column`."""
-    return re.sub(r"(:\d+):\d+$", r"\1", at)
+    return f" ({without_column(at)})" if at else ""
 
 
 def _plural(number: int, noun: str) -> str:

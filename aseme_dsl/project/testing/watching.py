@@ -85,7 +85,7 @@ def script_of(
 
     They are read in the file `root`, or else in the texts from which it was generated.
     """
-    if root is None or not _may_say_something(loaded.sources):
+    if root is None or not may_say_something(loaded.sources):
         return script_in(loaded.sources, configuration, team)
     return script_for(root, None, configuration, team)
 
@@ -94,13 +94,14 @@ def script_in(
     sources: Mapping[str, str], configuration: Configuration, team: Mapping[str, str]
 ) -> Script | Refused | None:
     """What the properties and clauses in texts say of a team, of which the first is the root."""
-    if not _may_say_something(sources):
+    if not may_say_something(sources):
         return None
     first, *_ = sources
     return script_for(Source(first, sources[first]), sources, configuration, team)
 
 
-def _may_say_something(sources: Mapping[str, str]) -> bool:
+def may_say_something(sources: Mapping[str, str]) -> bool:
+    """Whether texts may have properties or clauses in them, by their words."""
     return any(word in text for text in sources.values() for word in ("property", "clause"))
 
 
@@ -278,4 +279,14 @@ def _tell_all(tell: Callable[[str], None], what: str, items: Sequence[Expectatio
         tell(f"{what}: {item.of} ({item.span})")
 
 
-__all__ = ["BROKEN", "Breach", "Watch", "Watched", "script_in", "script_of", "watch_of_agent"]
+__all__ = [
+    "BROKEN",
+    "Breach",
+    "Watch",
+    "Watched",
+    "may_say_something",
+    "script_for",
+    "script_in",
+    "script_of",
+    "watch_of_agent",
+]
