@@ -242,3 +242,20 @@ property "it is over" { eventually one in Over }
     done = prove(text, "it is over")
     assert (done.code, "only the regions that matter to it" in done.out) == (1, True), done.out
     assert prove(text.replace("  control work { on Y : done }\n", ""), "it is over").code == 0
+
+
+def test_a_state_that_agents_with_other_settings_reach_is_not_dead(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Sides
+srm robot {
+  var left : bool = false
+  liveness { robot = Wait . (Left | Right) }
+  control robot { enter Left : [left]  enter Right : else }
+}
+team T { one : robot with left = true  two : robot }
+"""
+    (item,) = prove(text, "dead states", "--json").json["results"]
+    assert (item["verdict"], item["reason"]) == ("PROVED", ""), item
+    assert item["bounds"] == "2 robot; any delay; agents that do not meet apart; 6 states"
+    (item,) = prove(text.replace(" with left = true", ""), "dead states", "--json").json["results"]
+    assert (item["verdict"], "state Left" in item["reason"]) == ("REFUTED", True), item

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.system import System
 from aseme_dsl.play.scenario import Expectation
-from aseme_dsl.project.proving.results import Result, Verdict
+from aseme_dsl.project.proving.results import Bounds, Result, Verdict
 from aseme_dsl.project.proving.scopes import PREFIX, Scope
 from aseme_dsl.project.proving.watched import Watched, is_timed, named, reads_what_is_tried
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, stuck, unmet
 from aseme_dsl.proofs.explore.search import Graph, Limits, Step
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, Transition
 from aseme_dsl.runtime.monitor.rules import LeadsTo, Sometime
 
@@ -21,6 +22,35 @@ _RARE = frozenset(("lost", "error", "after"))
 """Events of transitions that are there for what is not assumed, or for waits that end otherwise."""
 _SHOWN = 5
 """So many dead states are named."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reached:
+    """Which states and transitions of its roles a team has reached; `why` these may not be all, if so."""
+
+    plans: Mapping[str, Plan]
+    visited: Mapping[str, Set[str]]
+    taken: Mapping[str, Set[int]]
+    why: str
+
+
+def dead_states(found: Sequence[Reached]) -> tuple[Verdict, str]:
+    """The answer about dead states, with its reason: what agents of a role reach in none of these teams."""
+    plans = {name: plan for item in found for name, plan in item.plans.items()}
+    dead: list[str] = []
+    for name, plan in plans.items():
+        visited = {label for item in found for label in item.visited.get(name, ())}
+        taken = {number for item in found for number in item.taken.get(name, ())}
+        dead += _dead_in(plan, visited, taken)
+    if not dead:
+        return Verdict.PROVED, ""
+    text = ", ".join(dead[:_SHOWN]) + (f" and {len(dead) - _SHOWN} more" if len(dead) > _SHOWN else "")
+    why = next((item.why for item in found if item.why), "")
+    return (
+        (Verdict.UNDECIDED, f"not reached: {text}; {why}")
+        if why
+        else (Verdict.REFUTED, f"never reached: {text}")
+    )
 
 
 class Judge:
@@ -124,23 +154,20 @@ class Judge:
         else:
             yield self._refuted("agreement", reached.text, steps)
 
-    def _dead(self) -> Result:
+    @property
+    def reached(self) -> Reached:
+        """What the team has reached."""
         graph = self._graph
-        dead: list[str] = []
-        for plan in {agent.role: agent.plan for agent in self._explored.agents}.values():
-            dead += _dead_in(plan, graph.visited.get(plan.name, set()), graph.taken.get(plan.name, set()))
-        if not dead:
-            return self._result("dead states", Verdict.PROVED, "", is_built_in=True)
-        text = ", ".join(dead[:_SHOWN]) + (f" and {len(dead) - _SHOWN} more" if len(dead) > _SHOWN else "")
         why = self._incomplete()
         if not why and self._explored.values.computes:
             why = "a few values are tried, and others may lead there"
         if not why and graph.is_queue_cut:
             why = "more messages may be on their way than are looked at"
-        if why:
-            reason = f"not reached: {text}; {why}"
-            return self._result("dead states", Verdict.UNDECIDED, reason, is_built_in=True)
-        return self._result("dead states", Verdict.REFUTED, f"never reached: {text}", is_built_in=True)
+        plans = {agent.role: agent.plan for agent in self._explored.agents}
+        return Reached(plans, graph.visited, graph.taken, why)
+
+    def _dead(self) -> Result:
+        return self._result("dead states", *dead_states([self.reached]), is_built_in=True)
 
     # ---- verdicts ----------------------------------------------------------------------------
 
@@ -187,11 +214,9 @@ class Judge:
             name, self._scope.what, verdict, self._bounds(), reason, counterexample, span, is_built_in
         )
 
-    def _bounds(self) -> str:
+    def _bounds(self) -> Bounds:
         graph = self._graph
-        parts = [self._scope.agents]
-        network = "any delay" + (", data may be lost" if self._assumed.loses else "")
-        parts.append(network)
+        parts = ["any delay" + (", data may be lost" if self._assumed.loses else "")]
         parts += [f"at most {most} of {len(names)} crash" for most, names in self._assumed.crashes if names]
         if graph.is_queue_cut:
             queue = self._limits.queue
@@ -199,12 +224,10 @@ class Judge:
         parts += sorted(self._explored.values.bounds.values())
         if self._explored.needed is not None:
             parts.append("only the regions that matter to it")
-        parts.append(f"{len(graph.parents)} states")
-        return "; ".join(parts)
+        return Bounds(self._scope.agents, tuple(parts), len(graph.parents))
 
 
-def _dead_in(plan: Plan, visited: Iterable[str], taken: set[int]) -> list[str]:
-    visited = set(visited)
+def _dead_in(plan: Plan, visited: Set[str], taken: Set[int]) -> list[str]:
     passed = {plan.transitions[number].source for number in taken}
     passed |= {plan.transitions[number].target for number in taken}
     states = [
@@ -297,4 +320,4 @@ class _Outcomes:
         )
 
 
-__all__ = ["Judge"]
+__all__ = ["Judge", "Reached", "dead_states"]

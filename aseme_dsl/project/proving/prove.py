@@ -25,8 +25,8 @@ from aseme_dsl.play.scenario import (
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root, options_of
 from aseme_dsl.project.playing.operate import generate_version, loaded_for
-from aseme_dsl.project.proving.judging import Judge
-from aseme_dsl.project.proving.results import Result, Verdict
+from aseme_dsl.project.proving.judging import Judge, Reached, dead_states
+from aseme_dsl.project.proving.results import Bounds, Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope, scopes_of
 from aseme_dsl.project.proving.watched import (
     Watched,
@@ -86,7 +86,7 @@ def _explored(
     if own.system is None:
         wrong = next(item for item in own.diagnostics if item.severity is Severity.ERROR)
         reason = f"it cannot be played alone: {wrong.message}"
-        yield Result(scope.what, scope.what, Verdict.UNDECIDED, scope.agents, reason)
+        yield Result(scope.what, scope.what, Verdict.UNDECIDED, Bounds(scope.agents), reason)
         return
     inspection = inspect_files(scope.root, None, options_of(own.configuration))
     watched = watched_of(inspection, dict(scope.team))
@@ -102,7 +102,7 @@ def _explored(
         until = process_time() + limits.seconds
 
         def share(parts: int) -> Limits:
-            return replace(limits, seconds=(until - process_time()) / parts)
+            return replace(limits, seconds=max(0.0, until - process_time()) / parts)
 
         found: dict[str, Result] = {}
         rest: list[Expectation] = []
@@ -113,29 +113,31 @@ def _explored(
                     continue
                 one = replace(own_script, expectations=(item,))
                 about = asked_by(one)
-                answers = iter(()) if about is None else search_in(scope, one, share(2), about=about)
-                answer = next(answers, None)
-                if answer is None:
+                judge = None if about is None else search_in(scope, one, share(2), about=about)
+                if judge is None:
                     rest.append(item)
                 else:
-                    found[named(item)] = answer
+                    found[named(item)] = next(judge.expected())
             own_script = replace(own_script, expectations=tuple(rest))
         has_more = not asked or any(name not in found for name in asked)
         is_whole = groups == [scope.team]
         if rest or (has_more and is_whole):
-            for result in search_in(scope, own_script, share(1 if is_whole or not has_more else 2)):
-                if is_whole or not result.is_built_in:
-                    found[result.name] = result
+            judge = search_in(scope, own_script, share(1 if is_whole or not has_more else 2))
+            assert judge is not None
+            found |= {item.name: item for item in (judge.results() if is_whole else judge.expected())}
         yield from found.values()
         if has_more and not is_whole:
             parts: list[Result] = []
+            reached: list[Reached] = []
             for number, group in enumerate(groups):
-                part = replace(scope, team=group)
-                parts += search_in(part, None, share(len(groups) - number))
-            yield from _together(parts, scope)
+                judge = search_in(replace(scope, team=group), None, share(len(groups) - number))
+                assert judge is not None
+                parts += judge.results()
+                reached.append(judge.reached)
+            yield from _together(parts, reached, scope)
 
 
-def _together(parts: Sequence[Result], scope: Scope) -> Iterator[Result]:
+def _together(parts: Sequence[Result], reached: Sequence[Reached], scope: Scope) -> Iterator[Result]:
     """The answers about groups of agents that do not meet as answers about their team."""
     for name in dict.fromkeys(item.name for item in parts):
         same = [item for item in parts if item.name == name]
@@ -145,10 +147,13 @@ def _together(parts: Sequence[Result], scope: Scope) -> Iterator[Result]:
             for item in same
             if item.verdict is verdict
         )
-        bounds = list(dict.fromkeys(part for item in same for part in item.bounds.split("; ")[1:-1]))
-        states = sum(int(item.bounds.rpartition("; ")[2].split()[0]) for item in same)
-        text = "; ".join((scope.agents, *bounds, "agents that do not meet apart", f"{states} states"))
-        yield replace(worst, bounds=text)
+        if name == "dead states":  # what one group does not reach, another may
+            verdict, reason = dead_states(reached)
+            worst = replace(worst, verdict=verdict, reason=reason)
+        under = dict.fromkeys(part for item in same for part in item.bounds.parts)
+        states = sum(item.bounds.states or 0 for item in same)
+        bounds = Bounds(scope.agents, (*under, "agents that do not meet apart"), states)
+        yield replace(worst, bounds=bounds)
 
 
 def _searched(
@@ -161,9 +166,9 @@ def _searched(
     assumed: Assumed,
     asked: Sequence[str],
     about: Asked | None = None,
-) -> Iterator[Result]:
-    """The answers of one search. With `about`, it is about that alone: what does not matter to it stands
-    still. Then there are none if everything matters."""
+) -> Judge | None:
+    """One search, with the judge of what it has found. With `about`, it is about that alone: what does not
+    matter to it stands still. Then there is none if everything matters."""
     eyes = Eyes()
     watch = Watched(script) if script is not None and script.expectations else None
     listeners: list[Listener] = [eyes] if watch is None else [eyes, watch.observer]
@@ -179,7 +184,7 @@ def _searched(
         about,
     )
     if about is not None and explored.needed is None:
-        return
+        return None
     if watch is not None:
         watch.begin(explored)
     wanted: tuple[int, ...] = ()
@@ -193,8 +198,7 @@ def _searched(
         limits,
         lambda graph: is_all and graph.broken.keys() >= set(wanted),
     )
-    judge = Judge(scope, explored, graph, watch, assumed, limits, system)
-    yield from judge.results() if about is None else judge.expected()
+    return Judge(scope, explored, graph, watch, assumed, limits, system)
 
 
 def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iterator[Result]:
@@ -206,12 +210,14 @@ def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iter
         watched = watched_of(inspection, team)
         if watched.refused is not None:
             reason, span = watched.refused.reason, watched.refused.span
-            yield Result(span.text, scope.what, Verdict.UNDECIDED, scope.agents, reason, (), span)
+            yield Result(span.text, scope.what, Verdict.UNDECIDED, Bounds(scope.agents), reason, (), span)
             return
         for item in watched.scripts[0].expectations:
             if named(item) not in {other.name for other in found}:
                 reason = "it speaks of agents that are left out: raise --robots"
-                yield Result(named(item), scope.what, Verdict.UNDECIDED, scope.agents, reason, (), item.span)
+                yield Result(
+                    named(item), scope.what, Verdict.UNDECIDED, Bounds(scope.agents), reason, (), item.span
+                )
 
 
 def _of_scope(script: Script, scope: Scope) -> Script:

@@ -15,6 +15,21 @@ class Verdict(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class Bounds:
+    """How far an answer goes: for which agents, under what, and in how many states, if any were explored."""
+
+    agents: str
+    parts: tuple[str, ...] = ()
+    states: int | None = None
+
+    @property
+    def text(self) -> str:
+        """`1 initiator, 1 responder; any delay; 3366 states`."""
+        states = () if self.states is None else (f"{self.states} states",)
+        return "; ".join((self.agents, *self.parts, *states))
+
+
+@dataclass(frozen=True, slots=True)
 class Result:
     """An answer. `of` is the team or the protocol, `bounds` say how far it goes.
 
@@ -24,7 +39,7 @@ class Result:
     name: str
     of: str
     verdict: Verdict
-    bounds: str
+    bounds: Bounds
     reason: str = ""
     counterexample: tuple[str, ...] = ()
     span: Span | None = None
@@ -35,7 +50,7 @@ class Result:
         """`PROVED  deadlock (protocol request): 1 initiator, 1 responder, 3366 states`."""
         place = f" ({self.span})" if self.span is not None else ""
         why = f": {self.reason}" if self.reason else ""
-        return f"{self.verdict:<9} {self.name} of {self.of}{place}{why} [{self.bounds}]"
+        return f"{self.verdict:<9} {self.name} of {self.of}{place}{why} [{self.bounds.text}]"
 
     @property
     def as_json(self) -> dict[str, object]:
@@ -44,10 +59,10 @@ class Result:
             "of": self.of,
             "verdict": str(self.verdict),
             "reason": self.reason,
-            "bounds": self.bounds,
+            "bounds": self.bounds.text,
             "counterexample": list(self.counterexample),
             "at": None if self.span is None else str(self.span),
         }
 
 
-__all__ = ["Result", "Verdict"]
+__all__ = ["Bounds", "Result", "Verdict"]
