@@ -259,3 +259,26 @@ team T { one : robot with left = true  two : robot }
     assert item["bounds"] == "2 robot; any delay; agents that do not meet apart; 6 states"
     (item,) = prove(text.replace(" with left = true", ""), "dead states", "--json").json["results"]
     assert (item["verdict"], "state Left" in item["reason"]) == ("REFUTED", True), item
+
+
+PAIRS = """\
+system Pairs
+message Pair { int first  int second }
+topic team { state Pair from eye }
+srm eye { liveness { eye = Look+ } activities { Look writes team.state.Pair } }
+srm robot {
+  liveness { robot = Wait . (A | B) . Then . (C | D) }
+  control robot {
+    enter A : [team.state.Pair.first == team.state.Pair.second]
+    enter B : [team.state.Pair.first != team.state.Pair.second]
+    enter C : [team.state.Pair.first == team.state.Pair.second]
+    enter D : [team.state.Pair.first != team.state.Pair.second]
+  }
+}
+team T { one : robot  two : eye }
+"""
+
+
+def test_what_was_decided_of_messages_that_are_over_makes_no_states(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(PAIRS, "deadlock", "--json")
+    assert done.json["results"][0]["bounds"].endswith("72 states")  # 96 with what the first one said

@@ -104,8 +104,6 @@ class Side:
             for slot in slots
         }
         """The slots that hold the variables."""
-        self._forgotten: dict[tuple[str, ...], dict[str, object]] = {}
-        """What the slots get of which the values make no difference, by the active leaves."""
         self._named = 0
         self.frozen: frozenset[str] = frozenset()
         """The regions whose activities need not end."""
@@ -270,28 +268,7 @@ class Side:
             for members in board.drafts.values() if board is not None else ():
                 members.update({path: decided(value, made) for path, value in members.items()})
         if self.chart.started and not self.is_over:
-            self._forget()
-
-    def _forget(self) -> None:
-        """Forget what can make no difference any more; what that is, only the active leaves say."""
-        chart, leaves = self.chart, self.chart.configuration()
-        if any(board is not None and board.timers for board in chart.boards()):
-            self._relevant.forget(chart, Gone.GONE)
-            return
-        known = self._forgotten.get(leaves)
-        if known is None:
-            self._relevant.forget(chart, Gone.GONE)
-            gone = [slot for slot in self._held if getattr(chart, slot) is Gone.GONE]
-            known = self._forgotten[leaves] = {slot: Gone.GONE for slot in gone}
-            for label, slot in chart.TIMES.items():
-                if not any(is_in(leaf, label) for leaf in leaves):
-                    known[slot] = 0
-            for number, pair in chart.MARKS.items():
-                if not any(is_in(leaf, self.plan.transitions[number].source) for leaf in leaves):
-                    known |= {slot: getattr(chart, slot) for slot in pair if slot}
-            return
-        for slot, value in known.items():
-            setattr(chart, slot, value)
+            self._relevant.forget(self.chart, Gone.GONE)
 
     def place(self) -> Key:
         """Where it is, without what it knows."""

@@ -45,7 +45,9 @@ class Coming:
         self.needed: Needed | None = None
         """The regions that matter, if not all do."""
         self._may_come: dict[str, set[str]] = {}
-        """The channels, by agent, of which a message may have come in the present move."""
+        """The channels, by agent, of which a message may have come in the next move."""
+        self._is_open = False
+        """Whether a move is made now."""
 
     def writers(self) -> Mapping[str, frozenset[str]]:
         """The agents that may publish on each channel."""
@@ -150,20 +152,28 @@ class Coming:
             for item in (board.newest(channel) for board in agent.chart.boards() if board is not None)
         )
 
-    def begin(self) -> None:
-        """A move is made now."""
+    def look(self) -> None:
+        """Note what may come in the moves from this state on."""
         self._may_come = {
             agent.name: {channel for channel in self.brief[agent.name] if self.may_come(agent, channel)}
             for agent in self._agents
         }
 
+    def has_more(self, name: str) -> bool:
+        """Whether anything may come to an agent in these moves."""
+        return bool(self._may_come[name])
+
+    def begin(self) -> None:
+        """A move is made now."""
+        self._is_open = True
+
     def end(self) -> None:
         """The move is made: nothing looks for anything."""
-        self._may_come = {}
+        self._is_open = False
 
     def look_for(self, name: str, channel: str) -> None:
         """An agent looks for a message that is not there: it may just have come."""
-        if channel not in self._may_come.get(name, ()):
+        if not self._is_open or channel not in self._may_come.get(name, ()):
             return
         message = channel.rpartition(".")[2]
         if self._choices.of(("come", name, channel), (None, True), f"{name}: {message} has come"):

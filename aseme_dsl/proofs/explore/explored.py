@@ -254,7 +254,12 @@ class Explored:
     # ---- moves -------------------------------------------------------------------------------
 
     def picture(self) -> Picture:
-        return self.memory.picture()
+        """What all holds now, without what was decided of messages that are no more there."""
+        found = self.memory.picture()
+        if self.later.keep({number for section in found for name, number in section.names if not name}):
+            self.memory.touch(-1)
+            found = self.memory.picture()
+        return found
 
     def take_back(self, picture: Picture) -> None:
         self.memory.take_back(picture)
@@ -279,6 +284,7 @@ class Explored:
 
     def moves(self) -> Iterator[Move]:
         """What may happen next."""
+        self.coming.look()
         yield from self._ends()
         yield from self._arrivals()
         yield from self._times()
@@ -350,7 +356,7 @@ class Explored:
         for agent in self.agents:
             if agent.over or agent.down:
                 continue
-            if any(self.coming.may_come(agent, channel) for channel in self.coming.brief[agent.name]):
+            if self.coming.has_more(agent.name):
                 kind = ("input", agent.name)
                 yield Move(kind, f"{agent.name} gets new inputs", agent.begin, agent.name, is_fair=False)
             for channel in self.coming.inputs[agent.name]:

@@ -15,10 +15,11 @@ import re
 import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from enum import Enum, auto
 from functools import partial
 from hashlib import blake2b
+from operator import attrgetter
 from types import (
     BuiltinFunctionType,
     FunctionType,
@@ -41,6 +42,7 @@ _PLAIN = (
     *(ModuleType, BuiltinFunctionType, MappingProxyType),
     *(type(threading.Lock()), type(threading.RLock())),
 )
+_SIMPLE = frozenset((type(None), bool, int, float, bytes))
 _COUNT = type(itertools.count())
 _NUMBERED = re.compile(r"(.*\D)([0-9]+)")
 
@@ -84,10 +86,12 @@ class _Class:
     """The attributes that belong to the state; of one that `has_dict`, all in `__dict__` do, too."""
     unkeyed: frozenset[str] = frozenset()
     has_dict: bool = False
+    read: Callable[[Any], Any] = lambda item: ()
+    """Gives the attributes together, if all are there."""
 
 
-_Held = tuple[tuple[object, _Kind, Any], ...]
-"""Objects with how their contents are put back, and these."""
+_Held = tuple[tuple[object, _Class, Any], ...]
+"""Objects with what is known of their classes, and with their contents."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +105,8 @@ class Section:
     """Stands for all that makes a difference, without the numbers of names that count up."""
     names: tuple[tuple[str, int], ...]
     """These names with their numbers, in the order of their occurrence."""
+    meant: Mapping[int, tuple[int, int]]
+    """The objects of other sections that are meant, with their sections and places there."""
 
 
 Picture = tuple[Section, ...]
@@ -130,11 +136,15 @@ class Memory:
         self._roots = tuple(tuple(reversed(roots)) for roots in sections)
         self._now: list[Section | None] = [None] * len(sections)
         """What the objects of each section hold, unless they may have been changed."""
+        self._last: list[Section | None] = [None] * len(sections)
+        """What they held when it was last known."""
         self._layout = layout
         self.senders = frozenset(senders)
         talks = (f"{protocol}-{name}-" for protocol in protocols for name in self.senders)
         self._prefixes = frozenset((*(f"{name}-" for name in self.senders), *talks))
         self._classes: dict[type, _Class] = {}
+        self._plain: set[type] = set()
+        """The classes whose objects have nothing in them that may change."""
         self._texts: dict[str, tuple[str, int] | None] = {}
         """Whether texts are names that count up, for those that were seen."""
 
@@ -142,8 +152,9 @@ class Memory:
 
     def touch(self, section: int) -> None:
         """Objects of a section may be changed from now on, until the next picture."""
-        self._now[section] = None
-        self._now[-1] = None
+        for number in (section, -1):
+            self._last[number] = self._now[number] or self._last[number]
+            self._now[number] = None
 
     def picture(self) -> Picture:
         """What all objects hold now."""
@@ -158,9 +169,9 @@ class Memory:
         return tuple(found)
 
     def _section(self, number: int, others: Mapping[int, tuple[int, int]]) -> Section:
-        known = self._classes
+        known, plain = self._classes, self._plain
         seen = set(others)
-        found: list[tuple[object, _Kind, Any]] = []
+        found: list[tuple[object, _Class, Any]] = []
         todo = list(self._roots[number])
         later: list[object] = []
         keyed = -1
@@ -169,32 +180,42 @@ class Memory:
                 keyed = len(found) if keyed < 0 else keyed
                 todo, later = later, []
             item = todo.pop()
-            kind = known.get(type(item)) or self._class(type(item))
-            if kind.kind in (_Kind.PLAIN, _Kind.VALUE) or id(item) in seen:
+            own = type(item)
+            if own in plain or id(item) in seen:
+                continue
+            kind = known.get(own) or self._class(own)
+            if own in plain:
                 continue
             seen.add(id(item))
             content, inside = _content(item, kind)
             if kind.kind is not _Kind.TUPLE and kind.kind is not _Kind.CALL:
-                found.append((item, kind.kind, content))
-            if kind.unkeyed and kind.kind is _Kind.OBJECT:
-                for name, part in content.items():
+                found.append((item, kind, content))
+            if kind.unkeyed:
+                for name, part in zip(content if kind.has_dict else kind.names, inside, strict=True):
                     (later if name in kind.unkeyed else todo).append(part)
             else:
-                todo.extend(inside)
-        keying = _Keying(self, tuple(found[: len(found) if keyed < 0 else keyed]), others)
+                todo += inside
+        objects = tuple(found)
+        keyed = len(found) if keyed < 0 else keyed
+        last = self._last[number]
+        if last is not None and _is_alike(objects[:keyed], others, last):
+            return replace(last, objects=objects)
+        keying = _Keying(self, objects[:keyed], others)
         shape = keying.shape()
-        return Section(tuple(found), keying.places, shape, tuple(keying.names))
+        return Section(objects, keying.places, shape, tuple(keying.names), keying.meant)
 
     def take_back(self, picture: Picture) -> None:
         """Let all objects hold what they held then."""
         for number, section in enumerate(picture):
             if self._now[number] is not section:
                 for item, kind, content in section.objects:
-                    _PUT[kind](item, content)
+                    _PUT[kind.kind](item, kind, content)
                 self._now[number] = section
 
     def _class(self, kind: type) -> _Class:
         found = self._classes[kind] = self._find(kind)
+        if found.kind in (_Kind.PLAIN, _Kind.VALUE):
+            self._plain.add(kind)
         return found
 
     def _find(self, kind: type) -> _Class:
@@ -213,7 +234,7 @@ class Memory:
         unkeyed = _of_class(layout.unkeyed, kind)
         own = next((layout.parts[base] for base in kind.__mro__ if base in layout.parts), None)
         if own is not None:
-            return _Class(_Kind.OBJECT, own, unkeyed)
+            return _Class(_Kind.OBJECT, own, unkeyed, read=_reading(own))
         slots = [
             name
             for base in kind.__mro__
@@ -221,7 +242,8 @@ class Memory:
             if isinstance(what, MemberDescriptorType)
         ]
         has_dict = any("__dict__" in vars(base) for base in kind.__mro__)
-        return _Class(_Kind.OBJECT, tuple(dict.fromkeys(slots)), unkeyed, has_dict)
+        names = tuple(dict.fromkeys(slots))
+        return _Class(_Kind.OBJECT, names, unkeyed, has_dict, _reading(names))
 
     # ---- keys --------------------------------------------------------------------------------
 
@@ -256,6 +278,26 @@ class Memory:
 
 def _of_class(table: Mapping[type, frozenset[str]], kind: type) -> frozenset[str]:
     return frozenset(name for base, names in table.items() if issubclass(kind, base) for name in names)
+
+
+def _is_alike(objects: _Held, others: Mapping[int, tuple[int, int]], last: Section) -> bool:
+    """Whether all that makes a difference is as it was: the same objects hold what they held."""
+    known = last.objects[: len(last.places)]
+    return (
+        len(known) == len(objects)
+        and all(
+            one is other and held == before and (kind.kind is not _Kind.DICT or [*held] == [*before])
+            for (one, kind, held), (other, _, before) in zip(objects, known, strict=True)
+        )
+        and all(others.get(item) == place for item, place in last.meant.items())
+    )
+
+
+def _reading(names: Sequence[str]) -> Callable[[Any], tuple[object, ...]]:
+    """What reads these attributes of an object."""
+    if len(names) > 1:
+        return attrgetter(*names)
+    return lambda item: tuple([getattr(item, name) for name in names])
 
 
 _CONTAINERS = {
@@ -297,17 +339,26 @@ def _sorted(item: dict[Any, Any]) -> Iterable[tuple[Any, Any]]:
 
 
 def _by_name(pair: tuple[object, object]) -> str:
-    return repr(pair[0])
+    name = pair[0]
+    return name if type(name) is str else repr(name)
 
 
 def _attributes(item: Any, kind: _Class) -> tuple[Any, Iterable[object]]:
-    held = {name: getattr(item, name, _MISSING) for name in kind.names}
-    if kind.has_dict:
-        held.update(vars(item))
-    for name, value in held.items():
-        if type(value) is _COUNT:
-            held[name] = _Count(int(next(iter(value.__reduce__()[1]))))
-    return held, held.values()
+    try:
+        held = kind.read(item)
+    except AttributeError:
+        held = tuple([getattr(item, name, _MISSING) for name in kind.names])
+    if _COUNT in map(type, held):
+        held = tuple([_counted(value) for value in held])
+    if not kind.has_dict:
+        return held, held
+    named = dict(zip(kind.names, held, strict=True)) | vars(item)
+    return named, named.values()
+
+
+def _counted(value: Any) -> object:
+    """A counter as its next number, any other value as it is."""
+    return _Count(int(next(iter(value.__reduce__()[1])))) if type(value) is _COUNT else value
 
 
 @dataclass(frozen=True, slots=True)
@@ -326,28 +377,29 @@ def _inside(call: Any) -> list[object]:
     return [cell.cell_contents for cell in call.__closure__ or ()]
 
 
-def _put_list(item: Any, content: Any) -> None:
+def _put_list(item: Any, kind: _Class, content: Any) -> None:
     item.clear()
     item.extend(content)
 
 
-def _put_all(item: Any, content: Any) -> None:
+def _put_all(item: Any, kind: _Class, content: Any) -> None:
     item.clear()
     item.update(content)
 
 
-def _put_attributes(item: Any, content: dict[str, object]) -> None:
-    for name, value in content.items():
+def _put_attributes(item: Any, kind: _Class, content: Any) -> None:
+    held = content.items() if kind.has_dict else zip(kind.names, content, strict=True)
+    for name, value in held:
         if type(value) is _Count:
-            value = itertools.count(value.next)
-        if value is not _MISSING:
+            object.__setattr__(item, name, itertools.count(value.next))
+        elif value is not _MISSING:
             object.__setattr__(item, name, value)
         elif hasattr(item, name):
             object.__delattr__(item, name)
 
 
-_PUT: Mapping[_Kind, Callable[[Any, Any], None]] = {
-    _Kind.CHART: lambda item, content: item.load(content),
+_PUT: Mapping[_Kind, Callable[[Any, _Class, Any], None]] = {
+    _Kind.CHART: lambda item, kind, content: item.load(content),
     _Kind.LIST: _put_list,
     _Kind.DICT: _put_all,
     _Kind.SET: _put_all,
@@ -364,15 +416,16 @@ class _Keying:
         self._others = others
         self.places = {id(item): place for place, (item, _, _) in enumerate(objects)}
         self.names: dict[tuple[str, int], int] = {}
+        self.meant: dict[int, tuple[int, int]] = {}
 
     def shape(self) -> bytes:
-        found = tuple(self._object(*item) for item in self._objects)
+        found = tuple([self._object(*item) for item in self._objects])
         # The second version writes equal values equally.
         return blake2b(marshal.dumps(cast(Any, found), 2), digest_size=16).digest()
 
-    def _object(self, item: object, kind: _Kind, content: Any) -> object:
+    def _object(self, item: object, kind: _Class, content: Any) -> object:
         value = self._value
-        match kind:
+        match kind.kind:
             case _Kind.LIST:
                 return tuple([value(part) for part in content])
             case _Kind.DICT:
@@ -382,8 +435,8 @@ class _Keying:
             case _Kind.CHART:
                 return self._chart(item, content)
             case _:
-                unkeyed = self._memory.class_of(type(item)).unkeyed
-                found = [value(part) for name, part in content.items() if name not in unkeyed]
+                held = content.items() if kind.has_dict else zip(kind.names, content, strict=True)
+                found = [value(part) for name, part in held if name not in kind.unkeyed]
                 order = self._memory.ordered(type(item))
                 return tuple(found) if order is None else (*found, value(order(item)))
 
@@ -400,10 +453,10 @@ class _Keying:
 
     def _value(self, value: Any) -> object:
         kind = type(value)
+        if kind in _SIMPLE:
+            return value
         if kind is str:
             return self._text(value)
-        if value is None or kind is int or kind is bool or kind is float or kind is bytes:
-            return value
         if kind is tuple:
             if len(value) == 2 and type(value[1]) is int and self._is_sender(value[0]):
                 return value[0], self._renamed(f"{value[0]}-", value[1])  # an identity
@@ -413,6 +466,7 @@ class _Keying:
             return "@", place
         other = self._others.get(id(value))
         if other is not None:
+            self.meant[id(value)] = other
             return "@", *other
         return self._other(value)
 

@@ -11,6 +11,8 @@ from collections.abc import Iterator
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import Plan, is_in
 
+_UNKNOWN = object()
+
 
 class Relevant:
     """Knows of one plan what is relevant at each leaf."""
@@ -21,29 +23,39 @@ class Relevant:
         self._kept = kept
         self._ahead: dict[tuple[str, str | None], frozenset[str]] = {}
         self._most: dict[str, int | None] = {}
+        self._gone: dict[tuple[str, ...], tuple[tuple[str, object], ...]] = {}
+        """What makes no difference, by the active leaves."""
         self._asks: dict[str, tuple[frozenset[str], frozenset[str]]] = {}
 
     def forget(self, chart: Chart, unknown: object) -> None:
         """Give what is not relevant values that are the same everywhere; `unknown` for variables."""
         leaves = chart.configuration()
-        for name, slots in chart.VARIABLES.items():
-            if not self._reads(name, leaves):
-                for slot in slots:
-                    setattr(chart, slot, unknown)
-        for label, slot in chart.TIMES.items():
-            if not any(is_in(leaf, label) for leaf in leaves):
-                setattr(chart, slot, 0)
-        for number, (mark, past) in chart.MARKS.items():
-            if not any(is_in(leaf, self._plan.transitions[number].source) for leaf in leaves):
-                if mark:
-                    setattr(chart, mark, None)
-                if past:
-                    setattr(chart, past, -1)
+        known = self._gone.get(leaves)
+        if known is None:
+            known = self._gone[leaves] = tuple(self._find(chart, leaves))
+        for slot, value in known:
+            setattr(chart, slot, unknown if value is _UNKNOWN else value)
         for label, slot in chart.COUNTS.items():
             most = self._counted(label)
             if most is not None and getattr(chart, slot) > most:
                 setattr(chart, slot, most)
-        self._forget_timers(chart, leaves)
+        if any(board is not None and board.timers for board in chart.boards()):
+            self._forget_timers(chart, leaves)
+
+    def _find(self, chart: Chart, leaves: tuple[str, ...]) -> Iterator[tuple[str, object]]:
+        """The attributes that make no difference at these leaves, with what they hold from now on."""
+        for name, slots in chart.VARIABLES.items():
+            if not self._reads(name, leaves):
+                yield from ((slot, _UNKNOWN) for slot in slots)
+        for label, slot in chart.TIMES.items():
+            if not any(is_in(leaf, label) for leaf in leaves):
+                yield slot, 0
+        for number, (mark, past) in chart.MARKS.items():
+            if not any(is_in(leaf, self._plan.transitions[number].source) for leaf in leaves):
+                if mark:
+                    yield mark, None
+                if past:
+                    yield past, -1
 
     def _counted(self, label: str) -> int | None:
         """The count of a state from which on more makes no difference; None if there is no such one."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Container, Hashable, Mapping, Sequence
 from dataclasses import field
 from itertools import count
 from typing import cast
@@ -62,6 +62,14 @@ class Later:
             values = self.decided.values
             for key in [key for key in values if key[0] == content.number]:
                 del values[key]
+
+    def keep(self, numbers: Container[int]) -> bool:
+        """Forget what was decided of all contents but these; whether there was anything to forget."""
+        values = self.decided.values
+        gone = [key for key in values if key[0] not in numbers]
+        for key in gone:
+            del values[key]
+        return bool(gone)
 
     def said(self, number: int) -> str:
         """What has been decided of a content."""
