@@ -254,7 +254,7 @@ class Explored:
     # ---- moves -------------------------------------------------------------------------------
 
     def picture(self) -> Picture:
-        """What all holds now, without what was decided of messages that are no more there."""
+        """What all holds now, without what was decided of messages that have been dropped."""
         found = self.memory.picture()
         if self.later.keep({number for section in found for name, number in section.names if not name}):
             self.memory.touch(-1)
