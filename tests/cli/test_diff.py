@@ -283,3 +283,60 @@ def test_a_version_with_errors(here: Here) -> None:
     assert done.code == 1
     assert "new.aseme" in done.err
     assert "error[E" in done.err
+
+
+TURNS = """\
+system Turns
+sag { actor coach { goal win "We win." } }
+message Note { int size }
+topic wall { state Note }
+srm robot {
+  var n : int = 0
+  liveness { robot = Look~ || play  play = (A . (B | C))~ }
+  control play { enter B : [n > 0]  enter C : else }
+}
+srm writer {
+  liveness { writer = Start . (Wait . (Soon | Late))~ }
+  control writer {
+    enter (Wait . (Soon | Late))~ : / write_messages.wall.state.Note
+    enter (Soon | Late)           : after(3s)
+    enter Soon                    : [age(wall.state.Note) < 5s]
+    enter Late                    : else
+  }
+}
+srm sided {
+  var is_left : bool = false
+  liveness { sided = Wait . (Left | Right) }
+  control sided { enter Left : [is_left]  enter Right : else }
+}
+team T { one : robot  two : writer  three : sided  four : sided with is_left = true }
+"""
+
+
+@pytest.mark.parametrize(
+    ("pairs", "role", "inputs"),
+    [
+        ([("int = 0", "int = 1")], "role robot", ["it begins", "A ends"]),
+        (
+            [("< 5s", "< 8s")],
+            "role writer",
+            ["it begins", "Start ends", "3 s pass", "Soon ends", "3 s pass"],
+        ),
+        (
+            [("(Left | Right)", "(Left . Back | Right)"), ("enter Left", "enter (Left . Back)")],
+            "role sided",
+            ["it begins", "Wait ends", "Left ends"],
+        ),
+    ],
+    ids="initial-value age settings".split(),
+)
+def test_what_is_never_equal(here: Here, pairs: list[tuple[str, str]], role: str, inputs: list[str]) -> None:
+    done = compare(here, TURNS, changed(TURNS, *pairs), "--json")
+    assert (done.code, done.err) == (1, "")
+    assert runs(done)[role][0][0] == inputs
+
+
+def test_a_role_that_is_called_as_an_actor_is_added(here: Here) -> None:
+    new = changed(TURNS, ("team T {", "srm coach { liveness { coach = A } }\nteam T {"))
+    done = compare(here, TURNS, new)
+    assert (done.code, "+ role coach" in done.out) == (1, True), done.out

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from enum import StrEnum
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -52,6 +52,8 @@ class Result:
     chart: str = ""
     """The statechart in which it is drawn: `iac.player`, `eac.attack`."""
     found: Found | None = None
+    is_unchanged: bool = False
+    """Whether the statecharts are the same, but for names."""
 
 
 def behaviour_of(
@@ -73,7 +75,8 @@ def behaviour_of(
     roles = [(one, other) for one, other in roles if one in known]
     if structure.only_names:
         return tuple(
-            Result(f"role {other}", Verdict.EQUAL, "unchanged", f"iac.{other}") for _, other in roles
+            Result(f"role {other}", Verdict.EQUAL, "unchanged", f"iac.{other}", is_unchanged=True)
+            for _, other in roles
         )
     found: list[Result] = []
     with TemporaryDirectory(prefix="asemec-diff-") as folder:
@@ -83,7 +86,7 @@ def behaviour_of(
         )
         for one, other in roles:
             told(f"comparing the role {other}")
-            agents = _agent(old.system, one), _agent(new.system, other)
+            agents = tuple(_agents(old.system, one, new.system, other))
             found.append(
                 _compared(f"role {other}", f"iac.{other}", charts, (one, other), agents, names, bounds)
             )
@@ -107,10 +110,26 @@ def _loaded(version: Compiled, system: System, folder: Path) -> Loaded:
     return load_system(package)
 
 
-def _agent(system: System, role: str) -> str:
-    """An agent that plays a role; without a team, it is called as the role."""
-    agents = (agent.name for team in system.teams for agent in team.agents if agent.role == role)
-    return next(agents, role)
+def _agents(old: System, one: str, new: System, other: str) -> Iterator[tuple[str, str]]:
+    """Agents of both versions that play a role: one of those with the same settings in each.
+
+    Without a team, or for a role that has no agents, one that is called as the role.
+    """
+    first, second = _settings(old, one), _settings(new, other)
+    seen: set[object] = set()
+    for name, settings in second.items():
+        pair = name if name in first else next(iter(first), one)
+        if (key := (first.get(pair), settings)) not in seen:
+            seen.add(key)
+            yield pair, name
+    if not second:
+        yield next(iter(first), one), other
+
+
+def _settings(system: System, role: str) -> dict[str, str]:
+    """The agents of a role, each with what its variables hold at first."""
+    agents = (agent for team in system.teams for agent in team.agents if agent.role == role)
+    return {agent.name: repr([(name, value.value) for name, value in agent.settings]) for agent in agents}
 
 
 def _before(name: str, names: Mapping[str, str]) -> str:
@@ -122,16 +141,16 @@ def _compared(
     chart: str,
     loaded: tuple[Loaded, Loaded],
     roles: tuple[str, str],
-    agents: tuple[str, str],
+    agents: Sequence[tuple[str, str]],
     names: Mapping[str, Mapping[str, str]],
     bounds: Bounds,
 ) -> Result:
     kinds = loaded[0].charts[roles[0]], loaded[1].charts[roles[1]]
     if _with_names(kinds[0].PLAN, names) == _with_names(kinds[1].PLAN, {}):
-        return Result(what, Verdict.EQUAL, "unchanged", chart)
+        return Result(what, Verdict.EQUAL, "unchanged", chart, is_unchanged=True)
     new_names = {**names.get("activity", {}), **names.get("variable", {}), **names.get("state", {})}
     first = Version(kinds[0], loaded[0].messages, new_names)
-    found = compare(first, Version(kinds[1], loaded[1].messages), agents, bounds)
+    found = _all_of(compare(first, Version(kinds[1], loaded[1].messages), pair, bounds) for pair in agents)
     tried = f"; tried are {_some(found.tried)}" if found.tried else ""
     if found.differences:
         count = len(found.differences)
@@ -146,6 +165,23 @@ def _compared(
         said = f"no difference was found in {found.states} states, but {why}{tried}"
         return Result(what, Verdict.UNDECIDED, said, chart, found)
     return Result(what, Verdict.EQUAL, f"no difference was found in all {found.states} states", chart, found)
+
+
+def _all_of(parts: Iterable[Found]) -> Found:
+    """What was found for agents with other settings: the first that has a difference, else all together."""
+    found: list[Found] = []
+    for item in parts:
+        if item.differences:
+            return item
+        found.append(item)
+    return Found(
+        (),
+        sum(item.states for item in found),
+        next((item.cut for item in found if item.cut), ""),
+        tuple(dict.fromkeys(text for item in found for text in item.tried)),
+        next((item.left_out for item in found if item.left_out), ""),
+        any(item.is_partial for item in found),
+    )
 
 
 def _some(tried: Sequence[str]) -> str:
@@ -199,7 +235,7 @@ def _participants(
             roles = f"{PREFIX}{before}", f"{PREFIX}{part.name}"
             what, chart = f"protocol {other.name}: {part.name}", f"eac.{other.name}"
             pair = loaded[0], loaded[1]
-            yield _compared(what, chart, pair, roles, (before, part.name), names, bounds)
+            yield _compared(what, chart, pair, roles, [(before, part.name)], names, bounds)
 
 
 __all__ = ["DECLARED", "Result", "Verdict", "behaviour_of", "is_declared"]

@@ -58,7 +58,7 @@ def _requirements(system: System) -> Iterator[Element]:
     for goal in system.sag.goals:
         yield _element("goal", goal.depender, goal.name, goal, matters=False)
     for role in system.suc.roles:
-        yield _element("role", "", role.name, role.type.value, role.span, matters=False)
+        yield _element("use case role", "", role.name, role.type.value, role.span, matters=False)
     for case in system.suc.usecases:
         yield _element("use case", "", case.name, case, matters=False)
 

@@ -18,7 +18,7 @@ def markdown(report: Report, pictures: tuple[str, ...] = ()) -> Iterator[str]:
     yield f"### {_SIGNS[report.verdict.value]} `{report.old.name}` → `{report.new.name}`: {report.summary}"
     yield ""
     for result in report.results:
-        if result.bounds == "unchanged":
+        if result.is_unchanged:
             continue
         yield f"**{_SIGNS[result.verdict.value]} {result.what}**: {result.verdict.value}, {result.bounds}"
         yield ""
@@ -33,7 +33,7 @@ def markdown(report: Report, pictures: tuple[str, ...] = ()) -> Iterator[str]:
             yield ""
             yield "</details>"
             yield ""
-    unchanged = [item.what for item in report.results if item.bounds == "unchanged"]
+    unchanged = [item.what for item in report.results if item.is_unchanged]
     if unchanged:
         yield f"Unchanged: {', '.join(unchanged)}."
         yield ""

@@ -47,7 +47,7 @@ def pictures(report: Report) -> Iterator[tuple[str, bytes]]:
 
 
 def _is_drawn(result: Result) -> bool:
-    return bool(result.chart) and result.bounds != "unchanged"
+    return bool(result.chart) and not result.is_unchanged
 
 
 def _before(name: str, structure: Structure) -> str:

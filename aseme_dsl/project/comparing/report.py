@@ -54,13 +54,13 @@ def lines(report: Report) -> Iterator[str]:
         for change in report.structure.changes:
             yield from _change(report, change)
     for result in report.results:
-        if result.verdict is not Verdict.EQUAL or result.bounds != "unchanged":
+        if result.verdict is not Verdict.EQUAL or not result.is_unchanged:
             yield ""
             yield f"{result.what}: {result.verdict.value}, {result.bounds}"
             for difference in result.found.differences if result.found is not None else ():
                 yield ""
                 yield from (f"  {line}".rstrip() for line in story(difference))
-    unchanged = [item.what for item in report.results if item.bounds == "unchanged"]
+    unchanged = [item.what for item in report.results if item.is_unchanged]
     if unchanged and len(unchanged) < len(report.results):
         yield ""
         yield f"unchanged: {', '.join(unchanged)}"

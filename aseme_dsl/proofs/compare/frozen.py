@@ -10,6 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
+from aseme_dsl.proofs.explore.deciding.staging import writable
 from aseme_dsl.proofs.explore.needed import can_end
 from aseme_dsl.runtime.chart.plan import Plan, State, Transition, is_in
 
@@ -21,13 +22,27 @@ _OF_STATES = frozenset(("in", "done", "count", "outcome"))
 def frozen(old: Plan, new: Plan) -> tuple[frozenset[str], frozenset[str]]:
     """The labels of the regions in each version that need not move."""
     sides = [
-        {state.label: like(plan, state.label) for state in plan.states if _is_alone(plan, state)}
+        {state.label: _meaning(plan, state.label) for state in plan.states if _is_alone(plan, state)}
         for plan in (old, new)
     ]
     counts = [Counter(side.values()) for side in sides]
     kept = {text for text in counts[0] if counts[0][text] == counts[1][text]}
     first, second = (frozenset(label for label, text in side.items() if text in kept) for side in sides)
     return first, second
+
+
+def _meaning(plan: Plan, label: str) -> str:
+    """A text that is equal for two regions that do the same, with what their variables hold at first."""
+    names = {info.name for info in plan.variables if _names_of(plan, label) & {info.name.partition("@")[0]}}
+    variables = [item for item in plan.variables if item.name in names]
+    settings = [item for item in plan.settings if item[1] in names]
+    return f"{like(plan, label)}{variables!r}{settings!r}"
+
+
+def _names_of(plan: Plan, label: str) -> set[str]:
+    """The variables that something in a region reads or writes."""
+    own = _uses(plan, label)[0]
+    return own.read | own.written
 
 
 def like(plan: Plan, label: str) -> str:
@@ -63,7 +78,7 @@ def whole(plan: Plan) -> str:
     labels = {state.label: f"@{number}" for number, state in enumerate(plan.states)}
     channels = sorted(repr(info) for info in plan.channels)
     functions = sorted((name, target, result) for name, target, result, _ in plan.functions)
-    about = (plan.variables, channels, functions, plan.branches, plan.settings)
+    about = (plan.variables, channels, functions, plan.branches, plan.settings, plan.numbers)
     text = f"{like(plan, plan.states[0].label)}{about!r}"
     return _LABEL.sub(lambda found: labels.get(found[0], found[0]), text)
 
@@ -80,26 +95,33 @@ def _is_alone(plan: Plan, region: State) -> bool:
             not is_in(item.target, label)
             or item.when
             or item.kind != "external"
-            or any(event[0] != "raised" for event in item.events)
-            or any(action[0] in ("send", "start_timer") for action in item.actions)
+            or item.events
+            or any(action[0] in ("send", "start_timer", "raise") for action in item.actions)
         ):
             return False
-    own, other = _Uses(), _Uses()
-    for term, is_own in _terms(plan, label):
-        (own if is_own else other).add(term)
+    own, other = _uses(plan, label)
     names = {state.name for state in plan.states if is_in(state.label, label)}
     used = {state.activity for state in plan.states if is_in(state.label, label)}
-    for info in plan.activities:
-        if info.name in used:
-            own.written.update(info.variables)
-    if own.states or names & other.states or used & other.states:
+    if own.has_timers or own.states or names & other.states or used & other.states:
         return False
     return not (
         own.written & other.read
         or other.written & own.read
         or own.published & other.heard
         or other.published & own.heard
+        or any(channel.split(".", 2)[1] == "signal" for channel in own.heard & other.heard)
     )
+
+
+def _uses(plan: Plan, label: str) -> tuple[_Uses, _Uses]:
+    """What is used in a region, and what is used elsewhere."""
+    own, other = _Uses(), _Uses()
+    for term, is_own in _terms(plan, label):
+        (own if is_own else other).add(term)
+    for state in plan.states:
+        if state.activity is not None:
+            (own if is_in(state.label, label) else other).written.update(writable(plan, state.label))
+    return own, other
 
 
 class _Uses:
@@ -111,6 +133,7 @@ class _Uses:
         self.heard: set[str] = set()
         self.published: set[str] = set()
         self.states: set[object] = set()
+        self.has_timers = False
 
     def add(self, term: Terms) -> None:
         match term:
@@ -122,6 +145,8 @@ class _Uses:
                 self.heard.add(channel)
             case ("publish", str() as channel):
                 self.published.add(channel)
+            case ("expired", *_):
+                self.has_timers = True
             case (str() as word, name, *_) if word in _OF_STATES:
                 self.states.add(name)
 

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from aseme_dsl.proofs.compare.decisions import Decisions
-from aseme_dsl.proofs.compare.side import Side, shown, writable
-from aseme_dsl.proofs.explore.deciding.staging import events, watched
+from aseme_dsl.proofs.compare.side import Side, shown
+from aseme_dsl.proofs.explore.deciding.staging import events, watched, writable
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import (
     LOST,

@@ -10,8 +10,8 @@ from time import process_time
 from aseme_dsl.proofs.compare.decisions import Decisions
 from aseme_dsl.proofs.compare.frozen import frozen
 from aseme_dsl.proofs.compare.inputs import BEGIN, Move, Surroundings
-from aseme_dsl.proofs.compare.normal import horizon
-from aseme_dsl.proofs.compare.side import Done, Seen, Side, Stand
+from aseme_dsl.proofs.compare.normal import horizon, oldest
+from aseme_dsl.proofs.compare.side import Seen, Side, Stand
 from aseme_dsl.proofs.compare.staging import Version, open_channels
 from aseme_dsl.proofs.explore.ages import asks_for_history, thresholds_of
 from aseme_dsl.proofs.explore.deciding.staging import lists_of
@@ -52,8 +52,6 @@ class Difference:
 
     story: tuple[Event, ...]
     """The last one has what both do in it."""
-    old: Done
-    new: Done
     only_old: tuple[Seen, ...]
     only_new: tuple[Seen, ...]
 
@@ -108,7 +106,8 @@ class _Search:
         """Search, until the processor's time is this; why it was cut, if it was."""
         around = self.around = Surroundings(self.old, self.new, self.decisions)
         first = _Node(self.old.stand(), self.new.stand(), START, frozenset(), 0)
-        self._make(around, None, first, BEGIN, START)
+        if not self._make(around, None, first, BEGIN, START, until):
+            return f"{self.bounds.seconds:g} s"
         place = 0
         while place < len(self.nodes):
             node = self.nodes[place]
@@ -116,13 +115,12 @@ class _Search:
                 return ""
             self._take_back(node)
             due = min((item for item in (self.old.due(), self.new.due()) if item is not None), default=None)
-            for move in tuple(around.moves()):
-                if self._is_late(until):
-                    return f"{self.bounds.seconds:g} s"
-                self._make(around, place, node, move, node.now)
+            moves = [(move, node.now) for move in around.moves()]
             if due is not None:
-                move = Move("time", f"{_duration(due - node.now)} pass")
-                self._make(around, place, node, move, due)
+                moves.append((Move("time", f"{_duration(due - node.now)} pass"), due))
+            for move, now in moves:
+                if not self._make(around, place, node, move, now, until):
+                    return f"{self.bounds.seconds:g} s"
             if len(self.differences) >= self.bounds.differences:
                 return ""
             if len(self.nodes) > self.bounds.states:
@@ -141,33 +139,35 @@ class _Search:
         self.old.take_back(node.old)
         self.new.take_back(node.new)
 
-    def _make(self, around: Surroundings, place: int | None, node: _Node, move: Move, now: int) -> None:
-        """Make a move in each way that it can be made."""
+    def _make(
+        self, around: Surroundings, place: int | None, node: _Node, move: Move, now: int, until: float
+    ) -> bool:
+        """Make a move in each way that it can be made; whether there was time for all of them."""
         decisions = self.decisions
         decisions.begin(node.there)
         while True:
             self._take_back(node)
             number = node.written + 1
             self.made += 1
-            done = []
-            for side in (self.old, self.new):
-                done.append(side.make(now, around.inputs(side, move, now, number)))
+            done = [side.make(now, around.inputs(side, move, now, number)) for side in (self.old, self.new)]
             if not decisions.is_impossible:
-                self._note(place, node, move, now, done[0], done[1])
+                self._note(place, node, move, now, done)
+            if self._is_late(until):
+                return False
             if len(self.differences) >= self.bounds.differences or not decisions.again(node.there):
-                return
+                return True
 
-    def _note(self, place: int | None, node: _Node, move: Move, now: int, old: Done, new: Done) -> None:
-        both = tuple((Counter(old.seen) & Counter(new.seen)).elements())
+    def _note(
+        self, place: int | None, node: _Node, move: Move, now: int, done: Sequence[tuple[Seen, ...]]
+    ) -> None:
+        old, new = map(Counter, done)
+        both = tuple((old & new).elements())
         event = Event(move, now - START, tuple(self.decisions.choices.said), both)
-        if old.seen != new.seen:
-            only_old = tuple((Counter(old.seen) - Counter(new.seen)).elements())
-            only_new = tuple((Counter(new.seen) - Counter(old.seen)).elements())
+        if old != new:
+            only_old, only_new = tuple((old - new).elements()), tuple((new - old).elements())
             what = tuple(tuple(sorted({s.subject for s in items})) for items in (only_old, only_new))
             if what not in self.differences:
-                self.differences[what] = Difference(
-                    (*self._story(place), event), old, new, only_old, only_new
-                )
+                self.differences[what] = Difference((*self._story(place), event), only_old, only_new)
             return
         if self.old.is_over and self.new.is_over:
             return
@@ -219,6 +219,7 @@ def compare(
     )
     first.frozen, second.frozen = frozen(*plans)
     first.longest = second.longest = horizon((first.chart, second.chart))
+    first.ages = second.ages = oldest((first.chart, second.chart))
     for side in (first, second):
         side.chart.settle()
     # Differences that are far away are found first, where most of the states on the way are passed over.

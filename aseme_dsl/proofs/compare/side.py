@@ -10,7 +10,7 @@ from aseme_dsl.proofs.compare.decisions import Decisions, Open
 from aseme_dsl.proofs.compare.normal import Gone, Key, normal
 from aseme_dsl.proofs.compare.staging import Stage, Version, staged
 from aseme_dsl.proofs.compare.unread import Unread, decided
-from aseme_dsl.proofs.explore.deciding.staging import assigned
+from aseme_dsl.proofs.explore.deciding.staging import writable
 from aseme_dsl.proofs.explore.relevant import Relevant
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import (
@@ -71,14 +71,6 @@ class Seen:
 
 
 @dataclass(frozen=True, slots=True)
-class Done:
-    """What one version has done in a move: what was seen, and the lines that it took."""
-
-    seen: tuple[Seen, ...]
-    ways: tuple[tuple[int, ...], ...]
-
-
-@dataclass(frozen=True, slots=True)
 class Stand:
     """The state of a version between two moves."""
 
@@ -109,6 +101,8 @@ class Side:
         """The regions whose activities need not end."""
         self.longest = 0
         """The longest time, in ns, that either version waits for."""
+        self.ages: Mapping[str, int] = {}
+        """From which age on it makes no difference to either version how old a message of a channel is."""
 
     def stand(self) -> Stand:
         return Stand(self.chart.save(), self.running)
@@ -129,16 +123,17 @@ class Side:
 
     # ---- moves -------------------------------------------------------------------------------
 
-    def make(self, now: int, inputs: Iterable[Input]) -> Done:
-        """Step until nothing is left to do at this moment."""
+    def make(self, now: int, inputs: Iterable[Input]) -> tuple[Seen, ...]:
+        """Step until nothing is left to do at this moment; what is seen of it."""
         found = _Found(self.plan)
         waiting = list(inputs)
         self.stage.begin(now)
         for _ in range(SETTLES):
             if self.is_over:
                 break
-            outcome = self.chart.step(now, waiting)
-            waiting = self._follow(now, outcome, found)
+            held = waiting if self.chart.raised else []  # an event that a line has raised comes alone
+            outcome = self.chart.step(now, [] if held else waiting)
+            waiting = [*held, *self._follow(now, outcome, found)]
             self.chart.woken = self.chart.drains = False
             if not (waiting or outcome.again):
                 break
@@ -277,7 +272,7 @@ class Side:
     def key(self) -> Key:
         """What of its state can make a difference."""
         names = tuple((item.name, item.label) for item in self.running)
-        return (names, *normal(self.chart, self.longest))
+        return (names, *normal(self.chart, self.longest, self.ages))
 
     # ---- questions ---------------------------------------------------------------------------
 
@@ -346,8 +341,8 @@ class _Found:
             if any(("publish", channel) == a[:2] for n in way for a in self._plan.transitions[n].actions)
         )
 
-    def done(self) -> Done:
-        return Done(tuple(sorted(self._seen)), tuple(self._ways))
+    def done(self) -> tuple[Seen, ...]:
+        return tuple(sorted(self._seen))
 
 
 def _line(plan: Plan, way: tuple[int, ...]) -> str:
@@ -379,19 +374,6 @@ def _plain(data: object) -> str:
     )
 
 
-def writable(plan: Plan, label: str) -> tuple[str, ...]:
-    """The variables that the activity of a state may write: those that it declares, and those of its
-    participant that no line of the protocol writes."""
-    activity = plan.by_label[label].activity
-    info = next((item for item in plan.activities if item.name == activity), None)
-    there = [item for item in plan.variables if item.scope is None or is_in(label, item.scope)]
-    own = {item.name.partition("@")[0] for item in there}
-    written = assigned(plan)
-    inner = (item.name.partition("@")[0] for item in there if item.scope and item.name not in written)
-    declared = (name for name in (() if info is None else info.variables) if name in own)
-    return tuple(dict.fromkeys((*declared, *inner)))
-
-
 def _context(plan: Plan, label: str) -> tuple[str, ...]:
     """The names of the states around a state, outermost first, but for those that are only places."""
     found: list[str] = []
@@ -403,4 +385,4 @@ def _context(plan: Plan, label: str) -> tuple[str, ...]:
     return tuple(found[::-1])
 
 
-__all__ = ["Done", "Running", "Seen", "Side", "Stand", "shown", "writable"]
+__all__ = ["Running", "Seen", "Side", "Stand", "shown"]

@@ -94,10 +94,11 @@ def _times(board: Board) -> dict[str, int]:
 
 
 def thresholds_of(plan: Plan) -> tuple[dict[str, tuple[int, ...]], bool]:
-    """The ages (ns) with which conditions compare messages, by channel, and whether these are all."""
+    """The ages (ns) with which messages are compared, by channel, and whether ages serve for nothing else."""
     found: dict[str, set[int]] = {}
     whole = True
-    todo: list[object] = [item.condition for item in plan.transitions]
+    todo: list[object] = [part for item in plan.transitions for part in (item.condition, *item.actions)]
+    todo += [argument for state in plan.states for argument in state.arguments]
     while todo:
         term = todo.pop()
         if not isinstance(term, tuple):

@@ -186,6 +186,19 @@ def assigned(plan: Plan) -> frozenset[str]:
     )
 
 
+def writable(plan: Plan, label: str) -> tuple[str, ...]:
+    """The variables that the activity of a state may write: those that it declares, and those of its
+    participant that no line of the protocol writes."""
+    activity = plan.by_label[label].activity
+    info = next((item for item in plan.activities if item.name == activity), None)
+    there = [item for item in plan.variables if item.scope is None or is_in(label, item.scope)]
+    own = {item.name.partition("@")[0] for item in there}
+    written = assigned(plan)
+    inner = (item.name.partition("@")[0] for item in there if item.scope and item.name not in written)
+    declared = (name for name in (() if info is None else info.variables) if name in own)
+    return tuple(dict.fromkeys((*declared, *inner)))
+
+
 def watched(plan: Plan) -> frozenset[str]:
     """The variables that conditions read while what they are about is active, complete or not."""
     found: set[str] = set()
@@ -231,4 +244,5 @@ __all__ = [
     "undecided",
     "watched",
     "with_open",
+    "writable",
 ]
