@@ -282,3 +282,38 @@ team T { one : robot  two : eye }
 def test_what_was_decided_of_messages_that_are_over_makes_no_states(prove) -> None:  # type: ignore[no-untyped-def]
     done = prove(PAIRS, "deadlock", "--json")
     assert done.json["results"][0]["bounds"].endswith("72 states")  # 96 with what the first one said
+
+
+def test_an_age_that_is_kept_is_not_explored(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Old
+message M { int k }
+topic t { state M }
+srm writer { liveness { writer = P . Q } control writer { enter Q : / write_messages.t.state.M } }
+srm reader {
+  var old : duration = 0s
+  liveness { reader = A . B . (C | D) }
+  control reader { enter B : [has(t.state.M)] / old = age(t.state.M)  enter C : [old > 5s]  enter D : else }
+}
+team T { one : writer  two : reader }
+property "it is new" { never two in C }
+"""
+    (item,) = prove(text, "it is new", "--json").json["results"]
+    assert item["verdict"] == "UNDECIDED"
+    assert item["reason"] == "reader does more with an age than compare it with a constant"
+
+
+def test_values_between_a_constant_and_a_bound_are_tried(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Bound
+srm robot {
+  var level : double 2.5..3.5 = 3.0
+  liveness { robot = Look . (High | Low) }
+  activities { Look writes level }
+  control robot { enter High : [level > 3.0]  enter Low : else }
+}
+team T { one : robot }
+property "it is never high" { never one in High }
+"""
+    done = prove(text, "it is never high")
+    assert (done.code, "one: level is 3.5" in done.out) == (1, True), done.out

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
 
@@ -102,7 +102,7 @@ class Drawing(Displayed):
     about: str = ""
     closed: tuple[str, ...] = ()
     size: tuple[float, float] = (0.0, 0.0)
-    wider: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    wider: Callable[[], Iterator[str]] | None = field(default=None, compare=False, repr=False)
 
 
 def piece_name(name: str, label: str) -> str:
@@ -120,8 +120,17 @@ def of_sheet(
     gaps: Sequence[tuple[str, str]] = (),
 ) -> Drawing:
     """The drawing that a sheet describes; `gaps` are those of other layouts."""
-    graphs = ({**sheet.graph, "nodesep": boxes, "ranksep": ranks} for boxes, ranks in gaps)
-    wider = tuple(dot.text(replace(sheet, graph=graph)) for graph in graphs)
+
+    def wider() -> Iterator[str]:
+        for boxes, ranks in gaps:
+            yield dot.text(replace(sheet, graph={**sheet.graph, "nodesep": boxes, "ranksep": ranks}))
+
     return Drawing(
-        sheet.name, dot.text(sheet), dot.shown(sheet), states, pieces, about=sheet.about, wider=wider
+        sheet.name,
+        dot.text(sheet),
+        dot.shown(sheet),
+        states,
+        pieces,
+        about=sheet.about,
+        wider=wider if gaps else None,
     )

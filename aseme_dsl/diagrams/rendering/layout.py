@@ -118,8 +118,9 @@ def _clear(drawing: Drawing, command: Sequence[str], time_limit: float) -> tuple
     """
     lines = [item.id for item in drawing.shown if item.kind is Kind.LINE]
     text, picture = drawing.dot, _whole(drawing, drawing.dot, command, time_limit)
-    least = mixed_up(picture, lines) if drawing.wider else 0.0
-    for other in drawing.wider:
+    if drawing.wider is None or not (least := mixed_up(picture, lines)):
+        return text, picture
+    for other in drawing.wider():
         if not least:
             break
         with contextlib.suppress(_Flawed):

@@ -8,7 +8,7 @@ from random import Random
 from typing import cast
 
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
-from aseme_dsl.proofs.explore.deciding.values import Values, can_hold
+from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.runtime.chart.plan import Plan, Variable
 from aseme_dsl.runtime.message.convert import converted
 
@@ -141,10 +141,8 @@ class Decisions:
 
     def variable(self, variable: Variable, written: Open, known: Callable[[str], str]) -> object:
         """What an activity has written to a variable."""
-        tried = (variable.initial, *self.values.of_variable(variable))
-        answers = tuple(dict.fromkeys(item for item in tried if can_hold(variable, item)))
         name = known(variable.name.partition("@")[0])
-        return self.of(("variable", name, written.number), answers, f"{name} is {{}}")
+        return self.of(("variable", name, written.number), self.values.held(variable), f"{name} is {{}}")
 
     def called(self, name: str, result: str, arguments: tuple[object, ...]) -> object:
         """What a function of the document gives."""

@@ -261,7 +261,7 @@ def _left_out(plans: Sequence[Plan]) -> str:
     """What is not compared; empty if nothing is."""
     for plan in plans:
         if not thresholds_of(plan)[1]:
-            return f"{plan.name} compares an age with something that is not constant"
+            return f"{plan.name} does more with an age than compare it with a constant"
         if lists := lists_of(plan):
             return f"nothing is tried for the list {lists[0]}, which activities may write"
         if asks_for_history(plan):

@@ -185,7 +185,7 @@ class Explored:
         """What of the team is not explored; empty if nothing is."""
         for agent in self.agents:
             if not thresholds_of(agent.plan)[1]:
-                return f"{agent.role} compares an age with something that is not constant"
+                return f"{agent.role} does more with an age than compare it with a constant"
             if lists := lists_of(agent.plan):
                 return f"nothing is tried for the list {lists[0]}, which activities may write"
             if asks_for_history(agent.plan):

@@ -10,7 +10,7 @@ from typing import Protocol, cast
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, content_of
 from aseme_dsl.proofs.explore.deciding.staging import OPEN, assigned, by_lines, receivers, watched
-from aseme_dsl.proofs.explore.deciding.values import Values, can_hold
+from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.agent.agent import Agent
@@ -123,11 +123,9 @@ class Acting:
         """What an activity has written to a variable."""
         plan = self._plans[role]
         found = next(item for item in plan.variables if item.name == variable)
-        tried = (found.initial, *self._values.of_variable(found))
-        answers = tuple(dict.fromkeys(item for item in tried if can_hold(found, item)))
         return self._choices.of(
             ("variable", agent, variable, self._anew()),
-            answers,
+            self._values.held(found),
             f"{agent}: {variable.partition('@')[0]} is {{}}",
         )
 

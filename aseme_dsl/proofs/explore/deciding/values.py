@@ -103,6 +103,15 @@ class Values:
             return ()
         return self.tried_for(place, _type(variable.type, self._messages))
 
+    def held(self, variable: Variable) -> tuple[object, ...]:
+        """What a variable holds when an activity may have written it: what it holds at first, or one of what
+        is tried that is within its bounds."""
+        tried = self.of_variable(variable)
+        if tried and variable.bounds is not None and variable.type == "double":
+            tried = (*tried, *map(float, variable.bounds))  # what is between may be beyond these
+        found = (variable.initial, *tried)
+        return tuple(dict.fromkeys(item for item in found if _can_hold(variable, item)))
+
     def contents(self, message: str) -> tuple[object, ...]:
         """The contents that are tried for a type of message."""
         kind = self._messages[message]
@@ -334,7 +343,7 @@ class _Reader:
         return None
 
 
-def can_hold(variable: Variable, value: object) -> bool:
+def _can_hold(variable: Variable, value: object) -> bool:
     """Whether a value is within the bounds of a variable."""
     if variable.bounds is None or not isinstance(value, int | float):
         return True
@@ -433,4 +442,4 @@ def _default(kind: object) -> object:
     return kind() if callable(kind) else None
 
 
-__all__ = ["Tried", "Values", "can_hold", "enums_of"]
+__all__ = ["Tried", "Values", "enums_of"]
