@@ -152,7 +152,7 @@ _MOVES = st.lists(
 )
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=6, deadline=None)
 @given(_MOVES)
 def test_where_a_run_stands_does_not_depend_on_the_way(moves: list[str]) -> None:
     """The oracle is a run that goes there at once."""

@@ -23,7 +23,7 @@ from aseme_dsl.source import Source
 from tests.support.edits import KINDS, TOKENS, Edit, edited
 
 ROOT = Path(__file__).parents[2]
-EDITS = int(os.environ.get("EDITOR_EDITS", "60"))
+EDITS = int(os.environ.get("EDITOR_EDITS", "24"))
 
 TEXT = (ROOT / "tests/acceptance/kouretes.aseme").read_text("utf-8")
 

@@ -18,7 +18,7 @@ from tests.oracle.examples import forget
 from tests.runtime.playing import MS, SECOND, check_line, make
 from tests.support.generated import Generated, generate
 
-EXAMPLES = int(os.environ.get("SWAP_EXAMPLES", "12"))
+EXAMPLES = int(os.environ.get("SWAP_EXAMPLES", "6"))
 
 ONE = """\
 system S

@@ -171,7 +171,13 @@ WAYS: dict[str, Way] = {
     "returns": returns,
     "changes role": changes_role,
 }
+ALL = "NETWORK_RUNS" in os.environ
+"""Whether `python3 dev.py long` asks for every moment of every agent."""
 MOMENTS = (0.02, 0.06, 0.12, 0.25, 0.35, 0.5, 1.1, 1.6, 2.2, 2.6, 3.2, 4.2, 5.3, 7.4, 8.0)
 """In each phase of each protocol."""
-SOME = MOMENTS if "NETWORK_RUNS" in os.environ else MOMENTS[::4]
-"""Of these, for the way that costs more: all of them by `python3 dev.py long`."""
+
+
+def moments(name: str, agent: str, way: str) -> tuple[float, ...]:
+    """When an agent leaves: every third moment, and others for another agent, or all."""
+    step = 5 if way == "changes role" else 3  # which costs more
+    return MOMENTS if ALL else MOMENTS[len(f"{name} {agent} {way}") % step :: step]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.stdlib.hostile import endings, finish, team_of, wrongs
-from tests.stdlib.leaving import AGENTS, MOMENTS, SOME, WAYS, ends_in_errors, of, swaps
+from tests.stdlib.leaving import AGENTS, ALL, WAYS, ends_in_errors, moments, of, swaps
 from tests.stdlib.library import Protocol, protocol
 
 
@@ -14,7 +14,7 @@ from tests.stdlib.library import Protocol, protocol
 def test_an_agent_leaves_at_any_moment(name: str, agent: str, way: str) -> None:
     item = protocol(name)
     found = {}
-    for moment in SOME if way == "changes role" else MOMENTS:
+    for moment in moments(name, agent, way):
         run = WAYS[way](item, agent, moment)
         wrong = wrongs(item, run, agent) + [str(record) for record in run.of("error")]
         took_part = run.of("conversation", agent=agent)
@@ -33,7 +33,7 @@ def test_who_plays_another_role_is_replaced() -> None:
     assert [r["reason"] for r in run.of("conversation", what="leave", agent="bob")] == ["replaced"]
 
 
-@pytest.mark.parametrize(("name", "agent"), AGENTS if SOME == MOMENTS else AGENTS[:2], ids=str)
+@pytest.mark.parametrize(("name", "agent"), AGENTS if ALL else AGENTS[:2], ids=str)
 def test_nobody_leaves_by_a_swap(name: str, agent: str) -> None:
     """It is refused while its states are in the way, and the conversation goes on without a change."""
     item = protocol(name)

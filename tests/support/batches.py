@@ -16,6 +16,7 @@ from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.batch import BACKEND as BATCH
 from aseme_dsl.backends.plain import BACKEND as PLAIN
 from aseme_dsl.runtime.plain.batch import Batch
+from tests.support.generated import forget_folders
 
 _numbers = itertools.count(1)
 
@@ -30,7 +31,7 @@ def made(system: System, folder: Path, role: str) -> tuple[Any, type[Batch]]:
             path.write_text(artefact.text, encoding="utf-8")
     sys.path.insert(0, str(folder))
     try:
-        importlib.invalidate_caches()
+        forget_folders(folder)
         plain = importlib.import_module(f"{name}.plain.{system.name}.{role}")
         batch = importlib.import_module(f"{name}.batch.{system.name}.{role}")
     finally:

@@ -28,7 +28,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Written,
 )
 from aseme_dsl.runtime.plain.plain import ActivityFailed, OutOfBounds, Plain, Unsettled
-from tests.support.generated import Generated
+from tests.support.generated import Generated, forget_folders
 
 
 class CannotDo(Exception):
@@ -51,7 +51,7 @@ def plain_class(made: Generated, role: str, options: PlainOptions) -> Any:
     if full not in sys.modules:
         text = module_text(made.system, chart, BackendOptions(), options)
         (made.folder / made.package.__name__ / f"{name}.py").write_text(text, "utf-8")
-        importlib.invalidate_caches()
+        forget_folders(made.folder)
         importlib.import_module(full)
     found = vars(sys.modules[full]).values()
     return next(v for v in found if isinstance(v, type) and issubclass(v, Plain) and v is not Plain)

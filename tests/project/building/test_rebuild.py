@@ -197,7 +197,7 @@ MISTAKES: tuple[Callable[[random.Random], None], ...] = (no_import, nonsense, no
 """Edits that are taken back afterwards."""
 
 
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1])
 def test_any_edits_give_what_a_build_from_nothing_gives(
     seed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

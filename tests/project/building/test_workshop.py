@@ -79,7 +79,7 @@ def test_edits_of_a_file(file: Path, tmp_path: Path) -> None:
         shutil.copy(other, tmp_path)
     root = tmp_path / file.name
     texts = [file.read_text("utf-8")]
-    for _ in range(4):
+    for _ in range(2):
         texts.append(edited(texts[-1], chance))
     rebuilding = Rebuilding(root, tmp_path)
     built = 0
