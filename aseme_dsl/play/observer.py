@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
-from typing import assert_never, cast
+from typing import TYPE_CHECKING, assert_never, cast
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.play.assumptions import Assumptions
@@ -25,18 +25,21 @@ from aseme_dsl.play.scenario import (
     all_parts,
 )
 from aseme_dsl.play.sight.alarms import Alarms
-from aseme_dsl.play.sight.guards import told
+from aseme_dsl.play.sight.guards import told, unmet
 from aseme_dsl.play.sight.insight import Surroundings
 from aseme_dsl.play.sight.standing import standing
 from aseme_dsl.play.sight.story import Happened, agents_text
 from aseme_dsl.play.sight.storyteller import About, Storyteller
-from aseme_dsl.play.sight.subject import Next, about, question, spoken
 from aseme_dsl.play.sight.words import Said, failing, few, leaf_names, went_wrong
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
 from aseme_dsl.runtime.team.ending import Waiting
+from aseme_dsl.runtime.time.clock import readable
 from aseme_dsl.runtime.trace.records import Record
+
+if TYPE_CHECKING:
+    from aseme_dsl.play.sight.subject import Next
 
 KINDS = frozenset(
     (
@@ -96,6 +99,8 @@ class Observer:
         """The first expectation that was broken, of those that every run has to meet."""
         self.read = ""
         """What the broken condition has read: `one has n = 4`, `one is in Walk`."""
+        self.near = ""
+        """Which message came that is not the awaited one, and why: `ann sent Ball at 3 s, but …`."""
         self.reached: dict[int, int] = {}
         """When an expectation has come as far as it is (ns)."""
         self.given: set[tuple[str, int]] = set()
@@ -112,6 +117,8 @@ class Observer:
         self._agents = {name: Followed() for name, _ in script.team}
         self._said: dict[tuple[str, int], Said] = {}
         self._arrived: dict[tuple[str, str, int], int] = {}
+        self._near: dict[int, tuple[str, Said]] = {}
+        """By condition: who sent or received the last message that only its filter has refused."""
         self._held: frozenset[int] = frozenset()
         self._passing = _passing(script.conditions)
         self._aged = _aged(script.conditions)
@@ -368,11 +375,14 @@ class Observer:
             if subject.agents is None or name in subject.agents:
                 place = subject.places.get(name, frozenset())
                 given = (self._plan(name), waits.get(name, ()), followed.leaves, place)
-                story += standing(name, end, *given, teller.guards, self._known(name))
+                story += standing(name, end, *given, teller.guards, self._known(name), teller.came(name))
         return tuple(story)
 
     def _about(self) -> About:
         """What the story is about."""
+
+        from aseme_dsl.play.sight.subject import about  # only who reads a story asks for it
+
         if self.broken is None:
             return About()
         rule, state = self.script.expectations[self.broken].rule, self.states[self.broken]
@@ -381,13 +391,22 @@ class Observer:
     @property
     def question(self) -> Next | None:
         """What to ask next about the broken expectation."""
+        from aseme_dsl.play.sight.subject import Next, question
+
         if self.broken is None:
             return None
         rule, state = self.script.expectations[self.broken].rule, self.states[self.broken]
-        return question(self.script, rule, state, self._held, self._plan)
+        found = question(self.script, rule, state, self._held, self._plan)
+        near = next((self._near[number] for number in self._asked() if number in self._near), None)
+        if found is None or near is None or found.is_why:
+            return found
+        agent, said = near  # that it came can be explained, with the values that it has
+        return Next(agent, found.what, True, said.moment) if agent == said.sender else found
 
     def _asked(self) -> Iterator[int]:
         """The conditions that decide on the broken expectation, with all their parts."""
+        from aseme_dsl.play.sight.subject import spoken
+
         if self.broken is not None:
             rule, state = self.script.expectations[self.broken].rule, self.states[self.broken]
             yield from all_parts(self.script.conditions, spoken(rule, state))
@@ -404,6 +423,17 @@ class Observer:
                     yield f"{condition.agent} has {', '.join(dict.fromkeys(said))}"
             elif isinstance(condition, InPlaces):
                 yield from self._located(condition)
+
+    def _refused(self) -> Iterator[str]:
+        """Which messages came that the broken expectation would speak of, were it not for their values."""
+        for number in self._asked():
+            condition = self.script.conditions[number]
+            if number in self._near and isinstance(condition, Says) and condition.condition is not None:
+                agent, said = self._near[number]
+                verb = "received" if condition.is_received else "sent"
+                known = self._known(agent, said.content)
+                parts = unmet(condition.condition, known)
+                yield f"{agent} {verb} {said.what} at {readable(said.moment)}, but {parts}" if parts else ""
 
     def _located(self, condition: InPlaces) -> Iterator[str]:
         """Where the agents are of which a condition speaks."""
@@ -463,7 +493,9 @@ class Observer:
             case Holds(agent=agent, value=value):
                 is_held = value_of(value, self._known(agent)) is True
             case Says():
-                is_held = any(self._is_meant(condition, *item) for item in _messages(condition, happening))
+                is_held = any(
+                    self._is_meant(number, condition, *item) for item in _messages(condition, happening)
+                )
             case Faulty():
                 is_held = happening.is_fault
             case Failed(agents=agents):
@@ -493,14 +525,18 @@ class Observer:
             inside.index,
         )
 
-    def _is_meant(self, says: Says, agent: str, said: Said) -> bool:
+    def _is_meant(self, number: int, says: Says, agent: str, said: Said) -> bool:
         if says.what != (said.kind if says.is_kind else said.what):
             return False
         if says.performative not in (None, said.performative):
             return False
         if says.agents is not None and agent not in says.agents:
             return False
-        return says.condition is None or value_of(says.condition, self._known(agent, said.content)) is True
+        if says.condition is None or value_of(says.condition, self._known(agent, said.content)) is True:
+            self._near.pop(number, None)
+            return True
+        self._near[number] = agent, said
+        return False
 
     def _show(self, view: View) -> None:
         self.met |= view.holds | view.occurs
@@ -521,6 +557,7 @@ class Observer:
         if is_broken and (self.broken is None or state.at < self.states[self.broken].at):
             self.broken = place
             self.read = "; ".join(dict.fromkeys(self._values()))
+            self.near = "; ".join(filter(None, dict.fromkeys(self._refused())))
 
 
 _READ = e.VariableValue | e.Member | e.Age | e.Outcome

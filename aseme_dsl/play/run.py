@@ -74,6 +74,8 @@ class Played:
     """When an expectation has come as far as it is (ns)."""
     question: Next | None = None
     """What to ask next about the broken expectation."""
+    near: str = ""
+    """Which message came that is not the awaited one, and why."""
 
 
 class Watch(Protocol):
@@ -165,6 +167,7 @@ def play(
         observer.assumed.broken,
         observer.reached,
         observer.question,
+        observer.near,
     )
 
 

@@ -211,7 +211,7 @@ def test_a_failure_is_shrunk_and_saved_as_a_scenario(here: Here, folder: Path) -
     done = here("test", "good.aseme", "--save", "found.aseme")
     assert done.code == 1
     assert "  with home = 0, far = 18" in done.out.splitlines(), done.out
-    shown = "  in a shorter run, without the inputs of lines 19, 20, 22, it fails, too; that run is shown:"
+    shown = "  shown is a shorter run with the same reason, without the inputs of lines 19, 20, 22:"
     assert shown in done.out.splitlines(), done.out
     saved = (folder / "found.aseme").read_text()
     assert (
@@ -257,7 +257,7 @@ def test_what_has_not_come_is_not_made_smaller_by_leaving_out_what_leads_to_it(
     done = here("test", "good.aseme")
     lines = done.out.splitlines()
     assert done.code == 1
-    shown = "  in a shorter run, without the input of line 18, it fails, too; that run is shown:"
+    shown = "  shown is a shorter run with the same reason, without the input of line 18:"
     assert shown in lines, done.out
     assert (
         "    2.5 s  one  receives eyes.state.Seen { ball = false, home = true }, an input of the scenario"
@@ -348,7 +348,7 @@ def test_a_story_says_what_may_interrupt_a_wait(here: Here, folder: Path) -> Non
         "bob  is in Walk (guard.aseme:5) since 0 s: its activity has not returned,"
         " and until then it may be left by when [t.signal.Stop.n > 0] (guard.aseme:7), an interrupt",
         "with t.signal.Stop.n = absent",
-        "t.signal.Stop has not come: no agent here publishes it",
+        "t.signal.Stop has not come: no role of these agents sends it",
         "ask next: asemec whynot bob Rest --at 3s TRACE (`asemec test --traces DIR` writes it)",
     ]
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -78,7 +80,7 @@ CASES = {
             "bell[1..4]  each: is in Idle (guard.aseme:24), whose activity returned at 1 s:"
             " it waits for [has(team.signal.Pressed)] (guard.aseme:26)",
             "with no team.signal.Pressed so far",
-            "team.signal.Pressed has not come: no agent here publishes it",
+            "team.signal.Pressed has not come: no role of these agents sends it",
         ),
     ),
     # How far an order has come, and when.
@@ -164,3 +166,60 @@ def test_a_step_without_an_end_names_the_circle(here: Here, folder: Path) -> Non
         " (Left . Right) -> (Left . Right) (circle.aseme:9:5), and again"
     )
     assert f"the step does not settle after 2000 rounds: {circle}\n" in done.out, done.out
+
+
+def test_what_runs_are_watched_with_loads_nothing_that_is_asked_later() -> None:
+    """The process of a robot starts with it."""
+    code = "import sys, aseme_dsl.project.testing.watching; print([n for n in sys.modules if '.asking' in n])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "[]\n"
+
+
+SHOP = """\
+system Shop
+message Need { string item  int count  string note }
+message Offer { int price }
+aip buying {
+  participant buyer { process = Ask . Await . Pay }
+  participant seller { process = Hear . Offer }
+  control buyer {
+    enter Ask   : / send request Need { item = "nails", count = 3, note = "steel" } to seller
+    enter Await : after(1s)
+    enter Pay   : inform Offer from seller [inform.Offer.price < 5]
+  }
+  control seller {
+    enter Hear  : request Need from buyer
+    enter Offer : / send inform Offer { price = 9 } to buyer
+  }
+}
+srm customer { plays buying.buyer  liveness { customer = buyer }  activities { Await takes 2s within 20s } }
+srm shop { plays buying.seller  liveness { shop = seller } }
+team Shop { ann : customer  bob : shop }
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "told"),
+    [
+        (
+            'eventually sent request Need n [n.item == "glue" && n.count > 2] within 4s',
+            (
+                '4 s: ann sent request Need at 0 s, but not [n.item == "glue"]: n.item = "nails"',
+                "asemec why ann 'request Need' --at 0s TRACE (`asemec test --traces DIR` writes it)",
+            ),
+        ),
+        (
+            "by 4s ann in Pay",
+            (
+                "the last inform Offer was sent by bob at 0.1 s,"
+                " but not [inform.Offer.price < 5]: inform.Offer.price = 9",
+            ),
+        ),
+    ],
+)
+def test_a_message_that_only_a_filter_has_refused(
+    body: str, told: tuple[str, ...], here: Here, folder: Path
+) -> None:
+    (folder / "shop.aseme").write_text(f'{SHOP}scenario "s" {{\n  {body}\n}}\n')
+    done = here("test", "shop.aseme", "-j", "1")
+    assert all(any(line.endswith(text) for line in done.out.splitlines()) for text in told), done.out

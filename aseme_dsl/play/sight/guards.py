@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import json
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import STRING
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.statechart import Transition as Drawn
-from aseme_dsl.play.asking.sending import places
 from aseme_dsl.play.evaluate import Known, NotEvaluated, value_of
-from aseme_dsl.play.sight.words import cut
+from aseme_dsl.play.sight.words import Said, cut
 from aseme_dsl.runtime.chart.plan import Plan, Transition
 from aseme_dsl.runtime.time.clock import readable, shown
 from aseme_dsl.source import without_column
 
-_READ = e.VariableValue | e.Member | e.Age | e.Outcome | e.StateValue | e.Expired
+_READ = e.VariableValue | e.Member | e.Age | e.Outcome | e.StateValue | e.Expired | e.Bound
 """The parts of a condition whose values say why it holds or not."""
 _LIBRARY = "<stdlib>"
 """So the places in the standard library begin, of which a story says less."""
@@ -44,6 +44,8 @@ class Guards:
         """Which agents publish what the condition of a transition reads, but which has not come."""
         drawn = self.of(plan, number)
         guard = None if drawn is None else drawn.expression.guard
+        from aseme_dsl.play.asking.sending import places  # only who reads a story asks for it
+
         channels = dict.fromkeys(
             str(part.channel)
             for part in (() if guard is None else e.walk(guard))
@@ -52,7 +54,22 @@ class Guards:
         for channel in channels:
             names = [name for name, other in self._plans.items() if any(places(other, ("", channel)))]
             told = [f"{name} may publish it, and is in {self._inside[name]}" for name in names[:_MOST]]
-            yield f"{channel} has not come: {'; '.join(told) or 'no agent here publishes it'}"
+            yield f"{channel} has not come: {'; '.join(told) or 'no role of these agents sends it'}"
+
+    def refused(self, plan: Plan, number: int, known: Known, came: Mapping[str, Said]) -> Iterator[str]:
+        """Which agent message came that a transition would take, were it not for its condition.
+
+        `came` is the last agent message of each kind that was sent to the agent.
+        """
+        drawn = self.of(plan, number)
+        guard = None if drawn is None else drawn.expression.guard
+        for event in plan.transitions[number].events:
+            said = came.get(f"{event[1]} {event[2]}") if event[0] == "received" else None
+            if said is not None and guard is not None:
+                parts = unmet(guard, replace(known, bound=said.content))
+                if parts:
+                    sent = f"the last {said.what} was sent by {said.sender} at {readable(said.moment)}"
+                    yield f"{sent}, but {parts}"
 
     def of(self, plan: Plan, number: int) -> Drawn | None:
         """A transition of a role as it is in its statechart; None of one that is not known."""
@@ -88,7 +105,7 @@ class Guards:
     ) -> Iterator[str]:
         """The conditions of the transitions that would have come before one without a condition."""
         taken, own = plan.transitions[number], self.of(plan, number)
-        if own is not None and str(own.span).startswith(_LIBRARY):
+        if own is None or str(own.span).startswith(_LIBRARY):
             return
         if taken.condition is not None or taken.events or taken.weight is not None:
             return
@@ -137,11 +154,24 @@ def values(guard: e.Value, known: Known, changed: Collection[str] | None = None)
             elif ".signal." in str(part.message.channel):
                 found[f"the last {part.message.channel} at {readable(newest[1])}"] = None
             continue
+        if isinstance(part, e.Bound) and (known.bound is None or not part.path):
+            continue
         if isinstance(part, _READ) and not _is_past(part, changed):
             found[f"{e.value_text(part)} = {told(part, _value(part, known))}"] = None
         if not isinstance(part, e.Age):
             waiting = [*e.operands(part), *waiting]
     return tuple(found)
+
+
+def unmet(guard: e.Value, known: Known) -> str:
+    """The parts of a condition that do not hold, with what they read; nothing if each one does."""
+    parts = guard.operands if isinstance(guard, e.Logic) and guard.operator == "&&" else (guard,)
+    found = []
+    for part in parts:
+        if _value(part, known) is not True:
+            text, read = cut(e.value_text(part)), ", ".join(values(part, known))
+            found.append(f"not [{text}]{f': {read}' if read and read != text else ''}")
+    return ", ".join(found)
 
 
 def _is_past(part: e.Value, changed: Collection[str] | None) -> bool:
@@ -172,4 +202,4 @@ def told(part: e.Value, value: object) -> str:
     return cut(json.dumps(value, ensure_ascii=False), _LONGEST)
 
 
-__all__ = ["Guards", "explained", "told", "values"]
+__all__ = ["Guards", "explained", "told", "unmet", "values"]

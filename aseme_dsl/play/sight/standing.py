@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from aseme_dsl.play.evaluate import Known
 from aseme_dsl.play.sight.guards import Guards
 from aseme_dsl.play.sight.story import Happened
-from aseme_dsl.play.sight.words import cut, few, leaf_names
+from aseme_dsl.play.sight.words import Said, cut, few, leaf_names
 from aseme_dsl.runtime.chart.plan import Plan
-from aseme_dsl.runtime.team.ending import Awaited, Waiting
+from aseme_dsl.runtime.team.ending import Awaited, Waiting, trigger_of
 from aseme_dsl.runtime.time.clock import readable, shown
 from aseme_dsl.source import without_column
 
@@ -27,8 +27,12 @@ def standing(
     about: Collection[str],
     guards: Guards,
     known: Known,
+    came: Mapping[str, Said],
 ) -> Iterator[Happened]:
-    """Where an agent is: in detail what is not beside all of the states that are spoken of (`about`)."""
+    """Where an agent is: in detail what is not beside all of the states that are spoken of (`about`).
+
+    `came` is the last agent message of each kind that was sent to it.
+    """
     groups: dict[tuple[object, ...], list[Waiting]] = {}
     beside: list[str] = []
     for item in waits:
@@ -38,7 +42,7 @@ def standing(
             groups.setdefault((item.where, item.name, item.at, item.awaits), []).append(item)
     for items in groups.values():
         first = Happened(moment, agent, "", stands=True, label=items[0].state)
-        yield _waiting(first, plan, items, guards, known)
+        yield _waiting(first, plan, items, guards, known, came)
     if beside:
         names = few(list(dict.fromkeys(beside)))
         yield Happened(moment, agent, f"is also in {names}", stands=True)
@@ -51,7 +55,14 @@ def standing(
         yield Happened(moment, agent, text, stands=True)
 
 
-def _waiting(item: Happened, plan: Plan, waits: Sequence[Waiting], guards: Guards, known: Known) -> Happened:
+def _waiting(
+    item: Happened,
+    plan: Plan,
+    waits: Sequence[Waiting],
+    guards: Guards,
+    known: Known,
+    came: Mapping[str, Said],
+) -> Happened:
     """Equal waits, which several regions may have, as one."""
     first = waits[0]
     is_running = first.where == "in" and any(found.kind == "activity" for found in first.awaits)
@@ -68,7 +79,7 @@ def _waiting(item: Happened, plan: Plan, waits: Sequence[Waiting], guards: Guard
         case "in" if is_running:
             may_fail = any(found.what.endswith("error") for found in awaits)
             text = f"is in {name} since {since}: its activity has not returned"
-            text += _deadline(plan, first.state) if may_fail else ""
+            text += _deadline(plan, first.state, min(one.since for one in waits)) if may_fail else ""
         case "before":
             text = f"has not begun {name} since {since}"
         case "after" if is_activity:
@@ -85,7 +96,7 @@ def _waiting(item: Happened, plan: Plan, waits: Sequence[Waiting], guards: Guard
         text += "; no transition leads on"
     else:
         text += ": it waits for"
-    found = [_awaited(plan, one, guards, known) for one in awaits[:_MOST]]
+    found = [_awaited(plan, one, guards, known, came) for one in awaits[:_MOST]]
     if len(found) == 1:
         details = list(found[0][1])
         text += f" {found[0][0]}"
@@ -97,14 +108,18 @@ def _waiting(item: Happened, plan: Plan, waits: Sequence[Waiting], guards: Guard
     return replace(item, text=text, details=tuple(details))
 
 
-def _deadline(plan: Plan, label: str) -> str:
-    """The deadline of the activity of a state, which fails it."""
+def _deadline(plan: Plan, label: str, since: int) -> str:
+    """The deadline of the activity of a state, which fails it; the state was entered at `since`."""
     activity = plan.by_label[label].activity
     within = next((info.within for info in plan.activities if info.name == activity), None)
-    return ", and has no deadline" if within is None else f" (deadline: {shown(within)})"
+    if within is None:
+        return ", and has no deadline"
+    return f" (it may take {shown(within)}, and fails at {readable(since + within)} if it has not by then)"
 
 
-def _awaited(plan: Plan, item: Awaited, guards: Guards, known: Known) -> tuple[str, tuple[str, ...]]:
+def _awaited(
+    plan: Plan, item: Awaited, guards: Guards, known: Known, came: Mapping[str, Said]
+) -> tuple[str, tuple[str, ...]]:
     """What is awaited, and what its condition reads."""
     is_interrupt = item.what.startswith("[> ")
     what = cut(item.what.removeprefix("[> "))
@@ -113,13 +128,16 @@ def _awaited(plan: Plan, item: Awaited, guards: Guards, known: Known) -> tuple[s
         what = "another branch of the reactive choice"
     what += f" ({without_column(item.at)})" if item.at else ""
     what += ", an interrupt" if is_interrupt else ""
-    number = next(
-        (place for place, one in enumerate(plan.transitions) if one.at == item.at and item.what in one.text),
-        None,
+    waiting = (
+        place
+        for place, one in enumerate(plan.transitions)
+        if one.at == item.at and trigger_of(one.text) == item.what
     )
+    number = next(waiting, None)
     if number is None or not item.at or plan.transitions[number].otherwise or is_reactive:
         return what, ()
-    return what, (*guards.explained(plan, number, known), *guards.missing(plan, number, known))
+    refused = guards.refused(plan, number, known, came)
+    return what, (*refused, *guards.explained(plan, number, known), *guards.missing(plan, number, known))
 
 
 __all__ = ["standing"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import field, replace
 
 from aseme_dsl.play.evaluate import Known
@@ -66,6 +67,8 @@ class Storyteller:
         self._happened = itertools.count()
         self._unread: dict[Identity, set[str]] = {}
         """Who has not received yet what was sent lately."""
+        self._mail: dict[tuple[str, str], Said] = {}
+        """The last message of a kind that was sent to an agent."""
         self._names: dict[tuple[str, str], str] = {}
         self._values: dict[str, Mapping[str, object]] = {}
         """What variables of an agent held at the end of its last step, of those that conditions read."""
@@ -88,9 +91,15 @@ class Storyteller:
         if is_given:
             item = replace(item, text=item.text + BY_SCENARIO, sent=item.sent + BY_SCENARIO)
         self._add(f"sends {said.what}", item)
+        if said.performative is not None:
+            self._mail.update(((name, said.what), said) for name in receivers)
         self._unread[agent, number] = self._last.keys() & set(receivers)
         if len(self._unread) > _MOST_UNREAD:
             del self._unread[next(iter(self._unread))]
+
+    def came(self, agent: str) -> Mapping[str, Said]:
+        """The last agent message of each kind that was sent to an agent."""
+        return {what: said for (name, what), said in self._mail.items() if name == agent}
 
     def arrived(self, agent: str, identity: Identity) -> None:
         """An agent has received a message."""
@@ -159,7 +168,8 @@ class Storyteller:
                 return None
             if item.label == label and key.startswith(_ENDS):
                 del self._last[agent][key]
-                self._log[agent].remove((number, item))
+                with suppress(ValueError):  # so much has happened at this moment that it is not kept
+                    self._log[agent].remove((number, item))
                 return item.text
         return None
 

@@ -50,6 +50,8 @@ class Next:
     agent: str
     what: str
     is_why: bool
+    at: int | None = None
+    """About which moment (ns); None: the end."""
 
 
 def spoken(rule: Rule, state: State) -> tuple[int, ...]:

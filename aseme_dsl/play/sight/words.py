@@ -6,7 +6,6 @@ import json
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
-from aseme_dsl.play.asking.names import named
 from aseme_dsl.play.evaluate import Told
 from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.records import dataclass
@@ -67,6 +66,8 @@ def few(texts: Sequence[str], most: int = 4) -> str:
 
 def name_of(plan: Plan, label: str) -> str:
     """What people call a state, told apart from others, without its label if that can be."""
+    from aseme_dsl.play.asking.names import named  # only who reads a story asks for it
+
     name = named(plan, label)
     plain = name.removesuffix(f" ({label})")
     around = plan.by_label[label].parent

@@ -32,7 +32,8 @@ def broken(item: Expectation, script: Script, run: Played) -> str:
     end = readable(run.end)
     parts = [_text(part, item, script) for part in item.parts]
     first, last = (parts[0], parts[-1]) if parts else ("what it speaks of", "what has to follow")
-    so = f": {run.read}" if run.read else ""
+    said = "; ".join(filter(None, (run.near, run.read)))
+    so = f": {said}" if said else ""
     match item.rule:
         case Never(condition=condition) if isinstance(script.conditions[condition], Failed):
             name, why = next(iter(run.failures.items()))
@@ -74,10 +75,11 @@ def _not_in_order(item: Expectation, script: Script, run: Played) -> str:
     stage = run.states[run.broken].stage
     texts = [_text(part, item, script) for part in item.parts]
     missing = f"{texts[stage]} (part {stage + 1} of {len(texts)}) has not come by {readable(run.end)}"
+    near = f": {run.near}" if run.near else ""
     if not stage:
-        return missing
+        return f"{missing}{near}"
     came = run.reached.get(run.broken, 0)
-    return f"{missing}; the part before, {texts[stage - 1]}, came at {readable(came)}"
+    return f"{missing}{near}; the part before, {texts[stage - 1]}, came at {readable(came)}"
 
 
 def _text(part: Span, item: Expectation, script: Script) -> str:

@@ -28,7 +28,7 @@ def explained(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:
     if item.row:
         yield "  with the row " + ", ".join(f"{name} = {cell}" for name, cell in item.row.items())
     if item.dropped:
-        yield f"  in a shorter run, without {_inputs(item.dropped)}, it fails, too; that run is shown:"
+        yield f"  shown is a shorter run with the same reason, without {_inputs(item.dropped)}:"
     for line in told(item.story):
         yield f"    {line}"
     if item.question and item.trace is not None:

@@ -55,7 +55,11 @@ def shrunk(script: Script, inputs: Mapping[str, object], found: Played, play: Ru
             continue
         smaller = replace(script, stimuli=tuple(other for other in script.stimuli if other is not item))
         run = fails(smaller, inputs)
-        if run is not None and (not _is_awaited(script, found) or _as_far(run, found)):
+        if (
+            run is not None
+            and _is_alike(run, found)
+            and (not _is_awaited(script, found) or _as_far(run, found))
+        ):
             script, best = smaller, run
             dropped.append(item.span)
     values = dict(inputs)
@@ -103,6 +107,12 @@ def _is_awaited(script: Script, run: Played) -> bool:
     assert run.broken is not None
     rule = script.expectations[run.broken].rule
     return isinstance(rule, Sometime | At | AfterFirst | InOrder | LeadsTo)
+
+
+def _is_alike(run: Played, found: Played) -> bool:
+    """Whether the expectation is broken by the same: what it reads, what came instead, who failed and why."""
+    pairs = ((run.read, found.read), (run.near, found.near), (run.failures, found.failures))
+    return all(one == other for one, other in pairs)
 
 
 def _as_far(run: Played, found: Played) -> bool:

@@ -136,8 +136,8 @@ def _question(run: Played) -> str:
     asked = run.question
     if asked is None:
         return ""
-    words = ["asemec", "why" if asked.is_why else "whynot", asked.agent, asked.what, "--at", at_text(run.end)]
-    return shlex.join(words)
+    at = at_text(run.end if asked.at is None else asked.at)
+    return shlex.join(["asemec", "why" if asked.is_why else "whynot", asked.agent, asked.what, "--at", at])
 
 
 def _missed_share(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played]) -> ScenarioResult | None:

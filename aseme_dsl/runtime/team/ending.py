@@ -252,7 +252,7 @@ def _awaited(plan: Plan, state: State, *, complete: bool) -> Iterator[Awaited]:
             continue
         for way in _compound(plan, first):
             if way.events or way.condition is not None or way.otherwise or way.every is not None:
-                yield Awaited(_kind(way), _without_actions(way.text) or "the next period", way.at)
+                yield Awaited(_kind(way), trigger_of(way.text) or "the next period", way.at)
 
 
 def _is_timed(plan: Plan, state: State, *, complete: bool) -> bool:
@@ -280,7 +280,7 @@ def _compound(plan: Plan, first: Transition) -> Iterator[Transition]:
             waiting += _ways(plan, way.target)
 
 
-def _without_actions(text: str) -> str:
+def trigger_of(text: str) -> str:
     """The trigger and condition of a transition expression: what stands before the first free `/`."""
     depth = 0
     for part in re.finditer(r'"(?:[^"\\]|\\.)*"|\[>|.', text, re.DOTALL):
