@@ -22,6 +22,8 @@ _RESERVED |= frozenset("resume result role sag scenario send sends signal skip s
 _RESERVED |= frozenset("start state statechart string suc system team takes to topic".split())
 _RESERVED |= frozenset("true under usecase uses var when while with within writes".split())
 """Words that cannot be a name everywhere."""
+INITIAL = {"bool": "false", "int": "0", "double": "0.0", "string": '""'}
+"""The first value of a variable of which a file gives the type only."""
 
 
 def is_name(text: str) -> bool:
@@ -42,6 +44,12 @@ def as_name(text: str, otherwise: str) -> str:
     if found[0].isdigit():
         found = f"_{found}"
     return f"{found}_" if is_reserved(found) else found
+
+
+def system_name(title: str) -> str:
+    """The name of the system that a file becomes: `goalie_plan` becomes `GoaliePlan`."""
+    words = as_name(title, "Imported").split("_")
+    return as_name("".join(word[:1].upper() + word[1:] for word in words), "Imported")
 
 
 @dataclass(slots=True)
@@ -66,4 +74,4 @@ class Names:
         return name
 
 
-__all__ = ["Names", "as_name", "is_name", "is_reserved"]
+__all__ = ["INITIAL", "Names", "as_name", "is_name", "is_reserved", "system_name"]

@@ -5,6 +5,7 @@ Document types are refused, and with them all entities. Size, depth and number o
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import field
 from xml.parsers import expat
@@ -17,6 +18,7 @@ DEEPEST = 200
 MOST = 100_000
 """The largest number of elements of a file; the originals' largest has two hundred."""
 _CHUNK = 65_536
+_TAG = re.compile(r"<[^\s/>]*")
 
 
 class Unreadable(Exception):
@@ -29,7 +31,10 @@ class Unreadable(Exception):
 
 @dataclass(slots=True)
 class Element:
-    """An element: its tag without the prefix, its attributes likewise, and where it begins."""
+    """An element: its tag and its attributes without prefixes, and where it begins.
+
+    Of two attributes that differ in their prefix only, the one without a prefix counts.
+    """
 
     tag: str
     attributes: dict[str, str]
@@ -37,8 +42,13 @@ class Element:
     children: list[Element] = field(default_factory=list)
     text: str = ""
     """What stands directly inside, without the elements there."""
-    is_foreign: bool = False
-    """Whether its tag had a prefix."""
+    namespace: str = ""
+    prefixed: frozenset[str] = frozenset()
+    """The attributes that had a prefix."""
+
+    def said(self, name: str) -> str:
+        """An attribute without a prefix, and without blanks at its ends; "" if it is missing."""
+        return "" if name in self.prefixed else self.attributes.get(name, "").strip()
 
     def get(self, name: str) -> str:
         """An attribute, without blanks at its ends; "" if it is missing, or says `null` as EMF once did."""
@@ -55,8 +65,14 @@ def read_markup(source: Source) -> Element:
     return _Reader(source).whole()
 
 
-def _local(name: str) -> str:
-    return name.rpartition(":")[2]
+_SIGN = "\t"
+"""What stands between a namespace and a name; no address has it."""
+
+
+def _parts(name: str) -> tuple[str, str]:
+    """The namespace and the name of an element or attribute."""
+    namespace, _, local = name.rpartition(_SIGN)
+    return namespace, local
 
 
 class _Reader:
@@ -69,7 +85,7 @@ class _Reader:
         self.count = 0
         self.seen = (0, 0)
         """A place in bytes and the same in characters; places only grow."""
-        self.parser = expat.ParserCreate("utf-8")
+        self.parser = expat.ParserCreate("utf-8", _SIGN)
         self.parser.StartElementHandler = self.begin
         self.parser.EndElementHandler = self.end
         self.parser.CharacterDataHandler = self.characters
@@ -89,14 +105,20 @@ class _Reader:
         return self.root
 
     def begin(self, name: str, attributes: dict[str, str]) -> None:
-        place = self.place(self.offset(self.parser.CurrentByteIndex), len(name) + 1)
+        at = self.offset(self.parser.CurrentByteIndex)
+        tag = _TAG.match(self.source.text, at)
+        place = self.place(at, len(tag[0]) if tag is not None else 1)
         self.count += 1
         if len(self.open) >= DEEPEST:
             raise Unreadable(f"its elements are nested more than {DEEPEST} deep", place)
         if self.count > MOST:
             raise Unreadable(f"it has more than {MOST} elements", place)
-        known = {_local(key): value for key, value in attributes.items() if not key.startswith("xmlns")}
-        element = Element(_local(name), known, place, is_foreign=":" in name)
+        plain = {key for key in attributes if _SIGN not in key}
+        known = {_parts(key)[1]: value for key, value in attributes.items() if key not in plain}
+        prefixed = frozenset(known.keys() - plain)
+        known |= {key: attributes[key] for key in plain}
+        namespace, local = _parts(name)
+        element = Element(local, known, place, namespace=namespace, prefixed=prefixed)
         if self.open:
             self.open[-1].children.append(element)
         else:

@@ -14,7 +14,7 @@ from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.interop.emf.charts import ForeignChart, ForeignState, ForeignTransition, ForeignVariable
 from aseme_dsl.interop.emf.expressions import ForeignExpression, Untranslatable, read_expression
 from aseme_dsl.interop.emf.formulas import Edge, NoFormula, Reconstructed, formulas_of, title
-from aseme_dsl.interop.emf.identifiers import Names, is_name
+from aseme_dsl.interop.emf.identifiers import INITIAL, Names, is_name
 from aseme_dsl.interop.emf.meaning import Meaning
 from aseme_dsl.interop.emf.report import Fate, Row
 from aseme_dsl.records import dataclass
@@ -22,7 +22,6 @@ from aseme_dsl.records import dataclass
 _COMPOSITE = (StateType.OR, StateType.AND)
 _SCALARS = {"bool": BOOL, "int": INT, "float": DOUBLE, "double": DOUBLE, "string": STRING, "String": STRING}
 _SCALARS |= {"boolean": BOOL, "long": INT, "std::string": STRING}
-_INITIAL = {"bool": "false", "int": "0", "double": "0.0", "string": '""'}
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,7 +229,7 @@ class RoleWriter:
         channel = channel_of(item)
         if _is_scalar(item):
             kind = str(_SCALARS[item.type])
-            self.lines.append(f"  var {item.name} : {kind} = {_INITIAL[kind]}")
+            self.lines.append(f"  var {item.name} : {kind} = {INITIAL[kind]}")
             now = "a variable of the role; its first value is not in the model"
             self.rows.append(Row(Fate.CHANGED, f"variable {item.name}", item.place, now))
         elif channel is not None:

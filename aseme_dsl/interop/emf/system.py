@@ -11,7 +11,7 @@ from aseme_dsl.diagnostics.problems.files import ForeignNotRead
 from aseme_dsl.interop.emf.charts import ForeignChart, is_chart, read_chart
 from aseme_dsl.interop.emf.documents import Documents
 from aseme_dsl.interop.emf.formulas import NoFormula
-from aseme_dsl.interop.emf.identifiers import Names, as_name
+from aseme_dsl.interop.emf.identifiers import Names, system_name
 from aseme_dsl.interop.emf.markup import Unreadable, read_markup
 from aseme_dsl.interop.emf.meaning import Known, Meaning
 from aseme_dsl.interop.emf.protocols import ProtocolPlan, plan_protocol, protocol_text
@@ -135,10 +135,8 @@ def read_system(
         plans.append(plan)
     first = plans[0].name if plans else protocols[0].name if protocols else PurePath(sources[0].path).stem
     meaning = Meaning(Known(known.messages, known.enums, known.constants, variables))
-    words = as_name(first, "Imported").split("_")
-    name = as_name("".join(word[:1].upper() + word[1:] for word in words), "Imported")
     files = tuple(source.path for source in sources)
-    system = ForeignSystem(name, files, plans, meaning, protos, modules, documents, protocols)
+    system = ForeignSystem(system_name(first), files, plans, meaning, protos, modules, documents, protocols)
     system.gather()
     return system, tuple(found)
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import field
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.statechart import StateType, label_key
 from aseme_dsl.interop.emf.charts import one_line
+from aseme_dsl.interop.emf.identifiers import Names
 from aseme_dsl.interop.emf.report import Fate, Row
-from aseme_dsl.interop.machines.differing import overtaken, shared, unordered
+from aseme_dsl.interop.machines.differing import Differing, unordered
 from aseme_dsl.interop.machines.ecmascript import NUMBERS, Untranslatable
 from aseme_dsl.interop.machines.machine import (
     Assigning,
@@ -79,14 +80,24 @@ class _Writer:
         self.words = words_of(plan.machine)
         self.known = by_id(plan.machine)
         self.timed = delayed(plan.machine)
+        self.timed_names = {self.words.events.get(name) for name in self.timed}
+        self.differing = Differing(plan.machine)
         self.hole = "[?]" if with_holes else "[true]"
         self.lines: list[str] = []
         self.parts: dict[int, int] = {}
-        self.rows: list[Row] = []
+        self.rows: dict[Row, None] = {}
         self.targets: dict[int, str] = {}
         self.number = -1
         self.activities: dict[str, bool] = {}
         """What the states perform, and whether it waits."""
+        variables = (item.name for item in self.words.variables.values())
+        self.names = Names({*self.words.states.values(), *variables})
+        self.performed: dict[str, str] = {}
+        """The names of what is invoked."""
+        self.finals: dict[str, list[Node]] = {}
+        for node in plan.machine.nodes():
+            if node.shape is Shape.FINAL and node.id in self.places.label:
+                self.finals.setdefault(self.places.label[node.id], []).append(node)
 
     def written(self) -> MachineText:
         machine, plan = self.machine, self.plan
@@ -117,9 +128,8 @@ class _Writer:
         return MachineText(tuple(self.lines), self.parts, tuple(self.rows), self.targets)
 
     def row(self, fate: Fate, element: str, place: Span | None, now: str) -> None:
-        row = Row(fate, one_line(element)[:200], place, one_line(now)[:400])
-        if row not in self.rows[-200:]:  # what is done on several ways to a state
-            self.rows.append(row)
+        # once, though it may be done on several ways to a state
+        self.rows[Row(fate, one_line(element)[:200], place, one_line(now)[:400])] = None
 
     def line(self, text: str) -> None:
         """A line that the present part has caused."""
@@ -145,7 +155,7 @@ class _Writer:
             if known.is_computed:
                 now += f"; no first value stands in the file: {known.initial}"
             fate = Fate.KEPT if known.name == datum.name and not known.is_computed else Fate.CHANGED
-            if why := shared(self.machine, datum.name):
+            if why := self.differing.shared(datum.name):
                 fate, now = Fate.DIFFERS, f"{now}; {why}"
             self.row(fate, f"data {datum.name}", datum.place, now)
 
@@ -155,7 +165,7 @@ class _Writer:
             title = self.plan.name if node is not None else ""
             self.lines.append(f"  state {item.label} {item.type.value} {title}".rstrip())
             if item.type is StateType.END:
-                for final in self.finals(item.label):
+                for final in self.finals.get(item.label, ()):
                     now = f"{item.label} END, which is one for all finals of its state"
                     self.row(Fate.CHANGED, f"final {final.id}", final.place, now)
             return
@@ -166,7 +176,7 @@ class _Writer:
         if item.type is StateType.BASIC:
             activity = name
             if node.activity:
-                activity = self.words.states.get(f"{node.id} activity") or self.activity(node)
+                activity = self.activity(node)
                 text += f" activity {activity}"
                 now += f", which performs {activity}"
                 fate = Fate.CHANGED
@@ -179,18 +189,9 @@ class _Writer:
         self.row(fate, f"{node.shape.value} {node.id if node.is_named else ''}".strip(), node.place, now)
 
     def activity(self, node: Node) -> str:
-        from aseme_dsl.interop.emf.identifiers import as_name
-
-        found = as_name(node.activity.rpartition("/")[2], "Invoked")
-        taken = {*self.words.states.values(), *(item.name for item in self.words.variables.values())}
-        return f"{found}_" if found in taken else found
-
-    def finals(self, label: str) -> Iterator[Node]:
-        return (
-            node
-            for node in self.machine.nodes()
-            if node.shape is Shape.FINAL and self.places.label.get(node.id) == label
-        )
+        if node.activity not in self.performed:
+            self.performed[node.activity] = self.names.new(node.activity.rpartition("/")[2], "Invoked")
+        return self.performed[node.activity]
 
     # ---- transitions -------------------------------------------------------------------------
 
@@ -295,7 +296,7 @@ class _Writer:
             target = entered(source, targets, self.known)
             scope = scope_of(source, target)
             ends.append((source, target, [*move.does, *self.entries(scope, target)]))
-            if why := overtaken(source, target, move):
+            if why := self.differing.overtaken(source, target, move):
                 fate, notes = Fate.DIFFERS, [*notes, why]
         for source, target, does in ends:
             label = self.places.label[source.id]
@@ -310,7 +311,7 @@ class _Writer:
         """The states inside one, from which an internal transition leads to one of them."""
         if any(child.shape is Shape.FINAL for child in node.children):
             raise Unreachable("it is internal, and its source may be complete")
-        if any(other is not move for other in node.moves[: node.moves.index(move)]):
+        if node.moves[0] is not move:
             raise Unreachable("it is internal, and not the first of its source")
         return inner(node)
 
@@ -361,7 +362,6 @@ class _Writer:
         events: list[str] = []
         needs: list[str] = []
         completes = False
-        timed = {self.words.events.get(name) for name in self.timed}
         if move.after is not None:
             events.append(f"after({duration_text(move.after)})")
         for descriptor in move.events:
@@ -379,7 +379,7 @@ class _Writer:
             if descriptor.startswith(("error", "xstate.error")) and performs(node):
                 events.append("error")
                 continue
-            events += [name for name in self.words.awaited(descriptor) if name not in timed]
+            events += [name for name in self.words.awaited(descriptor) if name not in self.timed_names]
             if descriptor.endswith("*"):
                 notes.append("of the events that the file names")
         events = list(dict.fromkeys(events))

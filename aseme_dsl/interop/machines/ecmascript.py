@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 
+from aseme_dsl.interop.emf.expressions import Untranslatable
 from aseme_dsl.records import dataclass
 
 LONGEST = 4_000
@@ -32,10 +33,6 @@ _LEVELS: tuple[tuple[str, ...], ...] = (
 )
 _WORDS = {"===": "==", "!==": "!=", "or": "||", "and": "&&"}
 _TRUTH = {"true": "true", "false": "false", "True": "true", "False": "false"}
-
-
-class Untranslatable(Exception):
-    """Why an expression is not one of the language."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,6 @@ All finals of a state are its END.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import field
 
 from aseme_dsl.amola.statechart import StateType
@@ -36,9 +35,6 @@ class Places:
     """The START of each composite, and of what wraps a state."""
     written: list[Written] = field(default_factory=list)
 
-    def sources(self) -> Iterator[Written]:
-        return (item for item in self.written if item.node is not None)
-
 
 def inner(node: Node) -> list[Node]:
     """The states in one that can be active for themselves."""
@@ -47,7 +43,10 @@ def inner(node: Node) -> list[Node]:
 
 def is_and(node: Node) -> bool:
     """Whether a state is an AND: several of its states are active together."""
-    return node.shape is Shape.PARALLEL and len(inner(node)) > 1
+    if node.shape is not Shape.PARALLEL:
+        return False
+    regions = (child for child in node.children if child.shape in (Shape.STATE, Shape.PARALLEL))
+    return next(regions, None) is not None and next(regions, None) is not None
 
 
 def is_composite(node: Node) -> bool:
@@ -139,13 +138,11 @@ def is_begun_at(node: Node, state: Node, known: dict[str, Node]) -> bool:
         if len(node.initial) > 1 or not is_composite(node):
             return False
         first = known[node.initial[0]] if node.initial else first_of(node)
-        if first is None:
+        if first is None or not is_inside(first, node):
             return False
-        if first is not state and is_inside(state, first) is False:
+        if first is not state and not is_inside(state, first):
             return False
-        # what lies between is entered on the way
-        if is_inside(state, first) or first is state:
-            node = first
+        node = first  # what lies between is entered on the way
     return True
 
 

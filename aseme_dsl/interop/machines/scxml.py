@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Set
+from itertools import count
 
 from aseme_dsl.interop.emf.charts import one_line
 from aseme_dsl.interop.emf.markup import Element, Unreadable, read_markup
@@ -62,8 +63,9 @@ class _Reader:
         self.document = document
         self.data: list[Datum] = []
         self.lost: list[Lost] = []
-        self.ids: dict[str, Element] = {}
-        model = document.get("datamodel")
+        self.ids: set[str] = set()
+        self.numbers = count()
+        model = document.said("datamodel")
         self.language = model if model not in _LANGUAGES else ""
 
     def machine(self) -> Machine:
@@ -71,7 +73,9 @@ class _Reader:
         waiting = [(self.document, root)]
         while waiting:
             element, node = waiting.pop()
-            inner = [child for child in element.children if child.tag in _SHAPES and not child.is_foreign]
+            inner = [
+                child for child in element.children if child.tag in _SHAPES and not self.is_foreign(child)
+            ]
             for child in inner:
                 if child.tag == "scxml" or node.shape in (Shape.FINAL, Shape.HISTORY):
                     raise Unreadable(f"<{child.tag}> cannot stand in <{element.tag}>", child.place)
@@ -82,36 +86,35 @@ class _Reader:
             waiting += reversed(list(zip(inner, node.children, strict=True)))
         if not root.children:
             raise Unreadable("it has no state", self.document.place)
-        name = one_line(self.document.get("name"))
+        name = one_line(self.document.said("name"))
         machine = Machine(name, "SCXML", root, tuple(self.data), self.lost)
         _check_targets(machine, self.ids)
         return machine
 
     def node(self, element: Element, parent: Node | None) -> Node:
         """A state, without the states in it."""
-        shape, name = _SHAPES[element.tag], one_line(element.get("id"))
+        shape, name = _SHAPES[element.tag], one_line(element.said("id"))
         if parent is not None and name:
             if name in self.ids:
                 raise Unreadable(f"two states have the id `{name[:60]}`", element.place)
-            self.ids[name] = element
+            self.ids.add(name)
         node = Node(
-            name or f"{element.tag} {len(self.ids)}",
+            name or f" {element.tag} {next(self.numbers)}",  # no id of a file begins with a blank
             shape,
             element.place,
             parent,
-            initial=tuple(element.get("initial").split()),
+            initial=tuple(element.said("initial").split()),
             is_named=bool(name),
         )
-        if element.tag != "scxml" and element.get("src"):
+        if element.tag != "scxml" and element.said("src"):
             self.lost.append(Lost("`src`", "what is in the state stands in another file", element.place))
-        if element.get("binding") == "late":
+        if element.said("binding") == "late":
             self.lost.append(Lost("`binding`", "variables have their first values at once", element.place))
         for child in element.children:
-            if child.is_foreign or child.tag in _SHAPES:
-                if child.is_foreign:
-                    self.lose(child, "it is of another namespace", is_harmless=True)
-                continue
-            self.part(node, element, child)
+            if self.is_foreign(child):
+                self.lose(child, "it is of another namespace", is_harmless=True)
+            elif child.tag not in _SHAPES:
+                self.part(node, element, child)
         return node
 
     def part(self, node: Node, element: Element, child: Element) -> None:
@@ -127,13 +130,13 @@ class _Reader:
                 first = next(child.named("transition"), None)
                 if first is None:
                     raise Unreadable("<initial> has no transition", child.place)
-                node.initial = tuple(first.get("target").split())
+                node.initial = tuple(first.said("target").split())
                 node.initial_does = tuple(self.content(first))
             case "datamodel":
                 for datum in child.named("data"):
                     self.datum(datum)
             case "invoke":
-                name = one_line(child.get("id") or child.get("src") or child.get("type") or "invoke")
+                name = one_line(child.said("id") or child.said("src") or child.said("type") or "invoke")
                 if node.activity:
                     self.lose(child, "a state performs one activity")
                     return
@@ -144,6 +147,10 @@ class _Reader:
             case _:
                 self.lose(child, "the language has nothing of the kind", is_harmless=child.tag in _NO_HARM)
 
+    def is_foreign(self, element: Element) -> bool:
+        """Whether an element is of another namespace than the document."""
+        return element.namespace not in ("", self.document.namespace)
+
     def lose(self, element: Element, why: str, *, is_harmless: bool = False) -> None:
         self.lost.append(Lost(f"<{one_line(element.tag)[:60]}>", why, element.place, is_harmless))
 
@@ -152,9 +159,9 @@ class _Reader:
             self.lose(child, why)
 
     def datum(self, element: Element) -> None:
-        name = one_line(element.get("id"))
-        value = one_line(element.get("expr") or element.text)
-        if element.get("src"):
+        name = one_line(element.said("id"))
+        value = one_line(element.said("expr") or element.text)
+        if element.said("src"):
             self.lose(element, "its value stands in another file")
             return
         self.data.append(Datum(name, value, element.place))
@@ -162,16 +169,16 @@ class _Reader:
     # ---- transitions and what they do --------------------------------------------------------
 
     def move(self, element: Element) -> Move:
-        events = tuple(element.get("event").split())
-        guard = self.expression(element.get("cond"))
+        events = tuple(element.said("event").split())
+        guard = self.expression(element.said("cond"))
         return Move(
             events,
-            tuple(element.get("target").split()),
+            tuple(element.said("target").split()),
             element.place,
             guard,
-            one_line(element.get("cond")) if guard is None else "",
+            one_line(element.said("cond")) if guard is None else "",
             tuple(self.content(element)),
-            element.get("type") == "internal",
+            element.said("type") == "internal",
         )
 
     def expression(self, text: str) -> str | None:
@@ -181,17 +188,19 @@ class _Reader:
     def content(self, element: Element) -> Iterator[Doing]:
         for child in element.children:
             match child.tag:
-                case "raise" if child.get("event"):
-                    yield Raising(one_line(child.get("event")), child.place)
+                case _ if self.is_foreign(child):
+                    yield _other(child, "it is of another namespace")
+                case "raise" if child.said("event"):
+                    yield Raising(one_line(child.said("event")), child.place)
                 case "assign":
                     yield self.assign(child)
                 case "log":
-                    text = " ".join(filter(None, (child.get("label"), child.get("expr"))))
+                    text = " ".join(filter(None, (child.said("label"), child.said("expr"))))
                     yield Noting(one_line(f"log {text}"), child.place)
                 case "send":
                     yield self.send(child)
-                case "cancel" if child.get("sendid"):
-                    yield Cancelling(one_line(child.get("sendid")), child.place)
+                case "cancel" if child.said("sendid"):
+                    yield Cancelling(one_line(child.said("sendid")), child.place)
                 case "script":
                     yield from self.script(child)
                 case "if":
@@ -202,13 +211,13 @@ class _Reader:
     def assign(self, element: Element) -> Doing:
         if self.language:
             return _other(element, f"it is in the language {self.language[:40]}")
-        value = element.get("expr") or element.text
-        return Assigning(one_line(element.get("location")), one_line(value), element.place)
+        value = element.said("expr") or element.text
+        return Assigning(one_line(element.said("location")), one_line(value), element.place)
 
     def script(self, element: Element) -> Iterator[Doing]:
         from aseme_dsl.interop.machines.ecmascript import Untranslatable, assignments
 
-        if self.language or element.get("src"):
+        if self.language or element.said("src"):
             yield _other(element, "it is in another language or file")
             return
         try:
@@ -220,15 +229,15 @@ class _Reader:
             yield Assigning(name, value, element.place)
 
     def send(self, element: Element) -> Doing:
-        event, target = element.get("event"), element.get("target")
+        event, target = element.said("event"), element.said("target")
         computed = [name for name in element.attributes if name.endswith("expr") or name == "idlocation"]
-        if not event or computed or element.get("namelist") or element.children:
+        if not event or computed or element.said("namelist") or element.children:
             return _other(element, "only an event without content, which is not computed, is raised")
         if target not in _SELF:
             return _other(element, f"it is for `{one_line(target)[:60]}`: send it from an activity")
-        if element.get("type") not in ("", "scxml", "http://www.w3.org/TR/scxml/#SCXMLEventProcessor"):
+        if element.said("type") not in ("", "scxml", "http://www.w3.org/TR/scxml/#SCXMLEventProcessor"):
             return _other(element, "its type is not that of SCXML")
-        name, wait = one_line(event), element.get("delay")
+        name, wait = one_line(event), element.said("delay")
         if not wait:
             return Raising(name, element.place, target != "#_internal")
         after = delay(wait)
@@ -236,18 +245,18 @@ class _Reader:
             return _other(element, f"`{one_line(wait)[:40]}` is not a delay")
         if not after:
             return Raising(name, element.place, True)
-        return Delaying(name, after, element.place, one_line(element.get("id")))
+        return Delaying(name, after, element.place, one_line(element.said("id")))
 
     def choice(self, element: Element) -> Iterator[Doing]:
         """`<if>` around assignments: each variable becomes what the branch that is taken gives it."""
-        branches: list[tuple[str, list[Element]]] = [(element.get("cond"), [])]
+        branches: list[tuple[str, list[Element]]] = [(element.said("cond"), [])]
         for child in element.children:
             if child.tag in ("elseif", "else"):
-                branches.append((child.get("cond") if child.tag == "elseif" else "else", []))
+                branches.append((child.said("cond") if child.tag == "elseif" else "else", []))
             else:
                 branches[-1][1].append(child)
-        names = {item.get("location") for _, inside in branches for item in inside}
-        plain = all(item.tag == "assign" and item.get("expr") for _, inside in branches for item in inside)
+        names = {item.said("location") for _, inside in branches for item in inside}
+        plain = all(item.tag == "assign" and item.said("expr") for _, inside in branches for item in inside)
         if self.language or not plain or len(names) != 1 or any(len(inside) > 1 for _, inside in branches):
             yield _other(element, "only a choice of one assignment is an action")
             return
@@ -257,7 +266,7 @@ class _Reader:
         (name,) = names
         value = name
         for cond, inside in reversed(branches):
-            wanted = inside[0].get("expr") if inside else name
+            wanted = inside[0].said("expr") if inside else name
             value = wanted if cond == "else" else f"({cond}) ? ({wanted}) : ({value})"
         yield Assigning(one_line(name), one_line(value), element.place)
 
@@ -269,8 +278,7 @@ def _other(element: Element, why: str) -> Other:
     return Other(one_line(text)[:300], why, element.place)
 
 
-def _check_targets(machine: Machine, known: Iterable[str]) -> None:
-    ids = set(known)
+def _check_targets(machine: Machine, ids: Set[str]) -> None:
     for node in machine.nodes():
         for move in node.moves:
             for target in move.targets:

@@ -7,7 +7,7 @@ from pathlib import PurePath
 
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.files import ForeignNotRead
-from aseme_dsl.interop.emf.identifiers import Names, as_name
+from aseme_dsl.interop.emf.identifiers import Names, system_name
 from aseme_dsl.interop.emf.markup import Unreadable
 from aseme_dsl.interop.emf.report import Row
 from aseme_dsl.interop.machines.chart import MachinePlan, machine_text
@@ -32,10 +32,11 @@ class MachineSystem:
 
 @dataclass(frozen=True, slots=True)
 class MachinesText:
-    """The text, before its layout. A line has the numbers of its machine and of the part that it is for."""
+    """The text, before its layout. A line has the number of its machine, and that of the part that it is
+    for, if it is for one."""
 
     text: str
-    lines: Mapping[int, tuple[int, int]]
+    lines: Mapping[int, tuple[int, int | None]]
     rows: tuple[Row, ...]
     targets: Mapping[int, str]
     """The ids of the states to which lines lead."""
@@ -61,21 +62,21 @@ def read_machines(sources: Sequence[Source]) -> tuple[MachineSystem | None, tupl
         plans.append(MachinePlan(machine, names.new(title, "machine")))
     if not plans:
         return None, tuple(found)
-    words = as_name(plans[0].name, "Imported").split("_")
-    name = as_name("".join(word[:1].upper() + word[1:] for word in words), "Imported")
-    return MachineSystem(name, tuple(source.path for source in sources), plans), tuple(found)
+    return MachineSystem(system_name(plans[0].name), tuple(source.path for source in sources), plans), tuple(
+        found
+    )
 
 
 def machines_text(system: MachineSystem, *, with_holes: bool = True) -> MachinesText:
     """The text of all machines."""
     lines = [f"system {system.name}"]
-    places: dict[int, tuple[int, int]] = {}
+    places: dict[int, tuple[int, int | None]] = {}
     rows: list[Row] = []
     targets: dict[int, str] = {}
     for number, plan in enumerate(system.plans):
         made = machine_text(plan, with_holes=with_holes)
         lines.append("")
-        places |= {len(lines) + i + 1: (number, part) for i, part in made.parts.items()}
+        places |= {len(lines) + i + 1: (number, made.parts.get(i)) for i in range(len(made.lines))}
         targets |= {len(lines) + i + 1: node for i, node in made.targets.items()}
         lines += made.lines
         rows += made.rows

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import field
 
-from aseme_dsl.interop.emf.identifiers import Names
+from aseme_dsl.interop.emf.identifiers import INITIAL, Names
 from aseme_dsl.interop.machines import ecmascript
 from aseme_dsl.interop.machines.ecmascript import Said, Untranslatable
 from aseme_dsl.interop.machines.machine import (
@@ -21,14 +23,11 @@ from aseme_dsl.interop.machines.machine import (
 )
 from aseme_dsl.interop.machines.places import is_wrapped
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.message.acl import PERFORMATIVES
 
-_NO_EVENTS = """
-accept_proposal agree cancel cfp confirm disconfirm failure inform inform_if inform_ref not_understood
-propagate propose proxy query_if query_ref refuse reject_proposal request request_when request_whenever
-subscribe error after lost ignores weight raise
-""".split()
+_NO_EVENTS = (*PERFORMATIVES, *"error after lost ignores weight raise".split())
 """What means something else where an event stands."""
-_INITIAL = {"bool": "false", "int": "0", "double": "0.0", "string": '""'}
+_WORD = re.compile(r"[A-Za-z_$][\w$]*")
 _FUNCTIONS = "has age at mean expired random outcome done index read_messages write_messages send"
 
 
@@ -124,14 +123,8 @@ def _doings(machine: Machine) -> Iterator[Doing]:
             yield from move.does
 
 
-def doings_of(machine: Machine) -> Iterator[Doing]:
-    """All that a machine does."""
-    return _doings(machine)
-
-
 def _type_variables(found: Words, names: Names) -> None:
     """Find the type of each variable: that of its first value and of all that are assigned to it."""
-    first: dict[str, str] = {}
     for datum in machine_data(found.machine):
         try:
             said = ecmascript.value(datum[1], {}, lambda _: None) if datum[1] else None
@@ -141,26 +134,32 @@ def _type_variables(found: Words, names: Names) -> None:
         kind, initial = ("", "") if said is None else (said.type, said.text)
         found.variables[datum[0]] = Variable(names.of(datum[0], "v"), kind, initial, said is None)
     first = {name: item.type for name, item in found.variables.items()}
-    assigned = [item for item in _doings(found.machine) if isinstance(item, Assigning)]
-    for _ in range(len(first) + 2):
-        typed = {name: (found.variables[name].name, kind or "int") for name, kind in first.items()}
-        before = dict(first)
-        for item in assigned:
-            if item.variable not in first:
-                continue
-            try:
-                kind = ecmascript.value(item.value, typed, lambda _: "x").type
-            except Untranslatable:
-                continue
-            known = first[item.variable]
-            if not known or (known == "int" and kind == "double"):
-                first[item.variable] = kind
-        if before == first:
-            break
+    typed = {name: (item.name, item.type or "int") for name, item in found.variables.items()}
+    waiting = {
+        number: item
+        for number, item in enumerate(_doings(found.machine))
+        if isinstance(item, Assigning) and item.variable in first
+    }
+    using: dict[str, dict[int, Assigning]] = {}
+    for number, item in waiting.items():
+        for name in _WORD.findall(item.value):
+            using.setdefault(name, {})[number] = item
+    while waiting:  # a type changes at most twice
+        item = waiting.pop(next(iter(waiting)))
+        try:
+            kind = ecmascript.value(item.value, typed, lambda _: "x").type
+        except Untranslatable:
+            continue
+        name, known = item.variable, first[item.variable]
+        if not known or (known == "int" and kind == "double"):
+            first[name] = kind
+            if typed[name][1] != kind:
+                typed[name] = (typed[name][0], kind)
+                waiting |= using.get(name, {})
     for name, kind in first.items():
         given = found.variables[name]
         held = kind or "int"
-        initial = given.initial or _INITIAL[held]
+        initial = given.initial or INITIAL[held]
         if held == "double" and initial.lstrip("-").isdigit():
             initial = f"{initial}.0"
         found.variables[name] = Variable(given.name, held, initial, given.is_computed)
@@ -178,19 +177,18 @@ def delayed(machine: Machine) -> dict[str, tuple[Node, Delaying]]:
         for doing in node.entry:
             if isinstance(doing, Delaying) and not is_wrapped(node):
                 found[doing.event] = (node, doing)
-    for event, (node, doing) in list(found.items()):
-        sends = [
-            item for item in _doings(machine) if isinstance(item, Raising | Delaying) and item.event == event
-        ]
-        waits = [item for item in machine.nodes() if any(_is_for(move, event) for move in item.moves)]
-        exact = all(event in move.events for move in node.moves if _is_for(move, event))
-        if sends != [doing] or waits not in ([], [node]) or not exact:
+    sends = Counter(item.event for item in _doings(machine) if isinstance(item, Raising | Delaying))
+    waits: dict[str, list[tuple[Node, Move]]] = {}
+    for node in machine.nodes():
+        for move in node.moves:
+            for plain in {item.removesuffix("*").removesuffix(".") for item in move.events if item != "*"}:
+                waits.setdefault(plain, []).append((node, move))
+    for event, (node, _) in list(found.items()):
+        waiting = [item for plain, items in waits.items() if matches(plain, event) for item in items]
+        own = all(item is node and event in move.events for item, move in waiting)
+        if sends[event] != 1 or not own:
             del found[event]
     return found
 
 
-def _is_for(move: Move, event: str) -> bool:
-    return any(descriptor != "*" and matches(descriptor, event) for descriptor in move.events)
-
-
-__all__ = ["Variable", "Words", "delayed", "doings_of", "is_of_engine", "words_of"]
+__all__ = ["Variable", "Words", "delayed", "is_of_engine", "words_of"]

@@ -21,12 +21,15 @@ from aseme_dsl.interop.machines.machine import (
     Raising,
     Shape,
 )
+from aseme_dsl.interop.machines.places import is_inside
 from aseme_dsl.source import Source
 
 _SHAPES = {"final": Shape.FINAL, "parallel": Shape.PARALLEL, "history": Shape.HISTORY}
 _SHAPES |= {"atomic": Shape.STATE, "compound": Shape.STATE}
 _HARMLESS = frozenset(("description", "meta", "tags", "version", "key", "$schema", "delimiter"))
 _KNOWN = frozenset("id type initial states on always after entry exit invoke onDone context".split())
+LONGEST = 2_000
+"""How many characters a target may have."""
 _TIME = re.compile(r"[0-9]{1,12}")
 
 
@@ -42,15 +45,15 @@ class _Reader:
     def __init__(self, document: Value) -> None:
         self.document = document
         self.lost: list[Lost] = []
-        self.keys: dict[str, str] = {}
-        """The key of each state in the state around it, by its id."""
+        self.inner: dict[tuple[str, str], Node] = {}
+        """The states by the id of the state around and their key."""
         self.named: dict[str, Node] = {}
         """The states that an `id` names."""
         self.taken: set[str] = set()
 
     def machine(self) -> Machine:
         name = self.id_of(self.document) or "machine"
-        top = Node(f"{name} machine", Shape.STATE, self.document.place, is_named=False)
+        top = Node(f" {name} machine", Shape.STATE, self.document.place, is_named=False)
         root = self.node(self.document, name, top)
         top.children.append(root)
         waiting = [(self.document, root)]
@@ -95,7 +98,7 @@ class _Reader:
             name = f"{parent.id}.{name}"
         self.taken.add(name)
         node = Node(name, shape, value.place, parent)
-        self.keys[name] = key
+        self.inner[parent.id, key] = node
         written = self.id_of(value)
         if written:
             if written in self.named:
@@ -177,24 +180,21 @@ class _Reader:
 
     def moves(self, node: Node, value: Value, events: tuple[str, ...], after: int | None = None) -> None:
         for item in value.listed():
-            targets: tuple[str, ...] = ()
             target = item if isinstance(item.plain, str) else item.get("target")
             reenter = item.get("reenter")
-            if target is not None:
-                targets = tuple(self.target(one, node).id for one in target.listed())
+            targets = [self.target(one, node) for one in target.listed()] if target is not None else []
+            stays = all(other is node or is_inside(other, node) for other in targets)
             guard, named = self.guard(item.get("guard") or item.get("cond"))
             self.others(item)
-            known = {node.id, *(other.id for other in self.inside(node))}
             node.moves.append(
                 Move(
                     tuple(one_line(event) for event in events),
-                    targets,
+                    tuple(other.id for other in targets),
                     item.place,
                     guard,
                     named,
                     self.doings(item.get("actions")),
-                    not (reenter is not None and reenter.plain is True)
-                    and all(one in known for one in targets),
+                    stays and not (reenter is not None and reenter.plain is True),
                     after,
                 )
             )
@@ -205,13 +205,6 @@ class _Reader:
                 why = "the language has nothing of the kind"
                 self.lost.append(Lost(f"`{one_line(name)[:60]}`", why, found.place))
 
-    def inside(self, node: Node) -> Iterator[Node]:
-        waiting = list(node.children)
-        while waiting:
-            found = waiting.pop()
-            yield found
-            waiting += found.children
-
     def target(self, value: Value, node: Node, *, is_initial: bool = False) -> Node:
         """The state that a target names: `#id`, `.child`, `sibling` or `sibling.child`.
 
@@ -220,25 +213,24 @@ class _Reader:
         text = one_line(value.text)
         if not text:
             raise Unreadable("a target is not a text", value.place)
+        if len(text) > LONGEST:
+            raise Unreadable(f"a target has more than {LONGEST} characters", value.place)
         found: Node | None
         if text.startswith("#"):
-            whole = text[1:]
-            ids = [name for name in self.named if whole == name or whole.startswith(f"{name}.")]
-            best = max(ids, key=len, default=None)
-            found = self.named[best] if best is not None else None
-            rest = whole[len(best) + 1 :] if best is not None else ""
+            best, rest = text[1:], ""
+            while best and best not in self.named:  # the longest id that it begins with
+                best, _, left = best.rpartition(".")
+                rest = f"{left}.{rest}" if rest else left
+            found = self.named.get(best)
         elif text.startswith("."):
             found, rest = node, text[1:]
         else:
             found, rest = (node if is_initial else node.parent), text
         for key in rest.split(".") if rest else ():
-            found = None if found is None else self.child(found, key)
+            found = None if found is None else self.inner.get((found.id, key))
         if found is None or found.parent is None:
             raise Unreadable(f"there is no state `{text[:60]}`", value.place)
         return found
-
-    def child(self, node: Node, key: str) -> Node | None:
-        return next((child for child in node.children if self.keys[child.id] == key), None)
 
     # ---- guards and actions ------------------------------------------------------------------
 

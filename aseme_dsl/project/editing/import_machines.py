@@ -39,17 +39,16 @@ def _settled(system: MachineSystem) -> Iterator[Diagnostic]:
             refused: dict[int, str] = {}
             for item in errors:
                 at = made.lines.get(item.span.line if item.span is not None else 0)
-                if at is None or not left:
+                if at is None:
                     refused |= dict.fromkeys(range(len(system.plans)), item.message)
                     continue
-                plan = system.plans[at[0]]
-                before = plan.problems.get(at[1])
-                if before is None:
-                    plan.problems[at[1]] = item.message
-                elif not before.startswith("!"):
-                    plan.problems[at[1]] = f"!{item.message}"
+                number, part = at
+                problems = system.plans[number].problems
+                before = "!" if part is None or not left else problems.get(part)
+                if part is None or (before is not None and before.startswith("!")):
+                    refused[number] = item.message
                 else:
-                    refused[at[0]] = item.message
+                    problems[part] = item.message if before is None else f"!{item.message}"
             for number, reason in refused.items():
                 place = system.plans[number].machine.root.place
                 yield Diagnostic(ForeignNotRead(place.source.path, reason), place)
