@@ -60,6 +60,8 @@ class _Kind(Enum):
     CALL = auto()
     OBJECT = auto()
 
+    __hash__ = object.__hash__  # that of an Enum is slow
+
 
 @dataclass(frozen=True, slots=True)
 class Layout:
@@ -181,7 +183,7 @@ class Memory:
                 todo, later = later, []
             item = todo.pop()
             own = type(item)
-            if own in plain or id(item) in seen:
+            if id(item) in seen or own in plain:
                 continue
             kind = known.get(own) or self._class(own)
             if own in plain:
@@ -194,7 +196,7 @@ class Memory:
                 for name, part in zip(content if kind.has_dict else kind.names, inside, strict=True):
                     (later if name in kind.unkeyed else todo).append(part)
             else:
-                todo += inside
+                todo += [part for part in inside if type(part) not in plain]
         objects = tuple(found)
         keyed = len(found) if keyed < 0 else keyed
         last = self._last[number]
@@ -424,6 +426,8 @@ class _Keying:
         return blake2b(marshal.dumps(cast(Any, found), 2), digest_size=16).digest()
 
     def _object(self, item: object, kind: _Class, content: Any) -> object:
+        if not content:  # what holds nothing
+            return ()
         value = self._value
         match kind.kind:
             case _Kind.LIST:
@@ -449,7 +453,7 @@ class _Keying:
         return tuple(values), tuple(boards), self._value(tuple(saved.seldom))
 
     def _board(self, held: Whole) -> object:
-        return self._value(held[0].messages()), *map(self._value, held[1:])
+        return tuple([self._value(part) if part else () for part in (held[0].messages(), *held[1:])])
 
     def _value(self, value: Any) -> object:
         kind = type(value)
@@ -457,6 +461,8 @@ class _Keying:
             return value
         if kind is str:
             return self._text(value)
+        if kind is frozenset:
+            return tuple(sorted(map(repr, map(self._value, value)))) if value else ()
         if kind is tuple:
             if len(value) == 2 and type(value[1]) is int and self._is_sender(value[0]):
                 return value[0], self._renamed(f"{value[0]}-", value[1])  # an identity
@@ -479,8 +485,6 @@ class _Keying:
         content = content_of(value)
         if content is not None:
             return "", self._renamed("", content.number), place_of(value)[1]
-        if isinstance(value, frozenset):
-            return tuple(sorted(map(repr, map(self._value, value))))
         if isinstance(value, tuple):
             return tuple([self._value(part) for part in value])
         if isinstance(value, partial | MethodType | FunctionType):
