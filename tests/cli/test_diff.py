@@ -309,7 +309,11 @@ srm sided {
   liveness { sided = Wait . (Left | Right) }
   control sided { enter Left : [is_left]  enter Right : else }
 }
-team T { one : robot  two : writer  three : sided  four : sided with is_left = true }
+srm cell {
+  liveness { cell = Wait . (First | Second) }
+  control cell { enter First : [index == 1]  enter Second : else }
+}
+team T { cell[1..2] : cell  one : robot  two : writer  three : sided  four : sided with is_left = true }
 """
 
 
@@ -327,8 +331,13 @@ team T { one : robot  two : writer  three : sided  four : sided with is_left = t
             "role sided",
             ["it begins", "Wait ends", "Left ends"],
         ),
+        (
+            [("(First | Second)", "(First | Second . Back)"), ("enter Second", "enter (Second . Back)")],
+            "role cell",
+            ["it begins", "Wait ends", "Second ends"],
+        ),
     ],
-    ids="initial-value age settings".split(),
+    ids="initial-value age settings index".split(),
 )
 def test_what_is_never_equal(here: Here, pairs: list[tuple[str, str]], role: str, inputs: list[str]) -> None:
     done = compare(here, TURNS, changed(TURNS, *pairs), "--json")

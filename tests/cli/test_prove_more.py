@@ -317,3 +317,17 @@ property "it is never high" { never one in High }
 """
     done = prove(text, "it is never high")
     assert (done.code, "one: level is 3.5" in done.out) == (1, True), done.out
+
+
+def test_agents_with_other_numbers_are_not_alike(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Numbered
+srm robot {
+  liveness { robot = Wait . Go . Rest }
+  control robot { enter Go : [index == 1] }
+}
+team T { cell[1..2] : robot }
+"""
+    done = prove(text, "deadlock")
+    assert "REFUTED   deadlock of team: cell2 waits after Wait for ever for [index == 1]" in done.out
+    assert prove(text.replace("== 1", "< 3"), "deadlock").code == 0

@@ -86,7 +86,8 @@ def behaviour_of(
         )
         for one, other in roles:
             told(f"comparing the role {other}")
-            agents = tuple(_agents(old.system, one, new.system, other))
+            plans = charts[0].charts[one].PLAN, charts[1].charts[other].PLAN
+            agents = tuple(_agents(old.system, new.system, plans))
             found.append(
                 _compared(f"role {other}", f"iac.{other}", charts, (one, other), agents, names, bounds)
             )
@@ -110,26 +111,24 @@ def _loaded(version: Compiled, system: System, folder: Path) -> Loaded:
     return load_system(package)
 
 
-def _agents(old: System, one: str, new: System, other: str) -> Iterator[tuple[str, str]]:
-    """Agents of both versions that play a role: one of those with the same settings in each.
+def _agents(old: System, new: System, plans: tuple[Plan, Plan]) -> Iterator[tuple[str, str]]:
+    """Agents of both versions that play a role: one of those that begin alike in each.
 
     Without a team, or for a role that has no agents, one that is called as the role.
     """
-    first, second = _settings(old, one), _settings(new, other)
+    first, second = _begins(old, plans[0]), _begins(new, plans[1])
     seen: set[object] = set()
-    for name, settings in second.items():
-        pair = name if name in first else next(iter(first), one)
-        if (key := (first.get(pair), settings)) not in seen:
+    for name, begins in second.items():
+        pair = name if name in first else next(iter(first))
+        if (key := (first[pair], begins)) not in seen:
             seen.add(key)
             yield pair, name
-    if not second:
-        yield next(iter(first), one), other
 
 
-def _settings(system: System, role: str) -> dict[str, str]:
-    """The agents of a role, each with what its variables hold at first."""
-    agents = (agent for team in system.teams for agent in team.agents if agent.role == role)
-    return {agent.name: repr([(name, value.value) for name, value in agent.settings]) for agent in agents}
+def _begins(system: System, plan: Plan) -> dict[str, str]:
+    """The agents of a role, each with what is its own when it begins."""
+    names = [agent.name for team in system.teams for agent in team.agents if agent.role == plan.name]
+    return {name: plan.begins(name) for name in names or [plan.name]}
 
 
 def _before(name: str, names: Mapping[str, str]) -> str:

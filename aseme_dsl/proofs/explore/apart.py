@@ -33,13 +33,14 @@ def groups_of(team: Team, plans: Mapping[str, Plan]) -> list[Team]:
 
 
 def _unlike(groups: Sequence[Sequence[tuple[str, str]]], plans: Mapping[str, Plan]) -> Iterator[Team]:
-    seen: set[str] = set()
+    seen: set[object] = set()
     for group in groups:
         name, role = group[0]
-        if len(group) == 1 and all(agent != name for agent, _, _ in plans[role].settings):
-            if role in seen:
+        if len(group) == 1:
+            begins = role, plans[role].begins(name)
+            if begins in seen:
                 continue
-            seen.add(role)
+            seen.add(begins)
         yield tuple(group)
 
 

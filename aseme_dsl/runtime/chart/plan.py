@@ -251,6 +251,11 @@ class Plan:
     def by_label(self) -> dict[str, State]:
         return {state.label: state for state in self.states}
 
+    def begins(self, agent: str) -> str:
+        """What is its own of an agent when it begins: its settings and its number, as a text."""
+        settings = [(name, value) for other, name, value in self.settings if other == agent]
+        return repr((settings, dict(self.numbers).get(agent, 1)))
+
     def are_concurrent(self, one: str, other: str) -> bool:
         """Whether two states, by their labels, are in different regions of an AND."""
         common = 0
