@@ -331,3 +331,22 @@ team T { cell[1..2] : robot }
     done = prove(text, "deadlock")
     assert "REFUTED   deadlock of team: cell2 waits after Wait for ever for [index == 1]" in done.out
     assert prove(text.replace("== 1", "< 3"), "deadlock").code == 0
+
+
+def test_a_text_that_no_condition_names_is_tried(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Names
+message Call { string name }
+topic voice { state Call }
+srm robot {
+  liveness { robot = Wait . (Mine | Another | Rest) }
+  control robot {
+    enter Mine    : [voice.state.Call.name == "bob"]
+    enter Another : [voice.state.Call.name != "bob"]
+    enter Rest    : else
+  }
+}
+team T { bob : robot }
+property "it is mine" { never bob in Another }
+"""
+    assert prove(text, "it is mine").code == 1

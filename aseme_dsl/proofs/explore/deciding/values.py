@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from enum import IntEnum
-from itertools import islice, pairwise, product
+from itertools import count, islice, pairwise, product
 from types import NoneType, UnionType
 from typing import Union, cast, get_args, get_origin
 
@@ -415,11 +415,20 @@ def _values(kind: object, known: _Class, agents: Sequence[str]) -> Tried:
         return _numbers(known, numbers, 1.0)
     if kind is str:
         texts = sorted(item for item in known.constants if isinstance(item, str))
-        return Tried((*agents, *texts) if agents else ("", *texts), is_all=not known.is_compared)
+        return Tried(tuple(_texts(agents, texts)), is_all=not known.is_compared)
     if get_origin(kind) in (Union, UnionType):
         there = _values(next(arm for arm in get_args(kind) if arm is not NoneType), known, agents)
         return Tried((None, *there.values), there.is_all)
     return Tried((_default(kind),), is_all=False)
+
+
+def _texts(agents: Sequence[str], constants: Sequence[str]) -> dict[str, None]:
+    """The names of agents and these constants, with a text that is none of the constants."""
+    found = dict.fromkeys((*agents, *constants))
+    if found.keys() == set(constants):
+        other = next(text for text in map("other".__mul__, count()) if text not in found)
+        found = {other: None, **found}
+    return found
 
 
 def _numbers(known: _Class, constants: Sequence[float], step: float) -> Tried:
