@@ -444,6 +444,17 @@ def test_an_activity_that_is_all_of_a_chart_and_repeats_has_the_sign_of_what_nev
     assert len(shapes(picture, Form.ENDLESS)) == 1
 
 
+def test_a_loop_that_events_leave_has_no_sign_of_what_never_ends() -> None:
+    control = "repeat part : [n > 1]\n leave part : when [n > 2]"
+    formulas = "r = part+ . C  part = A . B"
+    chart = chart_of(
+        f"system S\nsrm r {{ var n : int = 0\n liveness {{ {formulas} }}\n control r {{ {control} }} }}"
+    )
+    picture = layout(chart)
+    assert faults(chart, picture) == []
+    assert shapes(picture, Form.ENDLESS) == []
+
+
 def spoken(text: str) -> list[str]:
     """What a screen reader says of the drawing, in its order."""
     (drawing,) = draw_statechart(chart_of(text))
@@ -463,14 +474,31 @@ def test_a_screen_reader_says_each_state_and_then_the_lines_that_leave_it() -> N
         "system S\nsrm r { var n : int = 0  liveness { r = part || (D | E)~  part = A . B }\n"
         "control r { enter D : [n > 1]\n enter E : else } }"
     )
-    assert said[:2] == ["IAC r of S", "parallel regions part || (D | E)~"]
-    first = said.index("activity A")
-    assert said[first + 1 : first + 3] == ["A → B: when complete", "activity B"]
-    assert said.index("region 0.2.2") > said.index("activity B")
-    choice = said.index("choice")
-    assert said[choice + 1].endswith("→ D: [n > 1]") and said[choice + 2].endswith("→ E: else")
+    assert said[:3] == ["IAC r of S", "r", "IAC of S: 23 states, 16 transitions"]
+    assert "parallel regions part || (D | E)~" in said
+    first = said.index("activity A, in part")
+    assert said[first + 1 : first + 3] == ["A to B: when complete", "activity B, in part"]
+    assert said.index("region 2 of part || (D | E)~") > said.index("activity B, in part")
+    choice = said.index("choice of (D | E)")
+    assert said[choice + 1 : choice + 3] == [
+        "choice of (D | E) to D: [n > 1]",
+        "choice of (D | E) to E: else",
+    ]
     assert "[n > 1]" not in said, "the text at a line is said with it"
     assert all(said)
+
+
+def test_a_screen_reader_says_words_for_signs_and_what_stays_in_a_state() -> None:
+    said = spoken(
+        'system S\nsrm r { var n : int = 0 var s : string = ""  liveness { r = work [> C  work = A . B }\n'
+        'control r { enter C : when [n > 1 && s != "&&" && !(n == 3)]\n'
+        'on work : e / n = 2\n on A : [n > 2] / s = "x" } }'
+    )
+    assert "group work; on e / n = 2" in said
+    assert 'activity A, in work; on [n > 2] / s = "x"' in said
+    assert 'work to C: at once, when [n > 1 and s != "&&" and not (n == 3)]' in said
+    assert "B to end of r: when complete" in said
+    assert not re.search(r"\d\.\d|→", "".join(said)), "no labels of states, no arrows"
 
 
 @pytest.mark.parametrize("name", ["hospital", "robocup"])

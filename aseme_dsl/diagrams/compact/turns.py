@@ -32,7 +32,7 @@ def loop(
         behind = replace(behind, points=(*behind.points, (x, axis)), at=x)
     texts = back(words, wide, links.again, behind, joint, body.up)
     room.add(*texts)
-    if signs or not links.onward:
+    if signs or not (links.onward or links.events):
         written = [item.x + item.width for item in texts if isinstance(item, Text)]
         line = next(item for item in texts if isinstance(item, Line))
         room.add(endless(max(written, default=joint + 4) + 6, line.points[-2][1] - 7, label, signs))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from functools import lru_cache
 
@@ -71,6 +71,12 @@ def width(text: str, look: Look) -> float:
     if _ONE_FIGURE.search(plain):
         plain += "0"
     return room_for(plain, SIZES[look], bold=look in BOLD) + (ICON if sign else 0)
+
+
+def outside_quotes(text: str, changed: Callable[[str], str]) -> str:
+    """The text, changed but for what stands in quotes."""
+    parts = _QUOTED.split(text)
+    return "".join(part if number % 2 else changed(part) for number, part in enumerate(parts))
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,8 +194,7 @@ class Words:
 
     def short(self, text: str) -> str:
         """The text with `and` and `or` for signs, and constants and channels without what is around them."""
-        parts = _QUOTED.split(text)
-        return "".join(part if number % 2 else self._shorter(part) for number, part in enumerate(parts))
+        return outside_quotes(text, self._shorter)
 
     def lets(self) -> dict[str, str]:
         """What each name of a `let` stands for that has been written, in the order of the chart.

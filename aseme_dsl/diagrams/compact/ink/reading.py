@@ -6,24 +6,28 @@ with them, so their texts are not read a second time.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from typing import assert_never
 
-from aseme_dsl.amola.statechart import Statechart, StateType
+from aseme_dsl.amola.statechart import Statechart, StateType, transition_text
 from aseme_dsl.diagrams.compact.elements import Element, Form, Line, Picture, Shape, Text
+from aseme_dsl.diagrams.compact.words import outside_quotes
 
 _FRAMES = (Form.FRAME, Form.PARALLEL, Form.PROTOCOL, Form.STACK)
-_SIGNS = {
-    Form.CHOICE: "choice",
-    Form.INITIAL: "start",
-    Form.FINAL: "end",
-    Form.STACK: "several equal regions",
-}
+_NOT = re.compile(r"!(?!=)")
+_POINTS = {StateType.START: "start", StateType.END: "end", StateType.CONDITION: "choice"}
+
+
+def top_of(picture: Picture) -> float:
+    """Where the highest shape begins: what stands above, as the title, is read first."""
+    return min((item.y for item in picture.elements if isinstance(item, Shape)), default=0.0)
 
 
 def in_order(chart: Statechart, picture: Picture) -> list[Element]:
-    """The elements from back to front: frames, states with the lines that leave them, texts."""
+    """The elements from back to front: the title, frames, states with the lines that leave them, texts."""
     places = {state.label: place for place, state in enumerate(chart.states)}
+    top = top_of(picture)
 
     def key(item: Element) -> tuple[int, int, int]:
         match item:
@@ -35,7 +39,7 @@ def in_order(chart: Statechart, picture: Picture) -> list[Element]:
                 source = chart.transitions[item.chain[0][0]].source if item.chain else None
                 return 1, -1 if source is None else places[source], 1
             case Text():
-                return 2, 0, 0
+                return (2, 0, 0) if item.y > top else (-1, 0, 0)
             case _:
                 assert_never(item)
 
@@ -50,7 +54,8 @@ def names(chart: Statechart, picture: Picture) -> dict[Shape, str]:
         state = chart.node(shape.state)
         match shape.form:
             case Form.ACTIVITY:
-                said[shape] = f"activity {inside}"
+                around = _around(chart, shape.state)
+                said[shape] = f"activity {inside}{f', in {around}' if around else ''}"
             case Form.PILL:
                 said[shape] = f"always {inside}"
             case Form.CLOSED:
@@ -58,15 +63,43 @@ def names(chart: Statechart, picture: Picture) -> dict[Shape, str]:
             case Form.ENDLESS:
                 said[shape] = f"{_called(chart, shape.state)} never ends"
             case Form.FIELD:
-                said[shape] = f"region {_called(chart, shape.state)}"
+                said[shape] = _called(chart, shape.state)
             case Form.FRAME | Form.PARALLEL | Form.PROTOCOL:
                 kind = "parallel regions" if state.type is StateType.AND else "group"
                 said[shape] = f"{kind} {inside or _called(chart, shape.state)}"
-            case Form.CHOICE | Form.INITIAL | Form.FINAL | Form.STACK:
-                said[shape] = _SIGNS[shape.form]
+            case Form.CHOICE | Form.INITIAL | Form.FINAL:
+                said[shape] = _called(chart, shape.state)
+            case Form.STACK:
+                said[shape] = "several equal regions"
             case _:
                 assert_never(shape.form)
+        if shape.form in (Form.ACTIVITY, *_FRAMES):
+            staying = (place for place in shape.marks if not chart.transitions[place].changes_state)
+            said[shape] = "; ".join((said[shape], *_texts(chart, staying)))
     return said
+
+
+def line_name(chart: Statechart, line: Line) -> str:
+    """What a screen reader says of a line: from which state it leads to which, and when."""
+    first, last = line.chain[0][0], line.chain[-1][0]
+    ends = chart.transitions[first].source, chart.transitions[last].target
+    texts = ("; or ".join(_texts(chart, link)) for link in line.chain)
+    when = ", then ".join(filter(None, texts)) or "when complete"
+    return f"{_called(chart, ends[0])} to {_called(chart, ends[1])}: {when}"
+
+
+def _texts(chart: Statechart, places: Iterable[int]) -> list[str]:
+    """What is said of transitions; of one without a word, that it is taken if it is one of several."""
+    found = [transition_text(chart.transitions[place]) for place in places]
+    if not any(found):
+        return []
+    return [outside_quotes(text, _spoken) or "when complete" for text in found]
+
+
+def _spoken(text: str) -> str:
+    """A text with words for signs that a screen reader leaves out."""
+    text = text.replace("&&", "and").replace("||", "or").replace("[>", "at once,")
+    return _NOT.sub("not ", text)
 
 
 def silent(picture: Picture) -> set[Text]:
@@ -76,7 +109,23 @@ def silent(picture: Picture) -> set[Text]:
 
 
 def _called(chart: Statechart, label: str) -> str:
-    return chart.node(label).name
+    """What a listener knows a state by: its name, or what it is of a state around it that has one."""
+    state = chart.node(label)
+    if state.parent is None:
+        return chart.name
+    if state.type in _POINTS:
+        return f"{_POINTS[state.type]} of {_called(chart, state.parent)}"
+    if chart.is_region(label):
+        regions = [item.label for item in chart.children(state.parent)]
+        number = f"region {regions.index(label) + 1} of {_called(chart, state.parent)}"
+        return number if state.name == label else f"region {state.name}"
+    return state.name if state.name != label else f"a part of {_called(chart, state.parent)}"
+
+
+def _around(chart: Statechart, label: str) -> str:
+    """The name of the innermost formula around a state, if it has one."""
+    names = (state.name for state in chart.ancestors(label) if state.parent is not None)
+    return next((name for name in names if name.isidentifier()), "")
 
 
 def _written(picture: Picture) -> Iterator[tuple[Shape, list[Text]]]:
@@ -98,4 +147,4 @@ def _holds(shape: Shape, item: Text) -> bool:
     return shape.x <= item.x <= shape.x + shape.width and shape.y <= item.y <= shape.y + shape.height
 
 
-__all__ = ["in_order", "names", "silent"]
+__all__ = ["in_order", "line_name", "names", "silent", "top_of"]

@@ -19,7 +19,7 @@ from aseme_dsl.diagrams.compact.elements import (
     Text,
 )
 from aseme_dsl.diagrams.compact.ink.colours import branch_colour, style
-from aseme_dsl.diagrams.compact.ink.reading import in_order, names, silent
+from aseme_dsl.diagrams.compact.ink.reading import in_order, line_name, names, silent, top_of
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS, Sign
 from aseme_dsl.diagrams.compact.words import BOLD, ICON
 from aseme_dsl.diagrams.look.labels import printable, text_width
@@ -47,12 +47,12 @@ def svg(
         f'<rect class="paper" width="{width:g}" height="{height:g}"/>',
     ]
     known: Counter[str] = Counter()
-    spoken, unread = names(chart, picture), silent(picture)
+    spoken, unread, top = names(chart, picture), silent(picture), top_of(picture)
     texts: dict[bool, list[str]] = {True: [], False: []}
     for item in in_order(chart, picture):
         made = _element(chart, item, known, files, spoken)
         leads = files.get(item.state) if isinstance(item, Shape) and item.form is Form.CLOSED else None
-        if isinstance(item, Text):
+        if isinstance(item, Text) and (item in unread or item.y > top):
             texts[item in unread] += made
         else:
             parts += (f'<a href="{_text(leads)}">', *made, "</a>") if leads else made
@@ -121,7 +121,7 @@ def _line(chart: Statechart, item: Line) -> Iterator[str]:
     chain = "|".join(",".join(map(str, link)) for link in item.chain)
     name = f' id="t{places[0]}"' if places else ""
     others = places[1:]
-    role = ' role="img"' if tip else ""
+    role = f' role="img" aria-label="{_text(line_name(chart, item))}"' if tip else ""
     yield f'<g{name} class="line"{role} data-c="{chain}" data-t="{" ".join(map(str, places))}">'
     if tip:
         yield f"<title>{_text(tip)}</title>"
