@@ -79,6 +79,11 @@ def test_what_xml_cannot_hold_is_made_visible() -> None:
     assert "bell␇ nul␀ tab␉ lone\ufffd \ufffd" in shown.says("goal.0")
 
 
+def test_no_sign_turns_the_text_around_it() -> None:
+    shown = Picture(render(drawing_of_goal("one \u202e two \u2066 three"), "svg"))
+    assert "one \ufffd two \ufffd three" in shown.says("goal.0")
+
+
 @pytest.mark.parametrize(
     ("text", "width", "lines"),
     [

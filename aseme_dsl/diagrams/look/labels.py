@@ -11,7 +11,8 @@ from functools import lru_cache, partial
 from aseme_dsl.diagrams.look import style
 from aseme_dsl.records import dataclass
 
-_UNPRINTABLE = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]")
+# Among them are those that would turn the direction of all text behind them.
+_UNPRINTABLE = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufffe\uffff]")
 _PIECES = re.compile(r"\S+\s*")
 _HUMPS = re.compile(r"(?<=[_.(])|(?<=[a-z0-9])(?=[A-Z])")
 
@@ -45,7 +46,7 @@ class Html(str):
 
 
 def printable(text: str) -> str:
-    """The text without what XML and Graphviz cannot hold: control characters become their pictures."""
+    """The text without what XML and Graphviz cannot hold: control characters become pictures."""
 
     def picture(match: re.Match[str]) -> str:
         code = ord(match[0])

@@ -19,15 +19,17 @@ _NOT = re.compile(r"!(?!=)")
 _POINTS = {StateType.START: "start", StateType.END: "end", StateType.CONDITION: "choice"}
 
 
-def top_of(picture: Picture) -> float:
-    """Where the highest shape begins: what stands above, as the title, is read first."""
-    return min((item.y for item in picture.elements if isinstance(item, Shape)), default=0.0)
+def headings(picture: Picture) -> set[Text]:
+    """The texts that are read first: the title and what else stands above all states."""
+    top = min((item.y for item in picture.elements if isinstance(item, Shape)), default=0.0)
+    texts = (item for item in picture.elements if isinstance(item, Text) and item.of is None)
+    return {item for item in texts if item.y < top}
 
 
 def in_order(chart: Statechart, picture: Picture) -> list[Element]:
     """The elements from back to front: the title, frames, states with the lines that leave them, texts."""
     places = {state.label: place for place, state in enumerate(chart.states)}
-    top = top_of(picture)
+    first = headings(picture)
 
     def key(item: Element) -> tuple[int, int, int]:
         match item:
@@ -39,7 +41,7 @@ def in_order(chart: Statechart, picture: Picture) -> list[Element]:
                 source = chart.transitions[item.chain[0][0]].source if item.chain else None
                 return 1, -1 if source is None else places[source], 1
             case Text():
-                return (2, 0, 0) if item.y > top else (-1, 0, 0)
+                return (-1, 0, 0) if item in first else (2, 0, 0)
             case _:
                 assert_never(item)
 
@@ -147,4 +149,4 @@ def _holds(shape: Shape, item: Text) -> bool:
     return shape.x <= item.x <= shape.x + shape.width and shape.y <= item.y <= shape.y + shape.height
 
 
-__all__ = ["in_order", "line_name", "names", "silent", "top_of"]
+__all__ = ["headings", "in_order", "line_name", "names", "silent"]

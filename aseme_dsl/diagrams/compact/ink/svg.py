@@ -19,7 +19,7 @@ from aseme_dsl.diagrams.compact.elements import (
     Text,
 )
 from aseme_dsl.diagrams.compact.ink.colours import branch_colour, style
-from aseme_dsl.diagrams.compact.ink.reading import in_order, line_name, names, silent, top_of
+from aseme_dsl.diagrams.compact.ink.reading import headings, in_order, line_name, names, silent
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS, Sign
 from aseme_dsl.diagrams.compact.words import BOLD, ICON
 from aseme_dsl.diagrams.look.labels import printable, text_width
@@ -47,12 +47,12 @@ def svg(
         f'<rect class="paper" width="{width:g}" height="{height:g}"/>',
     ]
     known: Counter[str] = Counter()
-    spoken, unread, top = names(chart, picture), silent(picture), top_of(picture)
+    spoken, unread, first = names(chart, picture), silent(picture), headings(picture)
     texts: dict[bool, list[str]] = {True: [], False: []}
     for item in in_order(chart, picture):
         made = _element(chart, item, known, files, spoken)
         leads = files.get(item.state) if isinstance(item, Shape) and item.form is Form.CLOSED else None
-        if isinstance(item, Text) and (item in unread or item.y > top):
+        if isinstance(item, Text) and item not in first:
             texts[item in unread] += made
         else:
             parts += (f'<a href="{_text(leads)}">', *made, "</a>") if leads else made
