@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from itertools import islice
 from typing import assert_never
 
@@ -16,6 +15,7 @@ from aseme_dsl.diagrams.compact.elements import Form, Line, Picture, Shape, Text
 from aseme_dsl.diagrams.compact.ink.svg import svg, text_id
 from aseme_dsl.diagrams.compact.ink.xdot import dot
 from aseme_dsl.diagrams.compact.layout import scale, texts_of
+from aseme_dsl.diagrams.compact.nodes import NOT_DRAWN
 from aseme_dsl.diagrams.compact.pages import Page, divided, whole
 from aseme_dsl.diagrams.look.dot import Kind, Shown
 from aseme_dsl.diagrams.look.drawing import Drawing, NoSuchState, Options, PageSize, piece_name
@@ -71,17 +71,35 @@ def _drawings(
     shapes = (item for item in picture.elements if isinstance(item, Shape))
     closed = tuple(item.state for item in shapes if item.form is Form.CLOSED)
     measures = picture.width, picture.height
-    made = Drawing(
-        name, dot(chart, picture, paper), _shown(picture), picture=drawn, closed=closed, size=measures
-    )
+    notes = list(_left_out(picture, name))
     if size is not None and scale(picture, size.room) < 1:
         percent = f"{scale(picture, size.room):.0%}"
-        note = f"{name} has no smaller formula to close: it fits on the page at {percent}"
-        made = replace(made, note=note)
+        notes.append(f"{name} has no smaller formula to close: it fits on the page at {percent}")
+    made = Drawing(
+        name,
+        dot(chart, picture, paper),
+        _shown(picture),
+        picture=drawn,
+        note="; ".join(notes),
+        closed=closed,
+        size=measures,
+    )
     yield made
     for number, texts in enumerate(picture.texts, 1):
         called = f"{name}.texts{number if number > 1 else ''}"
         yield Drawing(called, dot(chart, texts, paper), picture=svg(chart, texts, files=files))
+
+
+def _left_out(picture: Picture, name: str) -> Iterator[str]:
+    """What must be said of the parts that have no compact drawing."""
+    texts = [item for item in picture.elements if isinstance(item, Text) and item.text.startswith(NOT_DRAWN)]
+    for shape in (item for item in picture.elements if isinstance(item, Shape) and item.form is Form.CLOSED):
+        inside = (item for item in texts if shape.x < item.x < shape.x + shape.width)
+        for reason in (item for item in inside if shape.y < item.y < shape.y + shape.height):
+            yield (
+                f"{name} is without the inside of state {shape.state}: "
+                f"{reason.text.removeprefix(NOT_DRAWN)}; --layout nested --at {shape.state} draws it"
+            )
 
 
 def _shown(picture: Picture) -> tuple[Shown, ...]:

@@ -25,6 +25,10 @@ _ROW_OF_PILLS = 1100
 """How wide a row of pills may be, in px."""
 
 
+NOT_DRAWN = "not drawn: "
+"""What a box says before the reason why it has no compact drawing."""
+
+
 class Nodes:
     """Draws the states of one chart that have nothing inside, where a line has so much `room`."""
 
@@ -93,7 +97,7 @@ class Nodes:
             (f"{count} {'activity' if count == 1 else 'activities'}, {len(states)} states", Look.SMALL)
         )
         if block.reason:
-            rows.append((f"not drawn: {block.reason}", Look.SMALL))
+            rows.append((f"{NOT_DRAWN}{block.reason}", Look.SMALL))
         wide = max(max(width(*row) for row in rows) + 2 * PAD + 8, least)
         marks = (*transitions_in(chart, block.label), *signs)
         room = Room()
