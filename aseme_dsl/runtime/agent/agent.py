@@ -46,7 +46,7 @@ from aseme_dsl.runtime.trace.trace import Trace
 from aseme_dsl.runtime.world.body import AnyBody
 
 FOLLOWING = 900
-"""After so many steps in a row for which only variables ask, an agent's regions wake each other for ever."""
+"""After so many steps in a row that only variables and raised events ask for, an agent would never rest."""
 PAID = 10
 """So many such steps an input may cause. With inputs in quick succession there is never a step without one
 that follows, though nothing goes round."""
@@ -328,8 +328,8 @@ class Agent:
         self.trace.step(now, self.name, self.plan, self.steps, identities, self._ahead, outcome, changed)
 
     def _follow(self, has_inputs: bool) -> None:
-        """Count the steps in a row that only variables have asked for, and stop an agent that makes them for
-        ever: its regions wake each other. An input pays for some of them, and so does a queued signal."""
+        """Count the steps in a row that only variables and raised events have asked for, and stop an agent
+        that makes them for ever. An input pays for some of them, and so does a queued signal."""
         if not self.chart.woken:
             self._following = 0
         elif has_inputs:
@@ -338,9 +338,9 @@ class Agent:
             self._following += 1
         self.chart.woken = False
         if self._following >= FOLLOWING:
-            self.fail(
-                f"{FOLLOWING} steps follow each other and no end, its regions wake each other: {self.cycle()}"
-            )
+            raising = "its actions raise events without an end"
+            why = raising if self.chart.raised else "its regions wake each other"
+            self.fail(f"{FOLLOWING} steps follow each other and no end, {why}: {self.cycle()}")
 
     def _show(self, labels: Mapping[str, str] | None = None) -> None:
         """Show the chart with its behaviours, if it is to be shown so. One that continues another, by

@@ -303,6 +303,24 @@ srm R {
 """
 
 
+RAISING = """
+system S
+srm R {
+  liveness { R = A }
+  control R { enter A : / raise ping  on A : ping / raise pong  on A : pong / raise ping }
+  activities { A takes 1s }
+}
+"""
+
+
+@pytest.mark.parametrize("clock", ["virtual", "real"])
+def test_events_that_raise_each_other_for_ever_stop_their_agent(clock: str) -> None:
+    failure = play(RAISING, clock=clock).result.agents[0].failure or ""
+    assert "steps follow each other" in failure
+    assert "its actions raise events without an end" in failure
+    assert "wake" not in failure
+
+
 @pytest.mark.parametrize("clock", ["virtual", "real"])
 def test_regions_that_wake_each_other_for_ever_stop_their_agent(clock: str) -> None:
     """ "steps that do not end at one instant of virtual time, are a reported error that names the cycle" """
