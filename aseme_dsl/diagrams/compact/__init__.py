@@ -15,7 +15,6 @@ from aseme_dsl.diagrams.compact.elements import Form, Line, Picture, Shape, Text
 from aseme_dsl.diagrams.compact.ink.svg import svg, text_id
 from aseme_dsl.diagrams.compact.ink.xdot import dot
 from aseme_dsl.diagrams.compact.layout import scale, texts_of
-from aseme_dsl.diagrams.compact.nodes import NOT_DRAWN
 from aseme_dsl.diagrams.compact.pages import Page, divided, whole
 from aseme_dsl.diagrams.look.dot import Kind, Shown
 from aseme_dsl.diagrams.look.drawing import Drawing, NoSuchState, Options, PageSize, piece_name
@@ -92,13 +91,11 @@ def _drawings(
 
 def _left_out(picture: Picture, name: str) -> Iterator[str]:
     """What must be said of the parts that have no compact drawing."""
-    texts = [item for item in picture.elements if isinstance(item, Text) and item.text.startswith(NOT_DRAWN)]
-    for shape in (item for item in picture.elements if isinstance(item, Shape) and item.form is Form.CLOSED):
-        inside = (item for item in texts if shape.x < item.x < shape.x + shape.width)
-        for reason in (item for item in inside if shape.y < item.y < shape.y + shape.height):
+    for item in picture.elements:
+        if isinstance(item, Shape) and item.reason:
             yield (
-                f"{name} is without the inside of state {shape.state}: "
-                f"{reason.text.removeprefix(NOT_DRAWN)}; --layout nested --at {shape.state} draws it"
+                f"{name} is without the inside of state {item.state}: {item.reason}; "
+                f"--layout nested --at {item.state} draws it"
             )
 
 

@@ -103,6 +103,8 @@ class Shape:
     """
     also: tuple[str, ...] = ()
     """Other states that have the same border: the formula that is nothing but this frame."""
+    reason: str = ""
+    """Why what is inside has no compact drawing, if it has none."""
 
 
 @dataclass(frozen=True, slots=True)

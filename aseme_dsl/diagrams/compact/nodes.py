@@ -25,10 +25,6 @@ _ROW_OF_PILLS = 1100
 """How wide a row of pills may be, in px."""
 
 
-NOT_DRAWN = "not drawn: "
-"""What a box says before the reason why it has no compact drawing."""
-
-
 class Nodes:
     """Draws the states of one chart that have nothing inside, where a line has so much `room`."""
 
@@ -97,13 +93,14 @@ class Nodes:
             (f"{count} {'activity' if count == 1 else 'activities'}, {len(states)} states", Look.SMALL)
         )
         if block.reason:
-            rows.append((f"{NOT_DRAWN}{block.reason}", Look.SMALL))
+            rows.append((f"not drawn: {block.reason}", Look.SMALL))
         wide = max(max(width(*row) for row in rows) + 2 * PAD + 8, least)
         marks = (*transitions_in(chart, block.label), *signs)
         room = Room()
         if line is not None:
             room.add(line_to(line, (x, 0)))
-        room.add(Shape(Form.CLOSED, x, -_HALF, wide, 2 * _HALF + (len(rows) - 1) * PITCH, block.label, marks))
+        high = 2 * _HALF + (len(rows) - 1) * PITCH
+        room.add(Shape(Form.CLOSED, x, -_HALF, wide, high, block.label, marks, reason=block.reason))
         room.add(*(text(x + PAD, 4.5 + number * PITCH, *row) for number, row in enumerate(rows)))
         return room.placed(None if self._plan.is_endless(block.label) else pen(x + wide))
 
