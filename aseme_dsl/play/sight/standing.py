@@ -114,7 +114,7 @@ def _deadline(plan: Plan, label: str, since: int) -> str:
     within = next((info.within for info in plan.activities if info.name == activity), None)
     if within is None:
         return ", and has no deadline"
-    return f" (it may take {shown(within)}, and fails at {readable(since + within)} if it has not by then)"
+    return f" (it may take {shown(within)}, and fails at {readable(since + within)})"
 
 
 def _awaited(

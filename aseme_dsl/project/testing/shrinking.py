@@ -111,8 +111,7 @@ def _is_awaited(script: Script, run: Played) -> bool:
 
 def _is_alike(run: Played, found: Played) -> bool:
     """Whether the expectation is broken by the same: what it reads, what came instead, who failed and why."""
-    pairs = ((run.read, found.read), (run.near, found.near), (run.failures, found.failures))
-    return all(one == other for one, other in pairs)
+    return (run.read, run.near, run.failures) == (found.read, found.near, found.failures)
 
 
 def _as_far(run: Played, found: Played) -> bool:
