@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, assert_never, cast
 
 from aseme_dsl.amola import expression as e
@@ -33,6 +33,8 @@ from aseme_dsl.play.sight.storyteller import About, Storyteller
 from aseme_dsl.play.sight.words import Said, failing, few, leaf_names, went_wrong
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.conversation.losses import FAREWELLS
+from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD
 from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
 from aseme_dsl.runtime.team.ending import Waiting
 from aseme_dsl.runtime.time.clock import readable
@@ -73,6 +75,7 @@ class _Happening:
     failed: str | None = None
 
 
+_REFUSALS = frozenset((*FAREWELLS, NOT_UNDERSTOOD))
 _NOTHING = _Happening()
 _NONE: frozenset[str] = frozenset()
 
@@ -119,6 +122,8 @@ class Observer:
         self._arrived: dict[tuple[str, str, int], int] = {}
         self._near: dict[int, tuple[str, Said]] = {}
         """By condition: who sent or received the last message that only its filter has refused."""
+        self._refusals: dict[tuple[str, bool], Said] = {}
+        """What has last been said by an agent, or (True) to it, that ends or refuses something."""
         self._held: frozenset[int] = frozenset()
         self._passing = _passing(script.conditions)
         self._aged = _aged(script.conditions)
@@ -167,10 +172,13 @@ class Observer:
                 self.failures[record["agent"]] = why
                 self._note(record["agent"], f"fails: {why}")
                 self._look(_Happening(failed=record["agent"]))
-            case "conversation" if self._clauses and record["agent"] in self._agents:
-                branches = {info.label: info.protocol for info in self._plan(record["agent"]).branches}
-                self._clauses.conversation(record, branches[record["branch"]], self._now)
-                self._take_clauses()
+            case "conversation" if record["agent"] in self._agents:
+                if self._teller is not None and record["what"] == "gone" and "sequence" in record:
+                    self._teller.gone(record)
+                if self._clauses:
+                    branches = {info.label: info.protocol for info in self._plan(record["agent"]).branches}
+                    self._clauses.conversation(record, branches[record["branch"]], self._now)
+                    self._take_clauses()
             case "activity" if record["what"] in ("end", "crash") and self._teller is not None:
                 self._teller.end(record)
             case "lost" | "unexpected" | "unsent" | "refused" | "expired":
@@ -279,9 +287,7 @@ class Observer:
             if plan.name == self._roles[agent]:
                 entered |= new
         if record["taken"] and self._teller is not None:
-            self._teller.step(
-                self._now, agent, plan, followed.leaves, record["taken"], lambda: self._known(agent)
-            )
+            self._teller.step(record, plan, followed.leaves, lambda: self._known(agent))
         if self._timers:
             self._wake_for_timers(agent)
         self._look(_Happening({agent: frozenset(entered)}, received=tuple(received)))
@@ -306,7 +312,7 @@ class Observer:
         if self._teller is not None:
             self._teller.arrived(agent, identity)
             if said.sender != agent:
-                self._teller.received(self._now, agent, said)
+                self._teller.received(self._now, agent, said, identity)
         self._has_received(agent, said, identity)
 
     def _has_received(self, agent: str, said: Said, identity: tuple[str, int]) -> None:
@@ -338,10 +344,11 @@ class Observer:
             return
         self._said[agent, record["sequence"]] = said
         if record["kind"] != "radio_received" and sender in self._agents:
-            number = int(record["sequence"])
+            if said.performative in _REFUSALS:
+                self._refusals.update(((name, is_to), said) for name, is_to in _ends(said, record))
             if self._teller is not None:
-                is_given = agent not in self._agents or (agent, number) in self.given
-                self._teller.sent(said, agent, number, record.get("to", []), is_given)
+                is_given = agent not in self._agents or (agent, record["sequence"]) in self.given
+                self._teller.sent(said, record, is_given)
             self._look(_Happening(sent=said))
 
     def _plan(self, agent: str) -> Plan:
@@ -391,17 +398,20 @@ class Observer:
     @property
     def question(self) -> Next | None:
         """What to ask next about the broken expectation."""
-        from aseme_dsl.play.sight.subject import Next, question
+        from aseme_dsl.play.sight.subject import Next, question, turned_away
 
         if self.broken is None:
             return None
         rule, state = self.script.expectations[self.broken].rule, self.states[self.broken]
         found = question(self.script, rule, state, self._held, self._plan)
         near = next((self._near[number] for number in self._asked() if number in self._near), None)
-        if found is None or near is None or found.is_why:
+        if found is None or found.is_why:
             return found
-        agent, said = near  # that it came can be explained, with the values that it has
-        return Next(agent, found.what, True, said.moment) if agent == said.sender else found
+        if near is not None:  # that it came can be explained, with the values that it has
+            agent, said = near
+            return Next(agent, found.what, True, said.moment) if agent == said.sender else found
+        taken = {} if self._teller is None else self._teller.taken[found.agent]
+        return replace(found, at=turned_away(self._plan(found.agent), found.what, taken))
 
     def _asked(self) -> Iterator[int]:
         """The conditions that decide on the broken expectation, with all their parts."""
@@ -425,15 +435,26 @@ class Observer:
                 yield from self._located(condition)
 
     def _refused(self) -> Iterator[str]:
-        """Which messages came that the broken expectation would speak of, were it not for their values."""
+        """Which messages came instead of those that the broken expectation speaks of.
+
+        Their values are others, or their senders have refused.
+        """
         for number in self._asked():
             condition = self.script.conditions[number]
-            if number in self._near and isinstance(condition, Says) and condition.condition is not None:
+            if not isinstance(condition, Says):
+                continue
+            if number in self._near and condition.condition is not None:
                 agent, said = self._near[number]
                 verb = "received" if condition.is_received else "sent"
                 known = self._known(agent, said.content)
                 parts = unmet(condition.condition, known)
                 yield f"{agent} {verb} {said.what} at {readable(said.moment)}, but {parts}" if parts else ""
+            elif condition.performative is not None and condition.performative not in _REFUSALS:
+                for (name, is_to), said in sorted(self._refusals.items(), key=lambda item: item[1].moment):
+                    is_meant = condition.agents is None or name in condition.agents
+                    if is_meant and is_to == condition.is_received:
+                        to = f" to {name}" if is_to else ""
+                        yield f"{said.sender} sent {said.what}{to} at {readable(said.moment)}"
 
     def _located(self, condition: InPlaces) -> Iterator[str]:
         """Where the agents are of which a condition speaks."""
@@ -562,6 +583,12 @@ class Observer:
 
 _READ = e.VariableValue | e.Member | e.Age | e.Outcome
 """The parts of an expression whose values say why a condition does not hold."""
+
+
+def _ends(said: Said, record: Record) -> Iterator[tuple[str, bool]]:
+    """The sender of a message, and (True) its receivers."""
+    yield said.sender, False
+    yield from ((name, True) for name in record.get("to", ()))
 
 
 def _messages(says: Says, happening: _Happening) -> Iterable[tuple[str, Said]]:

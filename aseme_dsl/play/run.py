@@ -6,10 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, replace
 from functools import partial
 from pathlib import Path
-from types import MappingProxyType
 from typing import Protocol, assert_never
 
-from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.play.coverage.probes import Recorder
 from aseme_dsl.play.evaluate import NotEvaluated
 from aseme_dsl.play.observer import Observer
@@ -105,28 +103,28 @@ def play(
     listeners: Sequence[Callable[[Record], None]] = (),
     recorder: Recorder | None = None,
     watch: Watch | None = None,
-    drawn: Mapping[str, Statechart] = MappingProxyType({}),
+    guards: Guards | None = None,
     trace: Path | None = None,
 ) -> Played:
     """Play a script with a seed and values for its inputs, up to `until` (ns).
 
     The run is in a `world`, if the script has one. `listeners` are given the records of the run, too;
-    `recorder` takes what probes see, and `watch` follows the instants. `drawn` are the statecharts of the
-    roles, whose conditions the story shows, and `trace` is the file in which the run is recorded.
+    `recorder` takes what probes see, and `watch` follows the instants. With `guards`, the conditions of
+    the roles, the run has a story. `trace` is the file in which the run is recorded.
 
     Raises:
         NotPlayable: the code of an activity cannot be loaded, a value cannot be computed.
     """
     inputs = {**script.values, **inputs}
-    teller = Storyteller((name for name, _ in script.team), Guards(drawn))
+    teller = None if guards is None else Storyteller((name for name, _ in script.team), guards)
     observer = Observer(script, inputs, teller=teller)
     acting = {item.activity: item for item in script.activities}
     is_alone = script.world is None
     charts = {role: staged(chart, acting, is_alone) for role, chart in loaded.charts.items()}
     if recorder is not None:
         charts = {role: recorder.listening(chart) for role, chart in charts.items()}
-    find = finder(script, inputs, loaded.messages, real, loaded.charts)
     try:
+        find = finder(script, inputs, loaded.messages, real, loaded.charts)
         team = make_team(
             replace(loaded, charts=charts, team=script.team),
             find,

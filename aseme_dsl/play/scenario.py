@@ -271,6 +271,7 @@ class Acting:
     `writes`, and `sends` agent messages."""
 
     activity: str
+    span: Span
     real: bool = False
     lasts: Lasts | None = None
     ends: tuple[str, ...] = ()

@@ -11,7 +11,7 @@ from typing import cast
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.play.evaluate import Known, value_of
 from aseme_dsl.play.scenario import Acting, Content, Lasts, Script
-from aseme_dsl.runtime.activity.activities import Activity, ActivityFinder, Executable
+from aseme_dsl.runtime.activity.activities import Activity, ActivityError, ActivityFinder, Executable
 from aseme_dsl.runtime.activity.codeless import WITHOUT_CODE
 from aseme_dsl.runtime.activity.context import Context
 from aseme_dsl.runtime.chart.chart import Chart
@@ -100,7 +100,10 @@ def finder(
     real: ActivityFinder,
     charts: Mapping[str, type[Chart]],
 ) -> ActivityFinder:
-    """Gives the stand-ins of a script, and the code of what is `real`; `charts` are those of the roles."""
+    """Gives the stand-ins of a script, and the code of what is `real`; `charts` are those of the roles.
+
+    Raises NotComputed for an activity that is to be real and has no code, or code that cannot be loaded.
+    """
     plans = {role: chart.PLAN for role, chart in charts.items()}
     roles = dict(script.team)
 
@@ -122,7 +125,15 @@ def finder(
         if not item.real
     }
 
-    coded = {item.activity for item in script.activities if item.real}
+    coded = {item.activity: item.span for item in script.activities if item.real}
+    for name, span in coded.items():
+        try:
+            code = real(name)
+        except ActivityError as problem:
+            raise NotComputed(span, str(problem)) from problem
+        if code is None:
+            reason = f"{name} is to be real, and there is no code of it: set `activities` of the project"
+            raise NotComputed(span, reason)
 
     def find(activity: str) -> type[Executable] | None:
         is_real = activity in coded or (script.world is not None and activity not in stand_ins)

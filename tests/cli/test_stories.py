@@ -53,7 +53,7 @@ CASES = {
             " where is_near is eyes.state.Ball.distance < limit (guard.aseme:9)",
             "bob  is in Rest (guard.aseme:11) since 1 s: its activity has not returned",
             "bob  is also in Look",
-            "ask next: asemec whynot bob Chase --at 1.5s TRACE (`asemec test --traces DIR` writes it)",
+            "ask next: asemec whynot bob Chase --at 1s TRACE (`asemec test --traces DIR` writes it)",
         ),
     ),
     # A variable as the condition has read it, not as the action has set it.
@@ -223,3 +223,100 @@ def test_a_message_that_only_a_filter_has_refused(
     (folder / "shop.aseme").write_text(f'{SHOP}scenario "s" {{\n  {body}\n}}\n')
     done = here("test", "shop.aseme", "-j", "1")
     assert all(any(line.endswith(text) for line in done.out.splitlines()) for text in told), done.out
+
+
+DOCK = """\
+system Dock
+message Load { double weight }
+aip lifting {
+  participant client { process = Drive . (AwaitLift | Leave) }
+  participant worker {
+    var weight : double = 0
+    process = Weigh . (Lift | Decline)
+  }
+  control client {
+    enter (AwaitLift | Leave) : / send request Load { weight = 30 } to worker
+    enter AwaitLift : agree Load from worker
+    enter Leave     : refuse Load from worker or lost worker or after(20s)
+  }
+  control worker {
+    enter Weigh   : request Load l from client / weight = l.weight
+    enter Lift    : [weight < 10] / send agree Load to client
+    enter Decline : else / send refuse Load to client
+  }
+}
+srm truck {
+  plays lifting.client
+  liveness { truck = client }
+  activities { Drive takes 2s simulated  AwaitLift takes 1s simulated  Leave takes 1s simulated }
+}
+srm crane {
+  plays lifting.worker when busy refuse
+  liveness { crane = worker~ }
+  activities { Weigh takes 1s simulated  Lift takes 5s simulated  Decline takes 100ms simulated }
+}
+team Dock { t[1..2] : truck  c : crane }
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "told"),
+    [
+        # What was said instead, and the decision to ask about.
+        (
+            "t1 : truck  c : crane  by 10s sent agree Load by c",
+            (
+                "`sent agree Load by c` has not come by 10 s: c sent refuse Load at 3 s",
+                "ask next: asemec whynot c 'agree Load' --at 3s TRACE (`asemec test --traces DIR` writes it)",
+            ),
+        ),
+        # What an agent says without a decision of its own, and which of three events it was.
+        (
+            "t1, t2 : truck  c : crane  by 9s t2 in AwaitLift",
+            (
+                "2 s  t2  receives refuse Load { weight = 30.0 } from c, automatically: `when busy`",
+                "by refuse Load from c",
+                "ask next: asemec whynot t2 AwaitLift --at 2s TRACE (`asemec test --traces DIR` writes it)",
+            ),
+        ),
+        (
+            "t1, t2 : truck  c : crane  by 9s received agree Load by t2",
+            (
+                "`received agree Load by t2` has not come by 9 s: c sent refuse Load to t2 at 2 s",
+                "ask next: asemec whynot c 'agree Load' --at 3s TRACE (`asemec test --traces DIR` writes it)",
+            ),
+        ),
+        (
+            "t1 : truck  c : crane  crash c at 2500ms  by 9s t1 in AwaitLift",
+            ("as the part of c has ended: crashed",),
+        ),
+    ],
+)
+def test_who_refused_and_when_it_was_decided(
+    body: str, told: tuple[str, ...], here: Here, folder: Path
+) -> None:
+    (folder / "dock.aseme").write_text(f'{DOCK}scenario "s" {{\n  {body}\n}}\n')
+    done = here("test", "dock.aseme", "-j", "1")
+    assert all(any(line.endswith(text) for line in done.out.splitlines()) for text in told), done.out
+
+
+def test_code_that_is_not_repeatable_is_said_so(here: Here, folder: Path) -> None:
+    (folder / "activities").mkdir()
+    (folder / "activities" / "ring.py").write_text(
+        "from pathlib import Path\n\n\nclass Ring:\n    def execute(self, context):\n"
+        "        seen = Path('seen')\n        context.set_variable('n', int(seen.exists()))\n"
+        "        seen.touch()\n"
+    )
+    (folder / "pyproject.toml").write_text(
+        '[tool.asemec]\nfiles = ["bell.aseme"]\nactivities = "activities"\n'
+    )
+    (folder / "bell.aseme").write_text(
+        "system Bell\nsrm bell { var n : int = 0  liveness { bell = Ring . Rest }\n"
+        "  activities { Ring takes 100ms writes n  Rest takes 1s simulated } }\nteam T { bob : bell }\n"
+        'scenario "s" { activity Ring real  by 1s bob has [n == 1] }\n'
+    )
+    done = here("test", "bell.aseme", "-j", "1")
+    assert "a second run with this seed was different" in done.out, done.out
+    (folder / "pyproject.toml").unlink()
+    done = here("test", "bell.aseme", "-j", "1")
+    assert "bell.aseme:5:16: Ring is to be real, and there is no code of it" in done.out, done.out

@@ -295,6 +295,7 @@ class _Lowering:
         usual = activity.ends[:1] if activity is not None else ()
         self.activities[name] = play.Acting(
             name,
+            item.span,
             item.is_real,
             _lasts(item.takes) or _declared(activity.takes if activity is not None else None),
             tuple(end.text for end in item.ends) or usual,

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import STRING
+from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.statechart import Transition as Drawn
 from aseme_dsl.play.evaluate import Known, NotEvaluated, value_of
@@ -27,10 +28,12 @@ _MOST = 5
 
 
 class Guards:
-    """The conditions of the roles of a system, by their statecharts."""
+    """The conditions of the roles of a system, by their statecharts, and its activities."""
 
-    def __init__(self, charts: Mapping[str, Statechart]) -> None:
+    def __init__(self, charts: Mapping[str, Statechart], activities: Iterable[Activity] = ()) -> None:
         self._charts = charts
+        self.declared = {item.name: without_column(str(item.span)) for item in activities}
+        """Where the activities are declared."""
         self._plans: dict[str, Plan] = {}
         self._inside: dict[str, str] = {}
         self._variables: dict[str, frozenset[str]] = {}

@@ -79,7 +79,7 @@ def _waiting(
         case "in" if is_running:
             may_fail = any(found.what.endswith("error") for found in awaits)
             text = f"is in {name} since {since}: its activity has not returned"
-            text += _deadline(plan, first.state, min(one.since for one in waits)) if may_fail else ""
+            text += _deadline(plan, first.state, min(one.since for one in waits), guards) if may_fail else ""
         case "before":
             text = f"has not begun {name} since {since}"
         case "after" if is_activity:
@@ -108,13 +108,15 @@ def _waiting(
     return replace(item, text=text, details=tuple(details))
 
 
-def _deadline(plan: Plan, label: str, since: int) -> str:
+def _deadline(plan: Plan, label: str, since: int, guards: Guards) -> str:
     """The deadline of the activity of a state, which fails it; the state was entered at `since`."""
     activity = plan.by_label[label].activity
     within = next((info.within for info in plan.activities if info.name == activity), None)
     if within is None:
         return ", and has no deadline"
-    return f" (it may take {shown(within)}, and fails at {readable(since + within)})"
+    declared = guards.declared.get(activity or "")
+    at = f", {declared}" if declared else ""
+    return f" (it may take {shown(within)}{at}, and fails at {readable(since + within)})"
 
 
 def _awaited(

@@ -15,9 +15,9 @@ from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.play.sight.words import Said, content_of, cut, ending, few, name_of, sending
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import NEVER
-from aseme_dsl.runtime.chart.plan import Plan, is_in
+from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in
 from aseme_dsl.runtime.time.clock import readable
-from aseme_dsl.runtime.trace.records import Record, Taken
+from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.source import without_column
 
 LAST, FEWEST = 12, 3
@@ -34,6 +34,13 @@ _MOST_UNREAD = 1000
 OUTSIDE = "input"
 """The sender of what a scenario gives without one."""
 BY_SCENARIO = ", an input of the scenario"
+
+_CAUSES = {
+    "busy": ", automatically: `when busy`",
+    "ended": ", automatically: its part has ended",
+    "unexpected": ", automatically: it does not expect what has come",
+}
+"""Why an agent has sent what its statechart does not send."""
 
 _ENDS = "end of an activity: "
 """With this the keys of the ends of activities begin."""
@@ -52,6 +59,15 @@ class About:
     """When what is awaited had come as far as it is (ns)."""
 
 
+@dataclass(frozen=True, slots=True)
+class _Came:
+    """What comes to agents: the `event` that transitions take, as plans have it, and `why` it was sent."""
+
+    event: tuple[object, ...]
+    text: str
+    why: str = ""
+
+
 class Storyteller:
     """Collects what happens, each thing as it happened last."""
 
@@ -67,6 +83,10 @@ class Storyteller:
         self._happened = itertools.count()
         self._unread: dict[Identity, set[str]] = {}
         """Who has not received yet what was sent lately."""
+        self._came: dict[Identity, _Came] = {}
+        """What was sent lately, and which losses agents have learned."""
+        self.taken: dict[str, dict[int, int]] = {name: {} for name in agents}
+        """When an agent has taken a transition last (ns), by its number."""
         self._mail: dict[tuple[str, str], Said] = {}
         """The last message of a kind that was sent to an agent."""
         self._names: dict[tuple[str, str], str] = {}
@@ -85,12 +105,19 @@ class Storyteller:
         item = Happened(record["time"], agent, text, is_step=True, label=record["label"])
         self._add(f"{_ENDS}{text}", item)
 
-    def sent(self, said: Said, agent: str, number: int, receivers: Sequence[str], is_given: bool) -> None:
+    def sent(self, said: Said, record: Record, is_given: bool) -> None:
         """A message was sent, by the scenario if it `is_given`."""
+        agent, number, receivers = record["agent"], int(record["sequence"]), record.get("to", [])
         item = replace(sending(said, receivers), number=number)
-        if is_given:
-            item = replace(item, text=item.text + BY_SCENARIO, sent=item.sent + BY_SCENARIO)
-        self._add(f"sends {said.what}", item)
+        why = BY_SCENARIO if is_given else _CAUSES.get(str(record.get("cause")), "")
+        self._add(f"sends {said.what}", replace(item, text=item.text + why, sent=item.sent + why))
+        self._came[agent, number] = _Came(
+            ("received", said.performative, said.kind), f"{said.what} from {agent}", why
+        )
+        if len(self._came) > _MOST_UNREAD:
+            del self._came[next(iter(self._came))]
+        for sender, answered in record.get("answers", ()):
+            self.arrived(agent, (str(sender), int(answered)))
         if said.performative is not None:
             self._mail.update(((name, said.what), said) for name in receivers)
         self._unread[agent, number] = self._last.keys() & set(receivers)
@@ -101,31 +128,31 @@ class Storyteller:
         """The last agent message of each kind that was sent to an agent."""
         return {what: said for (name, what), said in self._mail.items() if name == agent}
 
+    def gone(self, record: Record) -> None:
+        """An agent learns that the part of another one has ended."""
+        text = f"the part of {record['peer']} has ended: {record.get('reason', 'lost')}"
+        self._came[record["agent"], int(record["sequence"])] = _Came(("lost", record["played"]), text)
+
     def arrived(self, agent: str, identity: Identity) -> None:
         """An agent has received a message."""
         self._unread.get(identity, set()).discard(agent)
 
-    def received(self, moment: int, agent: str, said: Said) -> None:
+    def received(self, moment: int, agent: str, said: Said, identity: Identity) -> None:
         """An agent has received a message of another one, and a step has taken note of it."""
         is_given = said.sender not in self._last
         text = f"receives {said.what}{content_of(said.content)}"
         text += f" from {said.sender}" if said.sender != OUTSIDE else ""
-        text += BY_SCENARIO if is_given else ""
+        came = self._came.get(identity)
+        text += BY_SCENARIO if is_given else "" if came is None else came.why
         # What a scenario gives is different each time.
         key = text if is_given else f"receives {said.what} {said.sender}"
         self._add(key, Happened(moment, agent, text, peer=said.sender))
 
-    def step(
-        self,
-        moment: int,
-        agent: str,
-        plan: Plan,
-        after: Sequence[str],
-        taken: Sequence[Taken],
-        known: Callable[[], Known],
-    ) -> None:
+    def step(self, record: Record, plan: Plan, after: Sequence[str], known: Callable[[], Known]) -> None:
         """An agent has made a step; what stands together in it is one line. `after` are the active leaves."""
-        ways = [way["transitions"] for way in taken[-_MOST_TAKEN:]]
+        moment, agent = record["time"], record["agent"]
+        ways = [way["transitions"] for way in record["taken"][-_MOST_TAKEN:]]
+        self.taken[agent].update((number, moment) for way in ways for number in way)
         now, before = known(), self._values.get(agent, {})
         changes = [frozenset(_changed(plan, way)) for way in ways]
         for chain in _chains(plan, ways):
@@ -144,6 +171,7 @@ class Storyteller:
                     places.append(without_column(item.at))
                     what = item.text or ("again" if item.source == item.target else "")
                     parts += [f"{cut(what)} ({without_column(item.at)})"] if what else []
+                    details += self._first_of(record, item)
                     details += self.guards.explained(plan, number, then, unknown)
                     details += self.guards.passed_over(plan, number, then, unknown)
             text += f" : {', '.join(parts)}" if parts else ""
@@ -160,6 +188,13 @@ class Storyteller:
             self._add(" ".join(str(number) for place in chain for number in ways[place]), told)
         names = self.guards.variables(plan)
         self._values[agent] = {name: now.variable(name) for name in names} if names else {}
+
+    def _first_of(self, record: Record, way: Transition) -> Iterator[str]:
+        """Which of several things that a transition waits for has come."""
+        for sender, number in record.get("agent_messages", ()) if len(way.events) > 1 else ():
+            came = self._came.get((str(sender), int(number)))
+            if came is not None and any(event[: len(came.event)] == came.event for event in way.events):
+                yield f"as {came.text}" if came.event[0] == "lost" else f"by {came.text}"
 
     def _returned(self, moment: int, agent: str, label: str) -> str | None:
         """What was said of the end of the activity of a state, which is not said twice then."""

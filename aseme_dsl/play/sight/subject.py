@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import assert_never
 
 from aseme_dsl.play.asking.question import NotAsked, goal_of
@@ -22,7 +22,7 @@ from aseme_dsl.play.scenario import (
 from aseme_dsl.play.sight.deciding import agents_about
 from aseme_dsl.play.sight.storyteller import About
 from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.chart.plan import Plan, is_in
 from aseme_dsl.runtime.monitor.rules import (
     AfterFirst,
     Always,
@@ -96,7 +96,8 @@ def _sends(plan: Plan, says: Says) -> str | None:
     ]
     if says.is_kind:
         texts += [item.name for item in plan.channels if item.message == says.what]
-        texts += [f"{act} {kind}" for info in plan.branches for act, kind in info.sends if kind == says.what]
+        sent = {item for info in plan.branches for item in info.sends if item[1] == says.what}
+        texts += [f"{act} {kind}" for act, kind in sorted(sent) if says.performative in (None, act)]
     return next((text for text in texts if any(places(plan, sent_of(text)))), None)
 
 
@@ -148,6 +149,29 @@ def _asked(script: Script, number: int, is_why: bool, held: frozenset[int], plan
             assert_never(condition)
 
 
+def turned_away(plan: Plan, what: str, taken: Mapping[int, int]) -> int | None:
+    """When an agent that might have come to `what` by the next transition has last taken another one (ns).
+
+    `taken` says when it has taken each transition last. None: never.
+    """
+    goal = goal_of(plan, what)
+
+    def leads(number: int) -> bool:
+        target = plan.transitions[number].target
+        return number in goal.transitions or any(is_in(label, target) for label in goal.states)
+
+    found = (
+        moment
+        for number, moment in taken.items()
+        if not leads(number)
+        if any(
+            leads(other) and item.kind == "external"
+            for other, item in plan.outgoing(plan.transitions[number].source)
+        )
+    )
+    return max(found, default=None)
+
+
 def _is_known(plan: Plan, what: str) -> bool:
     try:
         goal_of(plan, what)
@@ -156,4 +180,4 @@ def _is_known(plan: Plan, what: str) -> bool:
     return True
 
 
-__all__ = ["Next", "about", "question", "spoken"]
+__all__ = ["Next", "about", "question", "spoken", "turned_away"]

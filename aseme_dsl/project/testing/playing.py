@@ -14,16 +14,16 @@ from aseme_dsl.play.coverage.probes import Probed, Recorder, probed
 from aseme_dsl.play.coverage.seen import Following, Seen
 from aseme_dsl.play.run import NotPlayable, Played, play
 from aseme_dsl.play.scenario import Scenario, Script
+from aseme_dsl.play.sight.guards import Guards
 from aseme_dsl.project.spreading.cluster import Cluster, Copied
 from aseme_dsl.project.spreading.spread import spread
 from aseme_dsl.project.testing.cases import Case, cases_of
-from aseme_dsl.project.testing.shrinking import shrunk, text_of
+from aseme_dsl.project.testing.shrinking import Shrunk, shrunk, text_of
 from aseme_dsl.project.testing.story_pictures import file_names
 from aseme_dsl.project.testing.verdicts import NotRun, ScenarioResult, Verdict, verdict_of
 from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
-    from aseme_dsl.amola.statechart import Statechart
     from aseme_dsl.amola.system import System
     from aseme_dsl.project.building.build import Choice
     from aseme_dsl.project.building.project import Compiled
@@ -48,8 +48,8 @@ class _Job:
     world: str | None
     probed: Probed | None
     """What is measured, if coverage is."""
-    charts: Mapping[str, Statechart]
-    """The statecharts of the roles."""
+    guards: Guards | None = None
+    """The conditions of the roles, if the runs are to have a story."""
     trace: Path | None = None
 
 
@@ -90,7 +90,7 @@ def play_scenarios(
     cases = [cases_of(scenario, seeds) for scenario in scenarios]
     labelled = with_labels(system, choice.labels)
     measured = None if seen is None else probed(labelled)
-    charts = {chart.name: chart for chart in labelled.iacs}
+    guards = Guards({chart.name: chart for chart in labelled.iacs}, labelled.activities)
     with TemporaryDirectory(prefix="asemec-test-") as folder:
         package, _ = generate_version(system if measured is None else measured.system, Path(folder), choice)
         jobs = [
@@ -103,7 +103,6 @@ def play_scenarios(
                 _end(scenario, part, configuration.length),
                 world_of(scenario.scripts[part[0].script], configuration),
                 measured,
-                charts,
             )
             for scenario, mine in zip(scenarios, cases, strict=True)
             for part in (_parts(mine) if scenario.refused is None else ())
@@ -130,7 +129,9 @@ def play_scenarios(
         names = file_names(item.name for item in scenarios)
         jobs_of = {id(job.cases[0]): job for job in jobs}
         results = [
-            _smaller(scenario, mine, own, jobs_of, None if traces is None else traces / f"{name}{TRACE}")
+            _shown(
+                scenario, mine, own, jobs_of, guards, None if traces is None else traces / f"{name}{TRACE}"
+            )
             for scenario, mine, own, name in zip(scenarios, cases, runs, names, strict=True)
         ]
     if seen is not None:
@@ -141,23 +142,22 @@ def play_scenarios(
     return tuple(results)
 
 
-def _smaller(
+def _shown(
     scenario: Scenario,
     cases: Sequence[Case],
     runs: Sequence[Played | NotRun],
     jobs: Mapping[int, _Job],
+    guards: Guards,
     trace: Path | None,
 ) -> ScenarioResult:
     """The verdict on a scenario; that of a failure is about a smaller run in which it fails, too.
 
-    This run is recorded in `trace`, if that is given.
+    This run is made once more for its story, and recorded in `trace`, if that is given.
     """
     result = verdict_of(scenario, cases, runs)
-    broken = (n for n, run in enumerate(runs) if isinstance(run, Played) and run.broken is not None)
-    place = next(broken, None)
-    if result.verdict is not Verdict.FAILED or place is None:
+    if result.verdict is not Verdict.FAILED:
         return result
-    case, found = cases[place], runs[place]
+    case, found = cases[result.place], runs[result.place]
     script = scenario.scripts[case.script]
     assert isinstance(found, Played)
     part = next(part for part in _parts(cases) if any(one is case for one in part))
@@ -167,20 +167,26 @@ def _smaller(
         (run,) = _play(replace(job, script=smaller, cases=(replace(case, inputs=inputs),))).runs
         return run if isinstance(run, Played) else None
 
-    def recorded(smaller: Script, inputs: Mapping[str, object], result: ScenarioResult) -> ScenarioResult:
-        if trace is None:
-            return result
+    best = Shrunk(found, script, case.inputs, ())
+    may_be_less = found.broken is not None and bool(script.stimuli or script.inputs)
+    if may_be_less:
+        best = shrunk(script, case.inputs, found, play_again)
+    if trace is not None:
         trace.parent.mkdir(parents=True, exist_ok=True)
-        _play(replace(job, script=smaller, cases=(replace(case, inputs=inputs),), trace=trace, probed=None))
-        return replace(result, trace=trace)
-
-    if not script.stimuli and not script.inputs:
-        return recorded(script, case.inputs, result)
-    best = shrunk(script, case.inputs, found, play_again)
-    again = verdict_of(scenario, (replace(case, inputs=best.inputs),), (best.run,))
-    again = recorded(best.script, best.inputs, again)
+    job = replace(job, guards=guards, trace=trace, probed=None)
+    told = play_again(best.script, best.inputs)
+    is_steady = told is not None and told.states == best.run.states
+    if found.broken is not None:
+        run = told if told is not None and is_steady else best.run
+        again = verdict_of(scenario, (replace(case, inputs=best.inputs),), (run,))
+        result = replace(again, runs=result.runs)
     return replace(
-        again, runs=result.runs, dropped=best.dropped, shrunk=text_of(scenario, script, best, case.seed)
+        result,
+        story=() if told is None else told.story,
+        is_steady=is_steady,
+        dropped=best.dropped,
+        shrunk=text_of(scenario, script, best, case.seed) if may_be_less else "",
+        trace=trace,
     )
 
 
@@ -235,7 +241,7 @@ def _play(job: _Job) -> _Done:
                 world = made_world(job.world, case.seed) if job.world is not None else None
                 given = (case.seed, case.inputs, real, job.until, world)
                 found.append(
-                    play(loaded, job.script, *given, follow, recorder, drawn=job.charts, trace=job.trace)
+                    play(loaded, job.script, *given, follow, recorder, guards=job.guards, trace=job.trace)
                 )
             except PlayError as problem:
                 found.append(NotRun(problem.problem.message))

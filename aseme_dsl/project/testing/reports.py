@@ -31,6 +31,8 @@ def explained(item: ScenarioResult, is_coloured: bool) -> Iterator[str]:
         yield f"  shown is a shorter run with the same reason, without {_inputs(item.dropped)}:"
     for line in told(item.story):
         yield f"    {line}"
+    if not item.is_steady:
+        yield "  a second run with this seed was different: code of an activity or world is not repeatable"
     if item.question and item.trace is not None:
         yield f"  ask next: {item.question} {quote(str(item.trace))}"
     elif item.question:

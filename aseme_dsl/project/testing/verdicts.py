@@ -60,6 +60,10 @@ class ScenarioResult:
     """The command that asks about a trace of the run why it failed, without the name of the trace."""
     trace: Path | None = None
     """The trace of the run, if it was written."""
+    place: int = 0
+    """Which of the runs it is about."""
+    is_steady: bool = True
+    """Whether a second run with the same seed and inputs has come to the same."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,9 +91,7 @@ def verdict_of(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Played 
                 reason = f"assumption broken at {readable(since)} ({assumed.span}): {reason}"
             if item.of:
                 reason = f"{item.of}: {reason}"
-            failed = _result(
-                scenario, Verdict.FAILED, cases, place, run.end, reason, item.span, run.inputs, run.story
-            )
+            failed = _result(scenario, Verdict.FAILED, cases, place, run.end, reason, item.span, run.inputs)
             return replace(failed, row=scenario.scripts[cases[place].script].cells, question=_question(run))
     found = _missed_share(scenario, cases, played) or _vacuous(scenario, cases, played)
     if found is None:
@@ -122,12 +124,21 @@ def _result(
     reason: str = "",
     span: Span | None = None,
     given: Mapping[str, object] | None = None,
-    story: tuple[Happened, ...] = (),
 ) -> ScenarioResult:
     seed = cases[place].seed if cases else 0
     team = scenario.scripts[0].team if scenario.scripts else ()
     return ScenarioResult(
-        scenario.name, verdict, seed, time, reason, span, given, story, team, len(cases), scenario.points
+        scenario.name,
+        verdict,
+        seed,
+        time,
+        reason,
+        span,
+        given,
+        team=team,
+        runs=len(cases),
+        points=scenario.points,
+        place=place,
     )
 
 
@@ -162,7 +173,6 @@ def _missed_share(scenario: Scenario, cases: Sequence[Case], runs: Sequence[Play
                     reason,
                     item.span,
                     run.inputs,
-                    run.story,
                 )
     return None
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
+from typing import Literal, TypeAlias
 
 from aseme_dsl.runtime.chart.inputs import Identity
 from aseme_dsl.runtime.chart.plan import BranchInfo
@@ -13,6 +14,9 @@ from aseme_dsl.runtime.message.as_json import to_json
 from aseme_dsl.runtime.message.free import ACLMessage
 from aseme_dsl.runtime.time.timers import Scheduler
 from aseme_dsl.runtime.trace.trace import Trace
+
+Cause: TypeAlias = Literal["busy", "ended", "unexpected"]
+"""Why the runtime says something for an agent: no instance is free, its part has ended, it cannot take it."""
 
 LONGEST = 2000
 """The most characters of a content without a meaning that are recorded."""
@@ -29,8 +33,8 @@ class ConversationTrace:
         """Something cannot be done as it is asked for."""
         self._trace.fault(self._driver.clock.now(), agent, reason)
 
-    def sent(self, acl: AclMessage, answered: Iterable[Identity]) -> None:
-        """A message is sent, and answers these."""
+    def sent(self, acl: AclMessage, answered: Iterable[Identity], cause: Cause | None = None) -> None:
+        """A message is sent, and answers these; with a `cause` the runtime has sent it by itself."""
         if self._trace.active:
             self._trace.write(
                 "agent_message",
@@ -41,6 +45,7 @@ class ConversationTrace:
                 reply_by=acl.reply_by,
                 to=list(acl.receivers),
                 answers=[list(identity) for identity in answered] or None,
+                cause=cause,
             )
 
     def unsent(
@@ -135,6 +140,7 @@ class ConversationTrace:
                 receiver="",
                 to=[receiver.name for receiver in answer.receivers],
                 answers=[list(to)],
+                cause="unexpected",
             )
 
     def takes_part(

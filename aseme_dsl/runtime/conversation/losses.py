@@ -223,7 +223,7 @@ class Losses:
         if content is None:
             return
         acl = _message(agent, place, name, to, theirs, performative, message, content)
-        self._told.sent(acl, [place.answered[to].identity] if to in place.answered else [])
+        self._told.sent(acl, [place.answered[to].identity] if to in place.answered else [], "ended")
         self._send(to, acl)
 
 

@@ -8,7 +8,7 @@ from functools import partial
 from aseme_dsl.runtime.chart.inputs import AgentMessage
 from aseme_dsl.runtime.chart.plan import BranchInfo
 from aseme_dsl.runtime.conversation import fipa_translation
-from aseme_dsl.runtime.conversation.conversation_trace import ConversationTrace
+from aseme_dsl.runtime.conversation.conversation_trace import Cause, ConversationTrace
 from aseme_dsl.runtime.conversation.counting import Counting
 from aseme_dsl.runtime.conversation.exchange.busy import answer_of, is_busy
 from aseme_dsl.runtime.conversation.exchange.external_outbox import ExternalOutbox
@@ -185,7 +185,7 @@ class Delivery:
         if answer is None or not is_first or (acl.performative, acl.message) not in info.opens:
             self.unexpected(agent, acl, reason)
         elif not self.spend(agent, acl.conversation):
-            self._answer(agent, acl, *answer)
+            self._answer(agent, acl, *answer, cause="busy")
         if is_first and not conversation.is_exhausted:
             self.losses.ended(agent, place, acl.conversation, conversation, "completed")
 
@@ -257,7 +257,7 @@ class Delivery:
         self._told.unexpected(agent.name, acl, reason)
         self._counting.unexpected(agent, self._members.conversations.get(acl.conversation), acl)
         if acl.performative != NOT_UNDERSTOOD and not self.spend(agent, acl.conversation):
-            self._answer(agent, acl, NOT_UNDERSTOOD, acl.message, acl.content, reason)
+            self._answer(agent, acl, NOT_UNDERSTOOD, acl.message, acl.content, reason, cause="unexpected")
 
     def _answer(
         self,
@@ -267,6 +267,8 @@ class Delivery:
         message: str,
         content: object,
         reason: str = "",
+        *,
+        cause: Cause,
     ) -> None:
         """Answer a message that no branch takes; an external agent learns the reason, if there is one."""
         identity = agent.identity()
@@ -287,7 +289,7 @@ class Delivery:
             acl.reply_with,
             sent=self._members.directory.clock.now(),
         )
-        self._told.sent(answer, [acl.identity])
+        self._told.sent(answer, [acl.identity], cause)
         if acl.sender in self._members.plans:
             self.bring(acl.sender, answer)
             return
