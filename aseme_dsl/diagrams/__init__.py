@@ -1,6 +1,7 @@
 """Diagrams: every model of a system as drawings: of our own or by Graphviz, in the look of the papers.
 
-`drawings` is pure and needs no Graphviz; `render` and `draw` run it and check what it has drawn.
+`drawings` needs no Graphviz but for parts of statecharts that have no compact form. `render` and `draw` run it
+and check what it has drawn.
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ from aseme_dsl.diagrams.look.drawing import (
 from aseme_dsl.diagrams.look.view import view
 from aseme_dsl.diagrams.models import aip, division, sag, srm, statechart, suc, tree
 from aseme_dsl.diagrams.rendering.drawn import Drawn, draw
+from aseme_dsl.diagrams.rendering.inset import region
 from aseme_dsl.diagrams.rendering.layout import (
     FORMATS,
     DrawingFailed,
@@ -184,7 +186,7 @@ def _compact(
     """The compact drawing, or its first page `alone`; the nested one with a note where none is right."""
     from aseme_dsl.diagrams import compact  # here: no other drawing needs it
 
-    found = compact.drawings(chart, options, activities, alone)
+    found = compact.drawings(chart, options, activities, alone, partial(region, chart))
     if isinstance(found, list):
         return found
     nested = _by_graphviz(chart, options, Layout.NESTED, "")

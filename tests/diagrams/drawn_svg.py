@@ -4,11 +4,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from xml.etree.ElementTree import Element
 
-from aseme_dsl.diagrams.compact.elements import Form, Line, Link, Look, Point, Shape, Stroke, Text
+from aseme_dsl.diagrams.compact.elements import (
+    INSET_PAD,
+    Form,
+    Line,
+    Link,
+    Look,
+    Point,
+    Shape,
+    Stroke,
+    Text,
+)
 from aseme_dsl.diagrams.compact.ink.signs import SIGNS
 from aseme_dsl.diagrams.compact.words import ICON, width
+from aseme_dsl.diagrams.look.dot import Kind
+from aseme_dsl.diagrams.look.inset import Inset, Outline, Oval, Part, Piece, Words
 from tests.diagrams.pictures import SVG
 
 _NUMBER = re.compile(r"-?[\d.]+")
@@ -17,14 +30,18 @@ _NUMBER = re.compile(r"-?[\d.]+")
 def elements_of(root: Element) -> Iterator[Line | Shape | Text]:
     """The lines, shapes and texts of an SVG, in its order."""
     sign = ""
+    insets = {item.get("data-in"): item for item in root if item.get("data-in")}
     for item in root:
         kinds = item.get("class", "").split()
         if item.tag == f"{SVG}g" and item.get("aria-hidden"):
             yield from elements_of(item)
         elif item.tag == f"{SVG}g" and "line" in kinds:
             yield _line(item)
-        elif item.tag == f"{SVG}g":
-            yield _shape(item)
+        elif item.tag == f"{SVG}g" and "state" in kinds:
+            shape = _shape(item)
+            if shape.form is Form.NESTED:
+                shape = replace(shape, inset=_inset(insets[shape.state], shape))
+            yield shape
         elif item.tag == f"{SVG}path" and "icon" in kinds and "flap" not in kinds:
             sign = next(
                 key
@@ -67,6 +84,42 @@ def _shape(item: Element) -> Shape:
         x, y = min(a for a, _ in corners), min(b for _, b in corners)
         wide, high = max(a for a, _ in corners) - x, max(b for _, b in corners) - y
     return Shape(form, x, y, wide, high, state, marks, tuple(also))
+
+
+def _inset(item: Element, around: Shape) -> Inset:
+    """The picture of a nested state, which has the rest of its border."""
+    dx, dy = map(float, _NUMBER.findall(item.get("data-at", "")))
+    pieces = tuple(_piece(piece, (-dx, -dy)) for piece in item)
+    right, low = around.x + around.width - INSET_PAD, around.y + around.height - INSET_PAD
+    return Inset(right - dx, low - dy, pieces)
+
+
+def _piece(item: Element, move: Point) -> Piece:
+    name = item.get("id") or (f"n{item.get('data-n')}" if item.get("data-n") else "")
+    tip = next((inner.text or "" for inner in item if inner.tag == f"{SVG}title"), "")
+    parts = tuple(_part(inner, move) for inner in item if inner.tag != f"{SVG}title")
+    return Piece(name, Kind(item.get("data-kind", "")), parts, tip)
+
+
+def _part(item: Element, move: Point) -> Part:
+    looks = item.get("class", "").split()
+    fill = next((look[2:] for look in looks if look.startswith("f-")), "").replace("none", "")
+    ink = next((look[2:] for look in looks if look.startswith("i-")), "").replace("none", "")
+    x, y = (float(item.get(name) or item.get(f"c{name}") or 0) + by for name, by in zip("xy", move, strict=True))
+    match item.tag.removeprefix(SVG):
+        case "text":
+            size = next(float(look[1:]) for look in looks if re.fullmatch(r"s\d+", look))
+            bold, middle = item.get("font-weight") == "bold", item.get("text-anchor") == "middle"
+            return Words(x, y, item.text or "", size, fill, bold, middle)
+        case "ellipse":
+            return Oval(x, y, float(item.get("rx", "")), float(item.get("ry", "")), fill, ink)
+        case "rect":
+            right, low = x + float(item.get("width", "")), y + float(item.get("height", ""))
+            return Outline(((x, y), (right, y), (right, low), (x, low)), fill, ink, item.get("rx") != "0")
+        case _:
+            points = _points(item.get("d", ""))
+            moved = tuple((a + move[0], b + move[1]) for a, b in points)
+            return Outline(moved, fill, ink, "C" in item.get("d", ""), "dashed" in looks)
 
 
 def _text(item: Element, sign: str) -> Text:

@@ -11,7 +11,7 @@ from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagrams.compact.blocks import NotCompact
 from aseme_dsl.diagrams.compact.check import faults
-from aseme_dsl.diagrams.compact.elements import Form, Line, Picture, Shape, Text
+from aseme_dsl.diagrams.compact.elements import Form, Line, Nested, Picture, Shape, Text
 from aseme_dsl.diagrams.compact.ink.svg import svg, text_id
 from aseme_dsl.diagrams.compact.ink.xdot import dot
 from aseme_dsl.diagrams.compact.layout import scale, texts_of
@@ -23,11 +23,16 @@ __all__ = ["drawings"]
 
 
 def drawings(
-    chart: Statechart, options: Options, activities: Iterable[Activity] = (), alone: bool = False
+    chart: Statechart,
+    options: Options,
+    activities: Iterable[Activity] = (),
+    alone: bool = False,
+    nested: Nested | None = None,
 ) -> list[Drawing] | str:
     """The compact drawing of a chart, in pages if `options` ask for them, or why there is none that is right.
 
-    If it is to stand `alone`, it is the first page, which leads to no other.
+    If it is to stand `alone`, it is the first page, which leads to no other. What has no compact form is
+    drawn by `nested` in its place; without that, it is a closed box.
     Raises NoSuchState if the chart has no state `options.at`.
     """
     known = tuple(activities)
@@ -39,9 +44,9 @@ def drawings(
     try:
         if options.page is not None:
             most = 1 if alone else None
-            pages: Sequence[Page] = tuple(islice(divided(chart, known, top, options.page.room), most))
+            pages: Sequence[Page] = tuple(islice(divided(chart, known, top, options.page.room, nested), most))
         else:
-            pages = (whole(chart, known, top, options.depth),)
+            pages = (whole(chart, known, top, options.depth, nested),)
     except NotCompact as reason:
         return str(reason)
     for page in pages:
@@ -92,11 +97,12 @@ def _drawings(
 def _left_out(picture: Picture, name: str) -> Iterator[str]:
     """What must be said of the parts that have no compact drawing."""
     for item in picture.elements:
-        if isinstance(item, Shape) and item.reason:
-            yield (
-                f"{name} is without the inside of state {item.state}: {item.reason}; "
-                f"--layout nested --at {item.state} draws it"
-            )
+        if not isinstance(item, Shape) or not item.reason:
+            continue
+        if item.inset is not None:
+            yield f"state {item.state} of {name} is drawn nested: {item.reason}"
+        else:
+            yield f"{name} is without the inside of state {item.state}: {item.reason}"
 
 
 def _shown(picture: Picture) -> tuple[Shown, ...]:
@@ -107,6 +113,9 @@ def _shown(picture: Picture) -> tuple[Shown, ...]:
         match item:
             case Shape():
                 found += (Shown(f"n{label}", Kind.BOX) for label in (item.state, *item.also))
+                pieces = item.inset.pieces if item.inset is not None else ()
+                own = f"n{item.state}"
+                found += (Shown(piece.id, piece.kind) for piece in pieces if piece.id not in ("", own))
             case Line():
                 found += (Shown(f"t{place}", Kind.LINE) for link in item.chain for place in link)
             case Text(of=int(place)):

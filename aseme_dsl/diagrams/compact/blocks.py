@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from aseme_dsl.amola.statechart import State, Statechart, StateType
+from aseme_dsl.diagrams.look.labels import short
 from aseme_dsl.records import dataclass
 
 Link = tuple[int, ...]
@@ -121,18 +122,23 @@ class _Reader:
             reactive += back
             branches.append(Branch(link, parts))
         if left:
-            raise NotCompact(f"no line of the formula leads to state {min(left)}")
+            raise NotCompact(f"no line of the formula leads to {self._called(min(left))}")
         for item in inside:
             if rest := self._links.get(item.label):
                 (target, _, _) = next(iter(rest))
-                raise NotCompact(f"the arrow from state {item.label} to {target} belongs to no formula")
+                raise NotCompact(f"the arrow from {self._called(item.label)} to {self._called(target)} belongs to no formula")
         entered = () if choice is None else enter
         return Group(state.label, start, end, choice, entered, tuple(branches), tuple(reactive))
+
+    def _called(self, label: str) -> str:
+        """`state Search (0.2)`: a nested drawing shows the label only of what has no other name."""
+        name = self._chart.node(label).name
+        return f"state {label}" if name == label else f"state {short(name, 40)} ({label})"
 
     def _only(self, state: State, inside: Iterable[State], kind: StateType) -> str:
         found = [item.label for item in inside if item.type is kind]
         if len(found) != 1:
-            raise NotCompact(f"state {state.label} has {len(found)} states {kind.value}")
+            raise NotCompact(f"{self._called(state.label)} has {len(found)} states {kind.value}")
         return found[0]
 
     def _ways(self, label: str) -> list[tuple[str, Link]]:
@@ -145,7 +151,7 @@ class _Reader:
     def _onward(self, label: str, inside: set[str]) -> tuple[str, Link]:
         ways = self._ways(label)
         if len(ways) != 1 or ways[0][0] not in inside:
-            raise NotCompact(f"state {label} has {len(ways)} ways onward")
+            raise NotCompact(f"{self._called(label)} has {len(ways)} ways onward")
         return ways[0]
 
     def _line(self, label: str | None, end: str | None, left: set[str]) -> tuple[tuple[Part, ...], list[int]]:
@@ -160,7 +166,7 @@ class _Reader:
 
     def _part(self, label: str, end: str | None, left: set[str]) -> tuple[Part, str | None, list[int]]:
         if label not in left:
-            raise NotCompact(f"lines lead to state {label} in several ways")
+            raise NotCompact(f"lines lead to {self._called(label)} in several ways")
         left.remove(label)
         links = self._links.pop(label, {})
         again: Link = ()
@@ -183,7 +189,7 @@ class _Reader:
         ]
         onward = [item for item in onward if item[0] not in cut]
         if len(onward) > 1:
-            raise NotCompact(f"state {label} has {len(onward)} ways onward")
+            raise NotCompact(f"{self._called(label)} has {len(onward)} ways onward")
         target: str | None = onward[0][0] if onward else None
         way = onward[0][1] if onward else ()
         interrupts = []
@@ -191,7 +197,7 @@ class _Reader:
             part, after, reactive_too = self._part(other, end, left)
             back += reactive_too
             if after not in (None, end) or target not in (None, end):
-                raise NotCompact(f"what interrupts state {label} does not lead where it leads")
+                raise NotCompact(f"what interrupts {self._called(label)} does not lead where it leads")
             interrupts.append(Cut(entered, part))
         return Part(self._block(label), again, way, tuple(interrupts)), target, back
 
@@ -210,7 +216,7 @@ class _Reader:
             case StateType.OR:
                 return self._whole(state)
             case _:
-                raise NotCompact(f"state {label} is a {state.type.value} where a formula has none")
+                raise NotCompact(f"{self._called(label)} is a {state.type.value} where a formula has none")
 
     def _whole(self, state: State) -> Group | Closed:
         """An OR, closed if it has no formula."""

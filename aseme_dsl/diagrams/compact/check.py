@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagrams.compact.blocks import inside
+from aseme_dsl.diagrams.compact.check_nested import nested_faults, shown_in, states_in
 from aseme_dsl.diagrams.compact.elements import SIZES, Form, Line, Look, Picture, Point, Shape, Stroke, Text
 from aseme_dsl.diagrams.compact.follows import Follows
 from aseme_dsl.diagrams.compact.plan import equal, transitions_in
@@ -25,8 +26,11 @@ _PITCH = 14.5
 """From one line of text to the next, in px."""
 
 _DRAWN = (StateType.BASIC, StateType.AND, StateType.CONDITION)
-_SOLID = (Form.ACTIVITY, Form.PARALLEL, Form.CLOSED)
-_FULL = (Form.ACTIVITY, Form.CLOSED, Form.PILL, Form.INITIAL, Form.FINAL, Form.ENDLESS)
+_SHUT = (Form.CLOSED, Form.NESTED)
+"""States that no lines of the drawing lead into."""
+
+_SOLID = (Form.ACTIVITY, Form.PARALLEL, *_SHUT)
+_FULL = (Form.ACTIVITY, *_SHUT, Form.PILL, Form.INITIAL, Form.FINAL, Form.ENDLESS)
 """What no line may cross, and no text that is not its own."""
 
 _SIGNS = (Form.FIELD, Form.ENDLESS, Form.STACK)
@@ -44,7 +48,10 @@ def faults(chart: Statechart, picture: Picture, activities: Iterable[Activity] =
     written = [item for item in picture.elements if isinstance(item, Text)]
     follows = Follows(chart, picture.top)
     words = Words(chart, activities, picture.notes)
-    hidden = frozenset(place for shape in shapes if shape.form is Form.CLOSED for place in shape.marks)
+    shut = [shape for shape in shapes if shape.form in _SHUT]
+    hidden = frozenset(
+        place for shape in shut for place in (*shape.marks, *transitions_in(chart, shape.state))
+    )
     return [
         *_counted(chart, picture, lines, shapes),
         *_marks(chart, picture, follows, words, shapes),
@@ -57,6 +64,7 @@ def faults(chart: Statechart, picture: Picture, activities: Iterable[Activity] =
         *_names(chart, words, shapes, written),
         *_overlaps(picture, lines, shapes, written),
         *_crossings(lines, shapes),
+        *(fault for shape in shut if shape.form is Form.NESTED for fault in nested_faults(chart, shape)),
     ]
 
 
@@ -70,6 +78,15 @@ def _counted(
     for shape in shapes:
         if shape.form is Form.CLOSED:
             drawn.update(inside(chart, shape.state)[1:])
+        elif shape.inset is not None:
+            drawn.update(states_in(shape.inset) - Counter([shape.state]))
+            seen.update(shown_in(shape.inset))
+            # What stays in a state is written in it.
+            seen.update(
+                place
+                for place in transitions_in(chart, shape.state)
+                if not chart.transitions[place].changes_state
+            )
     for one, *others in reversed(picture.copies):  # inner ones come after those around them
         for other in others:
             if chart.node(one).parent != chart.node(other).parent or not equal(chart, one, other):
@@ -142,7 +159,7 @@ def _ends(
     """A line from or to a state with a shape begins or ends at its border."""
     bordered = [shape for shape in shapes if shape.form not in (*_SIGNS, Form.PILL)]
     boxes = {label: _box(shape) for shape in bordered for label in (shape.state, *shape.also)}
-    closed = {shape.state for shape in shapes if shape.form is Form.CLOSED}
+    closed = {shape.state for shape in shapes if shape.form in _SHUT}
     going_on = {_rounded(line.points[0]): line.points[-1] for line in lines if not line.chain}
     for line in lines:
         if not line.chain:
@@ -322,7 +339,7 @@ def _labels(
                     if not _beside(item, line, reach)
                 )
     for shape in shapes:
-        if shape.form in (Form.CLOSED, Form.PILL, Form.ENDLESS):
+        if shape.form in (*_SHUT, Form.PILL, Form.ENDLESS):
             continue
         for place in shape.marks:
             here = found.pop(place, [])

@@ -5,13 +5,17 @@ All measures are px, from the top left corner; texts stand on their base line.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import field, replace
 from enum import StrEnum
 
+from aseme_dsl.diagrams.look.inset import Inset
 from aseme_dsl.records import dataclass
 
 Point = tuple[float, float]
 Link = tuple[int, ...]
+Nested = Callable[[str], Inset | str]
+"""Draws the inside of a composite as the papers do, or says why it cannot."""
 
 
 class Look(StrEnum):
@@ -39,6 +43,9 @@ SIZES = {
 }
 
 
+INSET_PAD = 4.0
+"""Between a border and an inset, in px."""
+
 STACKED = 4.0
 """How far the sheet behind a stack is seen, in px."""
 
@@ -61,6 +68,7 @@ class Form(StrEnum):
     PROTOCOL = "protocol"
     PILL = "pill"
     CLOSED = "closed"
+    NESTED = "nested"
     ENDLESS = "endless"
     CHOICE = "choice"
     INITIAL = "initial"
@@ -87,7 +95,8 @@ class Shape:
     """A state, or the border of a field (a dashed line above a region).
 
     A PILL is a region that repeats one activity, ENDLESS a state that is never complete. CLOSED is a state
-    that is drawn without what is inside, STACK the border of a region that is drawn once for several.
+    that is drawn without what is inside, NESTED one whose inside is drawn as the papers draw. STACK is the
+    border of a region that is drawn once for several.
     """
 
     form: Form
@@ -105,6 +114,14 @@ class Shape:
     """Other states that have the same border: the formula that is nothing but this frame."""
     reason: str = ""
     """Why what is inside has no compact drawing, if it has none."""
+    inset: Inset | None = field(default=None, hash=False)
+    """The picture of what is inside, if it is nested."""
+
+    @property
+    def origin(self) -> Point:
+        """Where the inset has its top left corner."""
+        high = self.inset.height if self.inset is not None else 0.0
+        return self.x + INSET_PAD, self.y + self.height - INSET_PAD - high
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,12 +171,14 @@ def moved(element: Element, dx: float, dy: float) -> Element:
 
 
 __all__ = [
+    "INSET_PAD",
     "SIZES",
     "STACKED",
     "Element",
     "Form",
     "Line",
     "Look",
+    "Nested",
     "Picture",
     "Point",
     "Shape",

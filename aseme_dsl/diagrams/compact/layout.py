@@ -8,8 +8,8 @@ from dataclasses import replace
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
-from aseme_dsl.diagrams.compact.blocks import Group, Parallel, blocks
-from aseme_dsl.diagrams.compact.elements import SIZES, Look, Picture, Shape, Text
+from aseme_dsl.diagrams.compact.blocks import Closed, Group, NotCompact, Parallel, blocks
+from aseme_dsl.diagrams.compact.elements import SIZES, Look, Nested, Picture, Shape, Text
 from aseme_dsl.diagrams.compact.endings import Endings
 from aseme_dsl.diagrams.compact.parts import Placer, Rim
 from aseme_dsl.diagrams.compact.pen import PITCH, Placed, Room, text
@@ -51,7 +51,8 @@ class Wanted:
     """What is to be drawn: the OR `top`, with the composites `closed` closed, if it can be in the `size`.
 
     On a `page` of this size, the texts below take all of its width, or stand beside the chart, or `apart` on
-    pages of their own. The `path` leads to the page, from the states that the pages before it show.
+    pages of their own. The `path` leads to the page, from the states that the pages before it show. What has
+    no compact form is drawn by `nested`, if that is given.
     """
 
     top: str
@@ -60,20 +61,21 @@ class Wanted:
     page: bool = False
     apart: bool = False
     path: tuple[str, ...] = ()
+    nested: Nested | None = None
 
 
 def layout(chart: Statechart, activities: Iterable[Activity] = (), wanted: Wanted | None = None) -> Picture:
     """The compact drawing of a chart, or of a part of it. Raises NotCompact."""
     wanted = wanted or Wanted(chart.root.label)
-    root = blocks(chart, wanted.top, wanted.closed)
+    root = _blocks(chart, wanted)
     endings, first = Endings(chart), Words(chart, tuple(activities))
-    room = wanted.size[0] - 2 * _AROUND
+    room, nested = wanted.size[0] - 2 * _AROUND, wanted.nested
 
     def drawn(
         wide: float, chosen: Mapping[str, float], limits: Mapping[str, float]
     ) -> tuple[Picture, Mapping[str, float], float]:
         words = first.anew()
-        placer = Placer(chart, words, Plan(chart, words, endings), wide, room, chosen, limits)
+        placer = Placer(chart, words, Plan(chart, words, endings), wide, room, chosen, limits, nested)
         field = _root(chart, placer.plan, placer, root, words)
         return _page(chart, field, words, placer, wanted), placer.widths, field.right
 
@@ -101,6 +103,16 @@ def layout(chart: Statechart, activities: Iterable[Activity] = (), wanted: Wante
         picture, widths, _ = drawn(_WIDTHS[0], chosen, limits)
         best = {label: min(best[label], (widths[label], -at)) for label, at in limits.items()}
     return drawn(_WIDTHS[0], chosen, {label: -at for label, (_, at) in best.items()})[0]
+
+
+def _blocks(chart: Statechart, wanted: Wanted) -> Group | Closed:
+    """The blocks of a page; one that another page leads to may be all nested. Raises NotCompact."""
+    try:
+        return blocks(chart, wanted.top, wanted.closed)
+    except NotCompact as reason:
+        if wanted.nested is None or not wanted.path:
+            raise
+        return Closed(wanted.top, str(reason))
 
 
 def _best(label: str, measured: Sequence[tuple[float, Mapping[str, float]]], limit: float) -> float:
@@ -199,8 +211,10 @@ def _lowest(entries: Sequence[Entry], wanted: Wanted, top: float) -> float:
     return max(item.y for item in _explained(entries, _MARGIN, wanted.size[0] - 2 * _MARGIN, top))
 
 
-def _root(chart: Statechart, plan: Plan, placer: Placer, root: Group, words: Words) -> Placed:
+def _root(chart: Statechart, plan: Plan, placer: Placer, root: Group | Closed, words: Words) -> Placed:
     """The outermost region: an AND that never ends needs no line to it."""
+    if isinstance(root, Closed):
+        return placer.field(root, 0.0)
     part = plan.only(root)
     group: Group | None = root
     enter = root.branches[0].enter if part is not None else ()

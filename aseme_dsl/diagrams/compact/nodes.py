@@ -7,10 +7,23 @@ from dataclasses import replace
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.diagrams.compact.blocks import Activity, Closed, Group, inside
-from aseme_dsl.diagrams.compact.elements import Form, Line, Link, Look, Point, Shape, Text
+from aseme_dsl.diagrams.compact.elements import (
+    INSET_PAD,
+    SIZES,
+    Form,
+    Line,
+    Link,
+    Look,
+    Nested,
+    Point,
+    Shape,
+    Text,
+)
 from aseme_dsl.diagrams.compact.pen import GAP, PITCH, Pen, Placed, Room, line_to, pen, text
 from aseme_dsl.diagrams.compact.plan import Plan, transitions_in
 from aseme_dsl.diagrams.compact.words import Row, Words, indented, width
+from aseme_dsl.diagrams.look.inset import Inset
+from aseme_dsl.diagrams.look.labels import fitted
 
 PAD = 10
 """Between a border and what is inside."""
@@ -21,14 +34,23 @@ _HALF = 14
 _IN_NODE = 260
 """How wide the rows in a node may be, in px."""
 
+_NOTE = 240
+"""How wide the lines of a note in a box may be at least, in px."""
+
 _ROW_OF_PILLS = 1100
 """How wide a row of pills may be, in px."""
 
 
 class Nodes:
-    """Draws the states of one chart that have nothing inside, where a line has so much `room`."""
+    """Draws the states of one chart that have nothing inside, where a line has so much `room`.
 
-    def __init__(self, chart: Statechart, words: Words, plan: Plan, room: float) -> None:
+    What has no compact form is drawn by `nested`, if that is given.
+    """
+
+    def __init__(
+        self, chart: Statechart, words: Words, plan: Plan, room: float, nested: Nested | None
+    ) -> None:
+        self._nested = nested
         self._chart = chart
         self._words = words
         self._plan = plan
@@ -83,7 +105,12 @@ class Nodes:
         self, block: Closed, line: Pen | None, x: float, signs: Link = (), least: float = 0.0
     ) -> Placed:
         """A composite without what is inside: how much that is, and why it is closed if it must be."""
-        chart = self._chart
+        chart, reason = self._chart, block.reason
+        if reason and self._nested is not None:
+            picture = self._nested(block.label)
+            if isinstance(picture, Inset):
+                return self._with_inset(block, picture, line, x, signs, least)
+            reason = f"{reason}; {picture}"
         states = inside(chart, block.label)
         name, more = self._plan.called(block.label), self._plan.heading(block.label)[1]
         count = sum(chart.node(item).activity is not None for item in states)
@@ -92,16 +119,30 @@ class Nodes:
         rows.append(
             (f"{count} {'activity' if count == 1 else 'activities'}, {len(states)} states", Look.SMALL)
         )
-        if block.reason:
-            rows.append((f"not drawn: {block.reason}", Look.SMALL))
+        rows += _note(f"not drawn: {reason}" if reason else "", _NOTE)
         wide = max(max(width(*row) for row in rows) + 2 * PAD + 8, least)
         marks = (*transitions_in(chart, block.label), *signs)
         room = Room()
         if line is not None:
             room.add(line_to(line, (x, 0)))
         high = 2 * _HALF + (len(rows) - 1) * PITCH
-        room.add(Shape(Form.CLOSED, x, -_HALF, wide, high, block.label, marks, reason=block.reason))
+        room.add(Shape(Form.CLOSED, x, -_HALF, wide, high, block.label, marks, reason=reason))
         room.add(*(text(x + PAD, 4.5 + number * PITCH, *row) for number, row in enumerate(rows)))
+        return room.placed(None if self._plan.is_endless(block.label) else pen(x + wide))
+
+    def _with_inset(
+        self, block: Closed, picture: Inset, line: Pen | None, x: float, signs: Link, least: float
+    ) -> Placed:
+        """A composite whose inside is drawn as the papers draw, and the reason above it."""
+        wide = max(picture.width + 2 * INSET_PAD, _NOTE + 2 * PAD, least)
+        rows = _note(f"drawn as the papers draw: {block.reason}", wide - 2 * PAD)
+        high = len(rows) * PITCH + 8 + picture.height + INSET_PAD
+        room = Room()
+        if line is not None:
+            room.add(line_to(line, (x, 0)))
+        border = Shape(Form.NESTED, x, -_HALF, wide, high, block.label, signs, reason=block.reason)
+        room.add(replace(border, inset=picture))
+        room.add(*(text(x + PAD, 2 + number * PITCH, *row) for number, row in enumerate(rows)))
         return room.placed(None if self._plan.is_endless(block.label) else pen(x + wide))
 
     def pills(self, regions: Sequence[Group], x: float) -> Placed:
@@ -155,6 +196,11 @@ class Nodes:
         height = room.down + PAD - top + len(foot) * PITCH + (6 if foot else 0)
         shape = Shape(form, left, top, right - left, height, labels[-1], marks, labels[:-1])
         return shape, written
+
+
+def _note(said: str, wide: float) -> list[Row]:
+    """A note in small letters, in lines of this width."""
+    return [(row, Look.SMALL) for row in fitted(said, wide, SIZES[Look.SMALL]) if row]
 
 
 def endless(x: float, y: float, label: str, marks: Link) -> Shape:

@@ -8,12 +8,15 @@ from dataclasses import replace
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagrams.compact.blocks import inside
-from aseme_dsl.diagrams.compact.elements import Form, Picture, Shape
+from aseme_dsl.diagrams.compact.elements import Form, Nested, Picture, Shape
 from aseme_dsl.diagrams.compact.layout import Wanted, layout, scale
 from aseme_dsl.records import dataclass
 
 _LARGE = 0.67
 """A formula that is more of a page than this is closed only if there is no smaller one."""
+
+_AROUND = 80
+"""How much room a page has at least to have for more than a nested part, in px."""
 
 _SMALL = 3
 """A formula with fewer states is not worth a page."""
@@ -27,38 +30,63 @@ class Page:
     picture: Picture
 
 
-def whole(chart: Statechart, activities: Iterable[Activity], top: str, depth: int | None) -> Page:
-    """One page of a state, with the formulas closed that are more than `depth` formulas deep."""
+def whole(
+    chart: Statechart,
+    activities: Iterable[Activity],
+    top: str,
+    depth: int | None,
+    nested: Nested | None = None,
+) -> Page:
+    """One page of a state, with the formulas closed that are more than `depth` formulas deep.
+
+    What has no compact form is drawn by `nested`. Raises NotCompact.
+    """
     closed = frozenset(label for label, level in _formulas(chart, top) if depth is not None and level > depth)
-    return Page(top, layout(chart, activities, Wanted(top, closed)))
+    return Page(top, layout(chart, activities, Wanted(top, closed, nested=nested)))
 
 
 def divided(
-    chart: Statechart, activities: Iterable[Activity], top: str, size: tuple[float, float]
+    chart: Statechart,
+    activities: Iterable[Activity],
+    top: str,
+    size: tuple[float, float],
+    nested: Nested | None = None,
 ) -> Iterator[Page]:
-    """Pages of at most a size as far as formulas can be closed: each closed one has a page of its own."""
+    """Pages of at most a size as far as formulas can be closed: each closed one has a page of its own.
+
+    What has no compact form is drawn by `nested`, and closed as well. Raises NotCompact.
+    """
     known = tuple(activities)
     waiting: list[tuple[str, ...]] = [(top,)]
     while waiting:
         *path, label = waiting.pop(0)
-        picture, closed = _fitting(chart, known, Wanted(label, size=size, page=True, path=tuple(path)))
+        wanted = Wanted(label, size=size, page=True, path=tuple(path), nested=nested)
+        picture, closed = _fitting(chart, known, wanted)
         yield Page(label, picture)
         shapes = (item for item in picture.elements if isinstance(item, Shape) and item.form is Form.CLOSED)
         waiting += ((*path, label, item.state) for item in shapes if item.state in closed)
 
 
-def _fitting(chart: Statechart, activities: tuple[Activity, ...], wanted: Wanted) -> tuple[Picture, set[str]]:
+def _fitting(chart: Statechart, activities: tuple[Activity, ...], wanted: Wanted) -> tuple[Picture, frozenset[str]]:
     """The picture of a page, and what has been closed for want of room.
 
-    Formulas are closed first. If that is not enough, the texts below get pages of their own. At last, parts
-    without a name are closed.
+    A nested part that has no room on any page is always closed. Then come formulas. If that is not enough,
+    the texts below get pages of their own. At last, parts without a name are closed, and nested ones.
     """
+    first = layout(chart, activities, wanted)
+    nested = {
+        item.state: item.width + _AROUND > wanted.size[0] or item.height + _AROUND > wanted.size[1]
+        for item in first.elements
+        if isinstance(item, Shape) and item.form is Form.NESTED and item.state != wanted.top
+    }
+    always = frozenset(label for label, is_large in nested.items() if is_large)
     formulas = _closings(chart, wanted.top, [label for label, _ in _formulas(chart, wanted.top)], ())
     order = (*formulas, *_closings(chart, wanted.top, list(_parts(chart, wanted.top)), formulas))
+    order += tuple(label for label in nested if label not in {*always, *order})
 
     def with_closed(count: int) -> Picture:
-        now = replace(wanted, closed=frozenset(order[:count]))
-        picture = layout(chart, activities, now)
+        now = replace(wanted, closed=always | frozenset(order[:count]))
+        picture = layout(chart, activities, now) if now.closed else first
         if scale(picture, wanted.size) >= 1 or count < len(formulas):
             return picture
         return max(picture, layout(chart, activities, replace(now, apart=True)), key=fit)
@@ -67,7 +95,7 @@ def _fitting(chart: Statechart, activities: tuple[Activity, ...], wanted: Wanted
         return scale(picture, wanted.size)
 
     count, picture = _fewest(len(order), with_closed, lambda picture: fit(picture) >= 1)
-    return picture, set(order[:count])
+    return picture, always | frozenset(order[:count])
 
 
 def _fewest(

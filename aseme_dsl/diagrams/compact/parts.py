@@ -19,6 +19,7 @@ from aseme_dsl.diagrams.compact.elements import (
     Form,
     Link,
     Look,
+    Nested,
     Point,
     Shape,
     Stroke,
@@ -96,7 +97,7 @@ class Rim:
 class Placer:
     """Places the blocks of one chart; labels are about `wide` px wide, in some regions as `chosen`.
 
-    A row of pills comes to `room`. In the outermost regions that have `limits`, a line that comes to the
+    What has no compact form is drawn by `nested`. A row of pills comes to `room`. In the outermost regions that have `limits`, a line that comes to the
     limit continues in a row below. `copies` collects the regions that are drawn once for several, `widths`
     how wide the outermost ones are.
     """
@@ -110,6 +111,7 @@ class Placer:
         room: float,
         chosen: Mapping[str, float],
         limits: Mapping[str, float],
+        nested: Nested | None = None,
     ) -> None:
         self.plan = plan
         self.copies: list[tuple[str, ...]] = []
@@ -118,7 +120,7 @@ class Placer:
         self._words = words
         self._wide = self._usual = wide
         self._chosen = chosen
-        self._nodes = Nodes(chart, words, plan, room)
+        self._nodes = Nodes(chart, words, plan, room, nested)
         self._limits = limits
         self._limit: float | None = None
         self._bare: set[str] = set()

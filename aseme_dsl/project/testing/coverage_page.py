@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from html import escape
 from pathlib import Path
 from xml.etree import ElementTree
@@ -11,6 +12,7 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagrams.compact import drawings
 from aseme_dsl.diagrams.look.drawing import Options
+from aseme_dsl.diagrams.rendering.inset import region
 from aseme_dsl.play.coverage.measure import Coverage, Item, Kind, Status
 from aseme_dsl.project.testing.coverage_report import counted, origin, percent_text
 
@@ -76,7 +78,7 @@ def _role(system: System, chart: Statechart, coverage: Coverage) -> Iterator[str
         if (found := [item for item in mine if item.kind is kind and item.status is not Status.NEVER])
     )
     yield f"<h2>{escape(chart.name)}</h2><p>{shares}</p>"
-    drawn = drawings(chart, Options(), system.activities)
+    drawn = drawings(chart, Options(), system.activities, nested=partial(region, chart))
     if isinstance(drawn, str):
         yield f"<p>There is no drawing: {escape(drawn)}.</p>"
         return

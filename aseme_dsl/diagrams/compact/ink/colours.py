@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 
 from aseme_dsl.amola.statechart import OriginKind, Statechart
 from aseme_dsl.diagrams.look.colours import DARK, LIGHT
@@ -23,6 +24,7 @@ path.message{stroke:{message}}path.message.solid{fill:{message}}path.cut.solid{f
 path.choice{fill:{choice};stroke:{choice-border}}
 .closed{fill:{frame};stroke:{ink};stroke-width:1.3;stroke-dasharray:2 2}
 path.endless{stroke:{soft};stroke-width:1.5}
+.nested{fill:{paper};stroke:{frame-border};stroke-dasharray:2 2}
 .frame{fill:{frame};stroke:{frame-border}}.parallel,.stack{fill:{paper};stroke:{frame-border}}
 path.stack{fill:none}
 path.field{stroke:{frame-border};stroke-dasharray:6 4}
@@ -33,8 +35,18 @@ path.p2{stroke:{p2};stroke-width:4}path.p3{stroke:{p3};stroke-width:4}
 .initial{fill:{ink}}a text{text-decoration:underline}.final{fill:{paper};stroke:{ink}}.dot{fill:{ink}}"""
 
 
-def _rules(colours: dict[str, str]) -> str:
+_INSET = (
+    ".inset path{stroke-width:1}.inset .thick{stroke-width:2.2}.inset .dashed{stroke-dasharray:5 2}"
+    ".f-none{fill:none}.i-none{stroke:none}"
+)
+
+
+def _rules(colours: dict[str, str], nested: Collection[str] = (), sizes: Collection[float] = ()) -> str:
     text = _RULES.replace("{fonts}", FONTS)
+    if nested:
+        text += f"\n{_INSET}"
+        text += "".join(f".f-{name}{{fill:{{{name}}}}}.i-{name}{{stroke:{{{name}}}}}" for name in sorted(nested))
+        text += "".join(f".s{size:.0f}{{font-size:{size:g}px}}" for size in sorted(sizes))
     for name, colour in colours.items():
         text = text.replace(f"{{{name}}}", colour)
     # Part of a page, the rules must not reach what is around.
@@ -45,11 +57,16 @@ def _of_drawing(match: re.Match[str]) -> str:
     return f"{match[1]}{','.join(f'.aseme-compact {item}' for item in match[2].split(','))}{{"
 
 
-def style(theme: str | None = None) -> str:
-    """The style sheet: light, and dark where the reader prefers that; or one `theme` alone."""
+def style(theme: str | None = None, nested: Collection[str] = (), sizes: Collection[float] = ()) -> str:
+    """The style sheet: light, and dark where the reader prefers that; or one `theme` alone.
+
+    Insets have the colours `nested` and texts of these `sizes`.
+    """
+    names = frozenset(nested) - {""}
     if theme is not None:
-        return _rules(DARK if theme == "dark" else LIGHT)
-    return f"{_rules(LIGHT)}\n@media (prefers-color-scheme:dark){{{_rules(DARK)}}}"
+        return _rules(DARK if theme == "dark" else LIGHT, names, sizes)
+    dark = _rules(DARK, names, sizes)
+    return f"{_rules(LIGHT, names, sizes)}\n@media (prefers-color-scheme:dark){{{dark}}}"
 
 
 def branch_colour(chart: Statechart, label: str) -> int:

@@ -60,6 +60,8 @@ def names(chart: Statechart, picture: Picture) -> dict[Shape, str]:
                 said[shape] = f"activity {inside}{f', in {around}' if around else ''}"
             case Form.PILL:
                 said[shape] = f"always {inside}"
+            case Form.NESTED:
+                said[shape] = f"{_called(chart, shape.state)}, {inside}"
             case Form.CLOSED:
                 said[shape] = f"closed {inside}"
             case Form.ENDLESS:
@@ -88,6 +90,18 @@ def line_name(chart: Statechart, line: Line) -> str:
     texts = ("; or ".join(_texts(chart, link)) for link in line.chain)
     when = ", then ".join(filter(None, texts)) or "when complete"
     return f"{_called(chart, ends[0])} to {_called(chart, ends[1])}: {when}"
+
+
+def state_name(chart: Statechart, label: str) -> str:
+    """What a screen reader says of a state that is drawn nested, with what is done in it."""
+    state = chart.node(label)
+    kinds = {StateType.BASIC: "activity ", StateType.AND: "parallel regions ", StateType.OR: "group "}
+    staying = (
+        place
+        for place, item in enumerate(chart.transitions)
+        if item.source == label and not item.changes_state
+    )
+    return "; ".join((kinds.get(state.type, "") + _called(chart, label), *_texts(chart, staying)))
 
 
 def _texts(chart: Statechart, places: Iterable[int]) -> list[str]:
@@ -149,4 +163,4 @@ def _holds(shape: Shape, item: Text) -> bool:
     return shape.x <= item.x <= shape.x + shape.width and shape.y <= item.y <= shape.y + shape.height
 
 
-__all__ = ["headings", "in_order", "line_name", "names", "silent"]
+__all__ = ["headings", "in_order", "line_name", "names", "silent", "state_name"]

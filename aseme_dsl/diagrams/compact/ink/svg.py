@@ -19,6 +19,7 @@ from aseme_dsl.diagrams.compact.elements import (
     Text,
 )
 from aseme_dsl.diagrams.compact.ink.colours import branch_colour, style
+from aseme_dsl.diagrams.compact.ink.nested import colours, inset
 from aseme_dsl.diagrams.compact.ink.reading import headings, in_order, line_name, names, silent
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS, Sign
 from aseme_dsl.diagrams.compact.words import BOLD, ICON
@@ -43,7 +44,7 @@ def svg(
         f'viewBox="0 0 {width:g} {height:g}" class="aseme-compact" role="graphics-document document" '
         f'aria-label="{_text(about)}">',
         f"<title>{_text(about)}</title>",
-        f"<style>{style(theme)}</style>",
+        f"<style>{style(theme, *colours(item for item in picture.elements if isinstance(item, Shape)))}</style>",
         f'<rect class="paper" width="{width:g}" height="{height:g}"/>',
     ]
     known: Counter[str] = Counter()
@@ -93,6 +94,7 @@ def _element(
         case Shape():
             name = f"n{item.state}"  # a frame and the sign that it never ends have the same
             yield from _shape(chart, item, f' id="{name}"' if not known[name] else "", spoken.get(item, ""))
+            yield from inset(chart, item)
             known[name] += 1
         case _:
             assert_never(item)
@@ -162,7 +164,7 @@ def _shape(chart: Statechart, item: Shape, name: str, spoken: str) -> Iterator[s
     middle, centre = x + width / 2, y + height / 2
     box = f'x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}"'
     match item.form:
-        case Form.ACTIVITY | Form.FRAME | Form.PARALLEL | Form.CLOSED:
+        case Form.ACTIVITY | Form.FRAME | Form.PARALLEL | Form.CLOSED | Form.NESTED:
             yield f'<rect class="{item.form}" {box} rx="8"/>'
         case Form.CHOICE:
             corners = f"M{middle:.1f} {y:.1f}L{x + width:.1f} {centre:.1f}L{middle:.1f} {y + height:.1f}"

@@ -26,7 +26,8 @@ from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS
 from aseme_dsl.diagrams.compact.ink.svg import behind, head
 from aseme_dsl.diagrams.compact.words import BOLD, ICON
 from aseme_dsl.diagrams.look.colours import LIGHT
-from aseme_dsl.diagrams.look.labels import printable
+from aseme_dsl.diagrams.look.inset import Outline, Oval, Words
+from aseme_dsl.diagrams.look.labels import printable, text_width
 from aseme_dsl.diagrams.look.style import FONTS
 
 _STROKES = {Stroke.PLAIN: "line", Stroke.CUT: "cut", Stroke.ERROR: "error", Stroke.NEVER: "soft"}
@@ -113,6 +114,10 @@ class _Pen:
             case Form.CLOSED:
                 self._style("dotted", 1.3)
                 self._area(_rounded(item, _CORNER), "ink", "frame")
+            case Form.NESTED:
+                self._style("dotted", 1)
+                self._area(_rounded(item, _CORNER), "frame-border", "paper")
+                self._inset(item)
             case Form.PILL:
                 self._area(_rounded(item, height / 2), "frame-border", "pill")
             case Form.PROTOCOL:
@@ -141,6 +146,37 @@ class _Pen:
             case _:
                 assert_never(item.form)
 
+    def _inset(self, item: Shape) -> None:
+        """The picture in a nested state."""
+        dx, dy = item.origin
+        pieces = item.inset.pieces if item.inset is not None else ()
+        for part in (part for piece in pieces for part in piece.parts):
+            match part:
+                case Outline():
+                    points = [(x + dx, y + dy) for x, y in part.points]
+                    self._style("dashed" if part.dashed else "solid", part.wide)
+                    self._filled(part.fill, part.ink or part.fill)
+                    kind = ("b" if part.fill else "B") if part.curved else ("P" if part.fill else "p")
+                    self.said.append(f"{kind} {len(points)} {self._points(points)} ")
+                case Oval():
+                    self._style("solid", 1)
+                    self._filled(part.fill, part.ink or part.fill)
+                    kind = "E" if part.fill else "e"
+                    self.said.append(
+                        f"{kind} {self._place(part.x + dx, part.y + dy)} {part.rx:g} {part.ry:g} "
+                    )
+                case Words():
+                    wide = text_width(part.text, part.size, bold=part.bold)
+                    at = part.x + dx, part.y + dy
+                    self._words(part.text, at, part.size, part.ink, int(part.bold), wide, 0 if part.middle else -1)
+                case _:
+                    assert_never(part)
+
+    def _filled(self, fill: str, ink: str) -> None:
+        self._colour(ink)
+        if fill:
+            self.said.append(f"C 7 -{LIGHT[fill]} ")
+
     def _text(self, item: Text) -> None:
         said, x = item.text, item.x
         sign = SIGNS.get(said[:1])
@@ -164,12 +200,18 @@ class _Pen:
         if not said:
             return  # Graphviz reads nothing behind an empty text
         flags = (1 if item.look in BOLD else 0) + (2 if item.look is Look.ACTION else 0)
-        self._colour(_INKS.get(item.look, "ink"))
+        self._words(said, (x, item.y), SIZES[item.look], _INKS.get(item.look, "ink"), flags, item.width)
+
+    def _words(
+        self, said: str, at: Point, size: float, ink: str, flags: int, wide: float, side: int = -1
+    ) -> None:
+        """A line of text, from its left end on (`side` -1) or around its middle (0)."""
+        self._colour(ink)
         said = printable(said).replace("\\", "∖").replace('"', '\\"')
         length = len(said.replace('\\"', '"').encode())
-        self.said.append(f"F {SIZES[item.look]} {len(FONTS)} -{FONTS} t {flags} ")
-        low = item.y + _LOWER * SIZES[item.look]
-        self.said.append(f"T {self._place(x, low)} -1 {item.width:.0f} {length} -{said} ")
+        self.said.append(f"F {size:g} {len(FONTS)} -{FONTS} t {flags} ")
+        low = at[1] + _LOWER * size
+        self.said.append(f"T {self._place(at[0], low)} {side} {wide:.0f} {length} -{said} ")
 
     def _place(self, x: float, y: float) -> str:
         return f"{x:.1f} {self._height - y:.1f}"

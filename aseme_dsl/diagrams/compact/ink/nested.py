@@ -1,0 +1,107 @@
+"""Nested: the inset of a part that is drawn as the papers draw, as SVG."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import assert_never
+from xml.sax.saxutils import escape
+
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.diagrams.compact.elements import Line, Shape
+from aseme_dsl.diagrams.compact.ink.reading import line_name, state_name
+from aseme_dsl.diagrams.look.dot import Kind
+from aseme_dsl.diagrams.look.inset import Outline, Oval, Part, Piece, Point, Words
+from aseme_dsl.diagrams.look.labels import printable, text_width
+
+_ROUND = 8
+
+
+def inset(chart: Statechart, shape: Shape) -> Iterator[str]:
+    """The picture inside a nested state, each piece with what it stands for in its id and its tip."""
+    if shape.inset is None:
+        return
+    x, y = shape.origin
+    yield f'<g class="inset" data-in="{shape.state}" data-at="{x:.1f} {y:.1f}">'
+    for piece in shape.inset.pieces:
+        yield from _piece(chart, piece, shape.state, (x, y))
+    yield "</g>"
+
+
+def _piece(chart: Statechart, piece: Piece, around: str, at: Point) -> Iterator[str]:
+    said, own, kind = "", f' id="{piece.id}"', "piece"
+    named = piece.id.removeprefix("n")
+    if piece.kind is Kind.LINE and piece.id.removeprefix("t").isdecimal():
+        place = int(piece.id.removeprefix("t"))
+        kind, own = "line", f'{own} data-t="{place}"'
+        said = line_name(chart, Line((), ((place,),)))
+    elif named in chart.by_label:
+        # The border around the picture has the name of the outermost state.
+        kind, own = "state", f'{own if named != around else ""} data-n="{named}"'
+        said = state_name(chart, named)
+    elif not piece.id:
+        own = ""
+    role = f' role="img" aria-label="{_text(said)}"' if said else ""
+    yield f'<g{own} class="{kind}" data-kind="{piece.kind}"{role}>'
+    if piece.tip:
+        yield f"<title>{_text(piece.tip)}</title>"
+    first = kind == "state"
+    for part in piece.parts:
+        yield _part(part, at, is_border=first, is_head=kind == "line")
+        first = False
+    yield "</g>"
+
+
+def _part(part: Part, at: Point, *, is_border: bool, is_head: bool) -> str:
+    dx, dy = at
+    look = f"f-{getattr(part, 'fill', '') or 'none'}"
+    match part:
+        case Words():
+            long = text_width(part.text, part.size, bold=part.bold)
+            more = ' text-anchor="middle"' if part.middle else ""
+            more += ' font-weight="bold"' if part.bold else ""
+            place = f'x="{part.x + dx:.1f}" y="{part.y + dy:.1f}"'
+            fixed = f'textLength="{long:.1f}" lengthAdjust="spacingAndGlyphs"'
+            return f'<text class="f-{part.ink} s{part.size:.0f}" {place} {fixed}{more}>{_text(part.text)}</text>'
+        case Oval():
+            round_ = f'cx="{part.x + dx:.1f}" cy="{part.y + dy:.1f}" rx="{part.rx:g}" ry="{part.ry:g}"'
+            return f'<ellipse class="f-{part.fill or "none"} i-{part.ink or "none"}" {round_}/>'
+        case Outline():
+            look = f"f-{part.fill or 'none'} i-{part.ink or 'none'}"
+            look += " dashed" * part.dashed + " thick" * (part.wide > 1)
+            if is_border:
+                return _border(part, look, at)
+            head = "head " if is_head and part.is_head else ""
+            return f'<path class="{head}{look}" d="{path(part, at)}"/>'
+        case _:
+            assert_never(part)
+
+
+def _border(part: Outline, look: str, at: Point) -> str:
+    """The border of a state as a box, which pages that colour states know."""
+    xs, ys = [x + at[0] for x, _ in part.points], [y + at[1] for _, y in part.points]
+    box = f'x="{min(xs):.2f}" y="{min(ys):.2f}" width="{max(xs) - min(xs):.2f}" height="{max(ys) - min(ys):.2f}"'
+    return f'<rect class="{look}" {box} rx="{_ROUND if part.curved else 0}"/>'
+
+
+def path(part: Outline, at: Point) -> str:
+    """An outline as the `d` of a path."""
+    moved = [f"{x + at[0]:.2f} {y + at[1]:.2f}" for x, y in part.points]
+    if part.curved:
+        curves = (" ".join(moved[n : n + 3]) for n in range(1, len(moved), 3))
+        return f"M{moved[0]}C{' '.join(curves)}"
+    return f"M{'L'.join(moved)}"
+
+
+def colours(shapes: Iterable[Shape]) -> tuple[frozenset[str], frozenset[float]]:
+    """The names of colours and the sizes of text in the insets."""
+    parts = [part for shape in shapes if shape.inset for piece in shape.inset.pieces for part in piece.parts]
+    inks = {part.ink for part in parts}
+    fills = {part.fill for part in parts if not isinstance(part, Words)}
+    return frozenset(inks | fills), frozenset(part.size for part in parts if isinstance(part, Words))
+
+
+def _text(text: str) -> str:
+    return escape(printable(text), {'"': "&quot;"})
+
+
+__all__ = ["colours", "inset", "path"]
