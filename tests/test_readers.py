@@ -88,6 +88,7 @@ LISTED: dict[str, str] = {
     "diagrams/rendering/store.py: _write: os.fdopen": "it writes",
     "diagrams/rendering/lines.py: mixed_up: fromstring": "what Graphviz has drawn of our own text",
     "diagrams/rendering/svg.py: faults: fromstring": "what Graphviz has drawn of our own text",
+    "diagrams/rendering/inset.py: inset: fromstring": "what Graphviz has drawn of our own text",
     "documents/html.py: inline: fromstring": "what Graphviz has drawn of our own text",
     "editor/reading/bounded_input.py: readline: readline": "with a largest size",
     "editor/server.py: did_change: open": NO_FILE,

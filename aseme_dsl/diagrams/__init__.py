@@ -1,6 +1,6 @@
 """Diagrams: every model of a system as drawings: of our own or by Graphviz, in the look of the papers.
 
-`drawings` needs no Graphviz but for parts of statecharts that have no compact form. `render` and `draw` run it
+`drawings` runs Graphviz only for parts of statecharts that have no compact form. `render` and `draw` run it,
 and check what it has drawn.
 """
 

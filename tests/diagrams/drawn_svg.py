@@ -105,7 +105,9 @@ def _part(item: Element, move: Point) -> Part:
     looks = item.get("class", "").split()
     fill = next((look[2:] for look in looks if look.startswith("f-")), "").replace("none", "")
     ink = next((look[2:] for look in looks if look.startswith("i-")), "").replace("none", "")
-    x, y = (float(item.get(name) or item.get(f"c{name}") or 0) + by for name, by in zip("xy", move, strict=True))
+    x, y = (
+        float(item.get(name) or item.get(f"c{name}") or 0) + by for name, by in zip("xy", move, strict=True)
+    )
     match item.tag.removeprefix(SVG):
         case "text":
             size = next(float(look[1:]) for look in looks if re.fullmatch(r"s\d+", look))

@@ -126,7 +126,8 @@ class _Reader:
         for item in inside:
             if rest := self._links.get(item.label):
                 (target, _, _) = next(iter(rest))
-                raise NotCompact(f"the arrow from {self._called(item.label)} to {self._called(target)} belongs to no formula")
+                ends = f"from {self._called(item.label)} to {self._called(target)}"
+                raise NotCompact(f"the arrow {ends} belongs to no formula")
         entered = () if choice is None else enter
         return Group(state.label, start, end, choice, entered, tuple(branches), tuple(reactive))
 

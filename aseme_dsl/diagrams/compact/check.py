@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, StateType
 from aseme_dsl.diagrams.compact.blocks import inside
-from aseme_dsl.diagrams.compact.check_nested import nested_faults, shown_in, states_in
+from aseme_dsl.diagrams.compact.check_nested import nested_faults, shown_in, states_in, staying_in
 from aseme_dsl.diagrams.compact.elements import SIZES, Form, Line, Look, Picture, Point, Shape, Stroke, Text
 from aseme_dsl.diagrams.compact.follows import Follows
 from aseme_dsl.diagrams.compact.plan import equal, transitions_in
@@ -49,9 +49,7 @@ def faults(chart: Statechart, picture: Picture, activities: Iterable[Activity] =
     follows = Follows(chart, picture.top)
     words = Words(chart, activities, picture.notes)
     shut = [shape for shape in shapes if shape.form in _SHUT]
-    hidden = frozenset(
-        place for shape in shut for place in (*shape.marks, *transitions_in(chart, shape.state))
-    )
+    hidden = frozenset(place for shape in shut for place in transitions_in(chart, shape.state))
     return [
         *_counted(chart, picture, lines, shapes),
         *_marks(chart, picture, follows, words, shapes),
@@ -81,12 +79,7 @@ def _counted(
         elif shape.inset is not None:
             drawn.update(states_in(shape.inset) - Counter([shape.state]))
             seen.update(shown_in(shape.inset))
-            # What stays in a state is written in it.
-            seen.update(
-                place
-                for place in transitions_in(chart, shape.state)
-                if not chart.transitions[place].changes_state
-            )
+            seen.update(staying_in(chart, shape.state))
     for one, *others in reversed(picture.copies):  # inner ones come after those around them
         for other in others:
             if chart.node(one).parent != chart.node(other).parent or not equal(chart, one, other):

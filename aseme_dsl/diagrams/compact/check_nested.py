@@ -46,6 +46,11 @@ def states_in(inset: Inset) -> Counter[str]:
     return Counter(item.id[1:] for item in inset.pieces if item.id[:1] == "n")
 
 
+def staying_in(chart: Statechart, label: str) -> Iterator[int]:
+    """The transitions in a state that lead nowhere: they have no line, but are written in their states."""
+    return (place for place in transitions_in(chart, label) if not chart.transitions[place].changes_state)
+
+
 def nested_faults(chart: Statechart, shape: Shape) -> Iterator[str]:
     """What the inset of a state shows wrongly; nothing if it is right."""
     inset = shape.inset
@@ -65,9 +70,7 @@ def nested_faults(chart: Statechart, shape: Shape) -> Iterator[str]:
             yield from _line(chart, place, inset, by_id)
 
 
-def _counted(
-    chart: Statechart, inset: Inset, wanted: frozenset[int], states: Sequence[str]
-) -> Iterator[str]:
+def _counted(chart: Statechart, inset: Inset, wanted: frozenset[int], states: Sequence[str]) -> Iterator[str]:
     drawn = states_in(inset)
     for label in states:
         if drawn[label] != 1:
@@ -173,7 +176,9 @@ def _is_straight(curves: Sequence[Sequence[Point]], end: Point, base: Point, tip
         points = [point for point in (curve if curve[-1] == end else curve[::-1]) if point != end]
         if end in (curve[0], curve[-1]) and points:
             far, long = math.dist(points[-1], end), math.dist(base, tip)
-            along = (end[0] - points[-1][0]) * (tip[0] - base[0]) + (end[1] - points[-1][1]) * (tip[1] - base[1])
+            along = (end[0] - points[-1][0]) * (tip[0] - base[0]) + (end[1] - points[-1][1]) * (
+                tip[1] - base[1]
+            )
             return far < 1 or long == 0 or along / (far * long) > _STRAIGHT
     return True
 
@@ -250,13 +255,11 @@ def _is_round(piece: Piece) -> bool:
 
 
 def _holds(frame: Frame, point: Point, room: float) -> bool:
-    return (
-        frame[0] - room <= point[0] <= frame[2] + room and frame[1] - room <= point[1] <= frame[3] + room
-    )
+    return frame[0] - room <= point[0] <= frame[2] + room and frame[1] - room <= point[1] <= frame[3] + room
 
 
 def _squeezed(text: str) -> str:
     return "".join(printable(text).split())
 
 
-__all__ = ["nested_faults", "shown_in", "states_in"]
+__all__ = ["nested_faults", "shown_in", "states_in", "staying_in"]

@@ -67,7 +67,9 @@ def divided(
         waiting += ((*path, label, item.state) for item in shapes if item.state in closed)
 
 
-def _fitting(chart: Statechart, activities: tuple[Activity, ...], wanted: Wanted) -> tuple[Picture, frozenset[str]]:
+def _fitting(
+    chart: Statechart, activities: tuple[Activity, ...], wanted: Wanted
+) -> tuple[Picture, frozenset[str]]:
     """The picture of a page, and what has been closed for want of room.
 
     A nested part that has no room on any page is always closed. Then come formulas. If that is not enough,

@@ -97,9 +97,9 @@ class Rim:
 class Placer:
     """Places the blocks of one chart; labels are about `wide` px wide, in some regions as `chosen`.
 
-    What has no compact form is drawn by `nested`. A row of pills comes to `room`. In the outermost regions that have `limits`, a line that comes to the
-    limit continues in a row below. `copies` collects the regions that are drawn once for several, `widths`
-    how wide the outermost ones are.
+    What has no compact form is drawn by `nested`. A row of pills comes to `room`. In the outermost regions
+    that have `limits`, a line that comes to the limit continues in a row below. `copies` collects the regions
+    that are drawn once for several, `widths` how wide the outermost ones are.
     """
 
     def __init__(

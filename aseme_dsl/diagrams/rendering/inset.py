@@ -51,7 +51,7 @@ def region(chart: Statechart, label: str) -> Inset | str:
 
 @lru_cache(64)
 def _drawn(by: str, drawing: Drawing) -> Inset:
-    """The picture that the program `by` makes: each once, as a part is laid out anew at each change around."""
+    """The picture that the program `by` makes, once: a part is laid out anew at each change around it."""
     return inset(render(drawing, "svg"))
 
 
@@ -92,7 +92,9 @@ def _part(item: ElementTree.Element, at: Point) -> Iterator[Part]:
             if said:
                 x, y = float(item.get("x", "0")) + at[0], float(item.get("y", "0")) + at[1]
                 bold, middle = item.get("font-weight") == "bold", item.get("text-anchor") == "middle"
-                yield Words(round(x, 2), round(y, 2), said, float(item.get("font-size", "12")), fill, bold, middle)
+                yield Words(
+                    round(x, 2), round(y, 2), said, float(item.get("font-size", "12")), fill, bold, middle
+                )
         case "ellipse":
             x, y, rx, ry = (float(item.get(name, "0")) for name in ("cx", "cy", "rx", "ry"))
             yield Oval(round(x + at[0], 2), round(y + at[1], 2), rx, ry, fill, ink)

@@ -45,7 +45,9 @@ def _rules(colours: dict[str, str], nested: Collection[str] = (), sizes: Collect
     text = _RULES.replace("{fonts}", FONTS)
     if nested:
         text += f"\n{_INSET}"
-        text += "".join(f".f-{name}{{fill:{{{name}}}}}.i-{name}{{stroke:{{{name}}}}}" for name in sorted(nested))
+        text += "".join(
+            f".f-{name}{{fill:{{{name}}}}}.i-{name}{{stroke:{{{name}}}}}" for name in sorted(nested)
+        )
         text += "".join(f".s{size:.0f}{{font-size:{size:g}px}}" for size in sorted(sizes))
     for name, colour in colours.items():
         text = text.replace(f"{{{name}}}", colour)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import assert_never
 from xml.sax.saxutils import escape
 
 from aseme_dsl.amola.statechart import Statechart
-from aseme_dsl.diagrams.compact.elements import Line, Shape
+from aseme_dsl.diagrams.compact.elements import Line, Picture, Shape
 from aseme_dsl.diagrams.compact.ink.reading import line_name, state_name
 from aseme_dsl.diagrams.look.dot import Kind
 from aseme_dsl.diagrams.look.inset import Outline, Oval, Part, Piece, Point, Words
@@ -61,7 +61,9 @@ def _part(part: Part, at: Point, *, is_border: bool, is_head: bool) -> str:
             more += ' font-weight="bold"' if part.bold else ""
             place = f'x="{part.x + dx:.1f}" y="{part.y + dy:.1f}"'
             fixed = f'textLength="{long:.1f}" lengthAdjust="spacingAndGlyphs"'
-            return f'<text class="f-{part.ink} s{part.size:.0f}" {place} {fixed}{more}>{_text(part.text)}</text>'
+            return (
+                f'<text class="f-{part.ink} s{part.size:.0f}" {place} {fixed}{more}>{_text(part.text)}</text>'
+            )
         case Oval():
             round_ = f'cx="{part.x + dx:.1f}" cy="{part.y + dy:.1f}" rx="{part.rx:g}" ry="{part.ry:g}"'
             return f'<ellipse class="f-{part.fill or "none"} i-{part.ink or "none"}" {round_}/>'
@@ -79,7 +81,8 @@ def _part(part: Part, at: Point, *, is_border: bool, is_head: bool) -> str:
 def _border(part: Outline, look: str, at: Point) -> str:
     """The border of a state as a box, which pages that colour states know."""
     xs, ys = [x + at[0] for x, _ in part.points], [y + at[1] for _, y in part.points]
-    box = f'x="{min(xs):.2f}" y="{min(ys):.2f}" width="{max(xs) - min(xs):.2f}" height="{max(ys) - min(ys):.2f}"'
+    left, top, wide, high = min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys)
+    box = f'x="{left:.2f}" y="{top:.2f}" width="{wide:.2f}" height="{high:.2f}"'
     return f'<rect class="{look}" {box} rx="{_ROUND if part.curved else 0}"/>'
 
 
@@ -92,8 +95,9 @@ def path(part: Outline, at: Point) -> str:
     return f"M{'L'.join(moved)}"
 
 
-def colours(shapes: Iterable[Shape]) -> tuple[frozenset[str], frozenset[float]]:
+def colours(picture: Picture) -> tuple[frozenset[str], frozenset[float]]:
     """The names of colours and the sizes of text in the insets."""
+    shapes = (item for item in picture.elements if isinstance(item, Shape))
     parts = [part for shape in shapes if shape.inset for piece in shape.inset.pieces for part in piece.parts]
     inks = {part.ink for part in parts}
     fills = {part.fill for part in parts if not isinstance(part, Words)}

@@ -44,7 +44,7 @@ def svg(
         f'viewBox="0 0 {width:g} {height:g}" class="aseme-compact" role="graphics-document document" '
         f'aria-label="{_text(about)}">',
         f"<title>{_text(about)}</title>",
-        f"<style>{style(theme, *colours(item for item in picture.elements if isinstance(item, Shape)))}</style>",
+        f"<style>{style(theme, *colours(picture))}</style>",
         f'<rect class="paper" width="{width:g}" height="{height:g}"/>',
     ]
     known: Counter[str] = Counter()

@@ -168,7 +168,9 @@ class _Pen:
                 case Words():
                     wide = text_width(part.text, part.size, bold=part.bold)
                     at = part.x + dx, part.y + dy
-                    self._words(part.text, at, part.size, part.ink, int(part.bold), wide, 0 if part.middle else -1)
+                    self._words(
+                        part.text, at, part.size, part.ink, int(part.bold), wide, 0 if part.middle else -1
+                    )
                 case _:
                     assert_never(part)
 
