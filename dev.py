@@ -130,7 +130,7 @@ LONG = [
     (
         "exported charts on engines of others",
         ["-m", "pytest", "-n", "auto", "tests/interop/exports"],
-        {"EXPORTED_CHARTS": "300", "EXPORTED_DRAWINGS": "1"},
+        {"EXPORTED_CHARTS": "300", "EXPORTED_DRAWINGS": "1", "ASEME_ROUND_TRIPS": "300"},
     ),
     (
         "changed state machines, and machines that go out and come home",

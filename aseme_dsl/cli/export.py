@@ -24,15 +24,15 @@ from aseme_dsl.cli.shared import (
 if TYPE_CHECKING:
     from aseme_dsl.interop.export.scxml import DataModel
 
-FORMATS = ("scxml", "xstate", "sismic", "mermaid", "plantuml", "bpmn")
+FORMATS = ("scxml", "xstate", "stct", "sismic", "mermaid", "plantuml", "bpmn")
 
 
 @click.command(
     short_help="Export statecharts to other tools.",
     help="Export the statecharts of a system as files of another tool. FORMAT is scxml (W3C SCXML), xstate"
-    " (XState 5: JSON, and its guards and actions in TypeScript), sismic (YAML with Python), mermaid or"
-    " plantuml (drawings), or bpmn (BPMN 2.0, a process). What the format cannot express is an error with"
-    f" its place, and nothing is written. {TARGET_HELP}",
+    " (XState 5: JSON, and its guards and actions in TypeScript), stct (a model of KSE) or sismic (YAML with"
+    " Python). Or it is mermaid or plantuml (drawings), or bpmn (BPMN 2.0, a process). What the format cannot"
+    f" express is an error with its place, and nothing is written. {TARGET_HELP}",
     epilog="Example: asemec export scxml team.aseme --chart player --datamodel python -o scxml",
 )
 @click.argument("format_", metavar="FORMAT", type=click.Choice(FORMATS))

@@ -285,9 +285,7 @@ class Meaning:
         match value:
             case Joined(operator=operator, operands=operands):
                 own = 0 if operator == "||" else 1
-                text = f" {operator} ".join(
-                    self._boolean(item, own + (operator == "&&")) for item in operands
-                )
+                text = f" {operator} ".join(self._boolean(item, own + 1) for item in operands)
                 return f"({text})" if least > own else text
             case Negated(operand=Joined() as inner):
                 return f"!({self._boolean(inner, 0)})"

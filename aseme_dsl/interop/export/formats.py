@@ -19,6 +19,8 @@ from aseme_dsl.interop.export.scxml import DataModel, scxml
 from aseme_dsl.interop.export.sismic import limits as sismic_limits
 from aseme_dsl.interop.export.sismic import sismic
 from aseme_dsl.interop.export.sketch import crossings
+from aseme_dsl.interop.export.stct import limits as stct_limits
+from aseme_dsl.interop.export.stct import stct
 from aseme_dsl.interop.export.xstate import xstate
 
 File = tuple[str, str]
@@ -30,6 +32,7 @@ class Format(StrEnum):
 
     SCXML = "scxml"
     XSTATE = "xstate"
+    STCT = "stct"
     SISMIC = "sismic"
     MERMAID = "mermaid"
     PLANTUML = "plantuml"
@@ -50,6 +53,8 @@ def files_of(
                 refused = (*refused, *sismic_limits(chart))
         case Format.MERMAID | Format.PLANTUML:
             refused = crossings(chart)
+        case Format.STCT:
+            refused = stct_limits(system, chart)
         case Format.BPMN:
             refused = limits(chart)
         case _:
@@ -64,6 +69,8 @@ def files_of(
             return ((f"{name}.xstate.json", made.config), (f"{name}.xstate.ts", made.module)), ()
         case Format.SISMIC:
             return ((f"{name}.sismic.yaml", sismic(machine)),), ()
+        case Format.STCT:
+            return ((f"{name}.stct", stct(chart, about)),), ()
         case Format.MERMAID:
             return ((f"{name}.mmd", mermaid(chart, about)),), ()
         case Format.PLANTUML:
