@@ -106,6 +106,11 @@ LONG = [
     ("whether scenarios notice mistakes", ["-m", "benchmarks.mutants"], {}),
     ("whether mistakes are seen as differences", ["-m", "benchmarks.differences"], {}),
     (
+        "counterexamples of random protocols are played",
+        ["-m", "pytest", "-n", "auto", "tests/cli/test_counterexamples.py"],
+        {"REPLAYED_TALKS": "200"},
+    ),
+    (
         "certificates of random charts, and of charts with planted faults",
         ["-m", "pytest", "-n", "auto", "tests/proofs/test_certificate.py"],
         {"CERTIFIED_CHARTS": "1000", "CERTIFIED_FAULTS": "400"},

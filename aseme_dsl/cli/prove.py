@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -10,9 +11,13 @@ from aseme_dsl.cli.playing import time_limit_of
 from aseme_dsl.cli.progress import Progress
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
+    FilePath,
+    check_outputs,
     colour_option,
+    folder_option,
     json_option,
     one_system,
+    print_diagnostics,
     print_json,
     refuse,
     target_argument,
@@ -21,6 +26,7 @@ from aseme_dsl.diagnostics import Severity, has_errors
 
 if TYPE_CHECKING:
     from aseme_dsl.project.proving.results import Result
+    from aseme_dsl.source import Source
 
 _NANOSECOND = 1e-9
 
@@ -59,10 +65,26 @@ _NANOSECOND = 1e-9
     metavar="N",
     help="Number of states, at most, in each team.",
 )
+@click.option(
+    "--save",
+    "saved",
+    type=FilePath(path_type=Path),
+    metavar="FILE",
+    help="Append the counterexamples to FILE, as scenarios.",
+)
+@folder_option("--stories", text="Directory for a sequence diagram (SVG) of each counterexample.")
 @json_option
 @colour_option
 def command(
-    target: str, asked: tuple[str, ...], robots: int, budget: int, states: int, as_json: bool, colour: str
+    target: str,
+    asked: tuple[str, ...],
+    robots: int,
+    budget: int,
+    states: int,
+    saved: Path | None,
+    stories: Path | None,
+    as_json: bool,
+    colour: str,
 ) -> int:
     """Prove; 1 if something is refuted, or the file has errors, 3 if something asked for is undecided."""
     from aseme_dsl.project.playing.operate import OperateError
@@ -88,7 +110,39 @@ def command(
         print_json({"format": 1, "results": [item.as_json for item in found]})
     else:
         _show(found)
-    return code_of(found, asked)
+    code = 0 if saved is None else _save(found, saved, compiled.root, colour)
+    if stories is not None:
+        code = max(code, _draw(found, stories, colour))
+    return code or code_of(found, asked)
+
+
+def _save(found: tuple[Result, ...], path: Path, root: Path | Source, colour: str) -> int:
+    """Append the counterexamples; 1 if the file cannot be written."""
+    from aseme_dsl.project.files.write import write_file
+    from aseme_dsl.project.proving.saving import cases_of
+    from aseme_dsl.project.proving.saving import saved as text_of
+
+    if not isinstance(root, Path):
+        raise click.UsageError("--save: the system is in no file.")
+    if not any(cases_of(found)):
+        return 0
+    problems = write_file(path, text_of(found, path, root).encode("utf-8")).diagnostics
+    print_diagnostics(problems, colour)
+    return int(has_errors(problems))
+
+
+def _draw(found: tuple[Result, ...], folder: Path, colour: str) -> int:
+    """Write the sequence diagram of each counterexample; 1 if one cannot be written."""
+    from aseme_dsl.project.files.write import write_file
+    from aseme_dsl.project.proving.saving import pictures
+
+    code = 0
+    for name, text in pictures(found):
+        check_outputs([(folder / name, "talk")])
+        problems = write_file(folder / name, text.encode("utf-8")).diagnostics
+        print_diagnostics(problems, colour)
+        code = max(code, int(has_errors(problems)))
+    return code
 
 
 def code_of(found: tuple[Result, ...], asked: tuple[str, ...]) -> int:

@@ -22,6 +22,7 @@ from aseme_dsl.play.scenario import (
     NotSo,
     Says,
     Script,
+    Untaken,
     all_parts,
 )
 from aseme_dsl.play.sight.alarms import Alarms
@@ -72,6 +73,8 @@ class _Happening:
     sent: Said | None = None
     received: tuple[tuple[str, Said], ...] = ()
     is_fault: bool = False
+    untaken: tuple[str, str | None, str] | None = None
+    """Who does not take an agent message, with its performative and type."""
     failed: str | None = None
 
 
@@ -187,6 +190,9 @@ class Observer:
                     if self._teller is not None:
                         self._teller.arrived(record["agent"], (str(sender), int(number)))
                 self._note(record["agent"], went_wrong(record))
+                if record["kind"] == "unexpected":
+                    what = record.get("performative"), str(record.get("message", ""))
+                    self._look(_Happening(untaken=(record["agent"], *what)))
 
     # ---- time --------------------------------------------------------------------------------
 
@@ -517,6 +523,9 @@ class Observer:
                 is_held = any(
                     self._is_meant(number, condition, *item) for item in _messages(condition, happening)
                 )
+            case Untaken(kind=kind, performative=performative, agents=agents):
+                agent, act, what = happening.untaken or ("", None, "")
+                is_held = what == kind and performative in (None, act) and (agents is None or agent in agents)
             case Faulty():
                 is_held = happening.is_fault
             case Failed(agents=agents):
@@ -602,7 +611,7 @@ def _passing(conditions: Sequence[Condition]) -> frozenset[int]:
     found: set[int] = set()
     for number, condition in enumerate(conditions):
         is_part = isinstance(condition, AllOf | AnyOf) and not found.isdisjoint(condition.parts)
-        if is_part or isinstance(condition, Says | Faulty | Failed):
+        if is_part or isinstance(condition, Says | Untaken | Faulty | Failed):
             found.add(number)
     return frozenset(found)
 

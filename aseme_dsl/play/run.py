@@ -14,8 +14,11 @@ from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import (
     Act,
     Assumption,
+    Computes,
     Content,
     Crashes,
+    Does,
+    Gets,
     Raises,
     Receives,
     Restarts,
@@ -27,7 +30,14 @@ from aseme_dsl.play.sight.insight import Present
 from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.play.sight.storyteller import Storyteller
 from aseme_dsl.play.sight.subject import Next
-from aseme_dsl.play.stand_ins import NotComputed, finder, given_message, staged
+from aseme_dsl.play.stand_ins import (
+    NotComputed,
+    finder,
+    given_message,
+    staged,
+    waiting,
+)
+from aseme_dsl.play.stepwise import ByHand
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.agent.agent import Agent
@@ -120,20 +130,29 @@ def play(
     observer = Observer(script, inputs, teller=teller)
     acting = {item.activity: item for item in script.activities}
     is_alone = script.world is None
-    charts = {role: staged(chart, acting, is_alone) for role, chart in loaded.charts.items()}
+    hand = None if script.stepwise is None else ByHand(script, inputs, loaded.messages)
+    charts = {
+        role: staged(chart, acting, is_alone) if hand is None else waiting(chart)
+        for role, chart in loaded.charts.items()
+    }
     if recorder is not None:
         charts = {role: recorder.listening(chart) for role, chart in charts.items()}
     try:
-        find = finder(script, inputs, loaded.messages, real, loaded.charts)
+        if hand is None:
+            find = finder(script, inputs, loaded.messages, real, loaded.charts)
+        else:
+            charts_of = loaded.charts.values()
+            find = hand.find({info.name: info for chart in charts_of for info in chart.PLAN.activities})
         team = make_team(
             replace(loaded, charts=charts, team=script.team),
             find,
             seed=seed,
             until_ns=until,
+            least_ns=max((item.moment for item in script.stimuli), default=0) if hand is not None else 0,
             stop=observer.settled
             if watch is None
             else lambda team: observer.settled(team) or watch.settled(team),
-            before=_Stage(script, loaded, inputs, observer, watch).begin,
+            before=_Stage(script, loaded, inputs, observer, watch, hand).begin,
             world=world,
             listeners=(observer, *listeners),
             faults=_faults(script, seed),
@@ -186,6 +205,7 @@ class _Stage:
     inputs: Mapping[str, object]
     observer: Observer
     watch: Watch | None
+    hand: ByHand | None
 
     def begin(self, team: Team) -> None:
         """Give what comes first, and schedule the rest."""
@@ -195,10 +215,12 @@ class _Stage:
         for name in dict.fromkeys(speakers):
             if name not in names:
                 team.conversations.add_external_agent(name, lambda message: None)
+        if self.hand is not None:
+            self.hand.begin(team)
         if self.watch is not None:
             self.watch.begin(team, self.observer)
         for item in self.script.stimuli:
-            call = partial(self._do, team, item.act)
+            call = partial(self._do, team, item.act, item.span)
             if item.trigger is not None:
                 later = partial(self._schedule, team, item, call)
                 self.observer.waiting.setdefault(item.trigger, []).append(later)
@@ -210,7 +232,7 @@ class _Stage:
     def _schedule(self, team: Team, item: Stimulus, call: partial[None], moment: int) -> None:
         team.driver.at(moment + item.moment, call)
 
-    def _do(self, team: Team, act: Act) -> None:
+    def _do(self, team: Team, act: Act, span: Span) -> None:
         agent = team.agent(act.agent)
         match act:
             case Receives(content=content, sender=sender):
@@ -227,6 +249,15 @@ class _Stage:
             case Restarts():
                 agent.restart()
                 self.observer.restarted(act.agent)
+            case Does():
+                assert self.hand is not None
+                self.hand.check(act, span)
+            case Gets():
+                assert self.hand is not None
+                self.hand.gets(act, span)
+            case Computes():
+                assert self.hand is not None
+                self.hand.computes(agent, act, self.inputs)
             case _:
                 assert_never(act)
         if self.watch is not None and isinstance(act, Crashes | Restarts):

@@ -49,6 +49,18 @@ class Holds:
 
 
 @dataclass(frozen=True, slots=True)
+class Untaken:
+    """An agent message has come to one of the `agents` (to any, if None), and nothing takes it.
+
+    `kind` is the type of the message, for any performative if that is None.
+    """
+
+    kind: str
+    performative: str | None
+    agents: frozenset[str] | None
+
+
+@dataclass(frozen=True, slots=True)
 class Faulty:
     """A fault was recorded."""
 
@@ -81,7 +93,7 @@ class NotSo:
     part: int
 
 
-Condition = InPlaces | Says | Holds | Faulty | Failed | AllOf | AnyOf | NotSo
+Condition = InPlaces | Says | Untaken | Holds | Faulty | Failed | AllOf | AnyOf | NotSo
 
 
 def parts_of(condition: Condition) -> tuple[int, ...]:
@@ -223,7 +235,48 @@ class Restarts:
     agent: str
 
 
-Act = Receives | Raises | Crashes | Restarts
+@dataclass(frozen=True, slots=True)
+class Does:
+    """An activity of an agent acts, and ends if it `is_end`: with the outcome of `acting`, if it has one. Or
+    it `fails`.
+
+    Before that, it takes agent messages, each given by its performative and type, and prepares contents.
+    """
+
+    agent: str
+    acting: Acting
+    is_end: bool
+    prepares: tuple[Content, ...]
+    takes: tuple[tuple[str, str], ...]
+    sends: tuple[tuple[Content, str], ...] = ()
+    """Agent messages, each to a participant."""
+    fails: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Gets:
+    """What is on its way from `sender` arrives, or `is_lost`: on a channel, or an agent message.
+
+    `what` is the channel, or the type of the message with this performative; "" for any type.
+    """
+
+    agent: str
+    sender: str
+    performative: str | None
+    what: str
+    is_lost: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Computes:
+    """From now on, a function gives this value to an agent, or `random()` draws it."""
+
+    agent: str
+    function: str
+    value: Value
+
+
+Act = Receives | Raises | Crashes | Restarts | Does | Gets | Computes
 
 
 @dataclass(frozen=True, slots=True)
@@ -315,6 +368,9 @@ class Script:
     world: str | None = None
     """The function that makes the world in which it is played; "": the project's, if it has one."""
     assumptions: tuple[Assumption, ...] = ()
+    stepwise: int | None = None
+    """If it is played by hand, the moment until which it is: till then activities end and messages arrive
+    only as the stimuli say."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -345,14 +401,17 @@ __all__ = [
     "AllOf",
     "AnyOf",
     "Assumption",
+    "Computes",
     "Condition",
     "Content",
     "Crashes",
     "Cut",
+    "Does",
     "Expectation",
     "Failed",
     "FailuresAssumed",
     "Faulty",
+    "Gets",
     "Given",
     "Holds",
     "InPlaces",
@@ -367,6 +426,7 @@ __all__ = [
     "Script",
     "Share",
     "Stimulus",
+    "Untaken",
     "Writes",
     "all_parts",
     "parts_of",

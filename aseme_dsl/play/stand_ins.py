@@ -44,14 +44,15 @@ def given_message(content: Content, messages: Messages, inputs: Mapping[str, obj
         inside = data
         for name in path[:-1]:
             inside = cast("dict[str, object]", inside.setdefault(name, {}))
-        inside[path[-1]] = _computed(value, inputs)
+        inside[path[-1]] = computed(value, inputs)
     try:
         return from_json(messages[content.channel.rpartition(".")[2]], data)
     except ValueError as error:
         raise NotComputed(content.span, str(error)) from error
 
 
-def _computed(value: Value, inputs: Mapping[str, object]) -> object:
+def computed(value: Value, inputs: Mapping[str, object]) -> object:
+    """The value that is given. Raises NotComputed if there is none."""
     found = value_of(value, Known(inputs=inputs))
     if found is None:
         raise NotComputed(value.span, f"{value.span.text} has no value here")
@@ -90,6 +91,20 @@ def staged(chart: type[Chart], acting: Mapping[str, Acting], is_alone: bool = Tr
     modules = () if is_alone else chart.PLAN.modules
     plan = replace(chart.PLAN, activities=tuple(map(played, chart.PLAN.activities)), modules=modules)
     own = {"__slots__": (), "PLAN": plan, "AGENT": None if is_alone else chart.AGENT}
+    return cast("type[Chart]", type(chart.__name__, (chart,), own))
+
+
+def waiting(chart: type[Chart]) -> type[Chart]:
+    """The chart of a role whose activities all wait for what is done by hand."""
+    plan = replace(
+        chart.PLAN,
+        activities=tuple(
+            replace(info, simulated=False, waits=False, takes=None, kind="thread")
+            for info in chart.PLAN.activities
+        ),
+        modules=(),
+    )
+    own = {"__slots__": (), "PLAN": plan, "AGENT": None}
     return cast("type[Chart]", type(chart.__name__, (chart,), own))
 
 
@@ -163,7 +178,7 @@ def _stand_in(
             if fails:
                 raise ActedFailure(f"{acting.activity} fails, as the scenario says")
             for name, value in acting.sets:
-                context.set_variable(name, _computed(value, inputs))
+                context.set_variable(name, computed(value, inputs))
             for item in acting.writes:
                 if item.every is None:
                     _publish(context, item.content)
@@ -189,4 +204,14 @@ def _stand_in(
     return StandIn
 
 
-__all__ = ["Messages", "NotComputed", "duration_of", "finder", "given_message", "staged"]
+__all__ = [
+    "ActedFailure",
+    "Messages",
+    "NotComputed",
+    "computed",
+    "duration_of",
+    "finder",
+    "given_message",
+    "staged",
+    "waiting",
+]

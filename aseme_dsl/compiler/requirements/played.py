@@ -189,6 +189,7 @@ class _Lowering:
             *_end(statements),
             next((item.world for item in setups if item.word == "world"), None),
             tuple(self.assumptions),
+            next((_until(item) for item in setups if item.word == "stepwise"), None),
         )
 
     def _constant(self, cell: tree.Expression, column: str) -> object:
@@ -431,12 +432,54 @@ class _Lowering:
                 return play.Raises(self._agent(agent), name.text)
             case nodes.Hit(word="crash", agents=(agent,)):
                 return play.Crashes(self._agent(agent))
+            case nodes.Does():
+                return self._does(event)
+            case nodes.Gets(agent=agent, performative=performative, what=what, sender=sender):
+                channel = None if what is None else self._channel(what)
+                kind = "" if what is None else what.text if channel is None else str(channel)
+                spoken = None if performative is None else performative.text
+                if (channel is None) == (spoken is None):
+                    reason = "write `gets topic.state.M from A`, or `gets inform M from A`"
+                    raise _NotPlayed(event.span, reason)
+                return play.Gets(self._agent(agent), self._agent(sender), spoken, kind, event.is_lost)
+            case nodes.Computes(agent=agent, function=function, value=written):
+                return play.Computes(self._agent(agent), function.text, self._value(written, None))
             case nodes.Hit(word="restart", agents=(agent,)):
                 return play.Restarts(self._agent(agent))
             case nodes.Hit() | nodes.Reached():
                 raise _NotPlayed(event.span, "it is not played yet")
             case _:
                 assert_never(event)
+
+    def _does(self, event: nodes.Does) -> play.Does:
+        """What an activity does by hand."""
+        name = event.activity.text
+        activity = self.check.known.activities.get(name)
+        usual = activity.ends[:1] if activity is not None and event.verb == "ends" else ()
+        return play.Does(
+            self._agent(event.agent),
+            play.Acting(
+                name,
+                event.span,
+                ends=usual if event.outcome is None else (event.outcome.text,),
+                writes=tuple(play.Writes(self._content(message), None) for message in event.writes),
+                sets=tuple((variable.text, self._value(value, None)) for variable, value in event.sets),
+            ),
+            event.verb == "ends",
+            tuple(
+                play.Content(message.what.text, self._members(message, is_content=True), message.span)
+                for message in event.prepares
+            ),
+            tuple((performative.text, message.text) for performative, message in event.takes),
+            tuple((self._content(message), part.text) for message, part in event.sends),
+            event.verb == "fails",
+        )
+
+    def _members(
+        self, message: nodes.Filled, *, is_content: bool = False
+    ) -> tuple[tuple[tuple[str, ...], Value], ...]:
+        fills = self.check.fills(message, is_content=is_content)
+        return tuple((item.path, self._supported(item.value)) for item in fills)
 
     def _content(self, message: nodes.Filled) -> play.Content:
         channel = self._channel(message.what)
@@ -447,7 +490,7 @@ class _Lowering:
                 "it is neither a message on a channel, as `topic.state.M { .. }`, nor an agent message, as"
                 " `inform M { .. }`",
             )
-        members = tuple((item.path, self._supported(item.value)) for item in self.check.fills(message))
+        members = self._members(message)
         what = str(channel) if channel is not None else message.what.text
         return play.Content(what, members, message.span, performative)
 
@@ -516,6 +559,8 @@ class _Lowering:
                     return self._holds(item, about, expression)
                 found = tuple(self._holds(item, each, expression) for each in self._meant(agent, which))
                 return self._number(play.AllOf(found) if which == "every" else play.AnyOf(found))
+            case nodes.Heard(verb=verb) if verb.text == "untaken":
+                return self._number(self._untaken(item))
             case nodes.Heard():
                 return self._number(self._says(item, about))
             case nodes.Ended():
@@ -524,6 +569,13 @@ class _Lowering:
                 return self._number(play.Faulty())
             case _:
                 assert_never(item)
+
+    def _untaken(self, item: nodes.Heard) -> play.Untaken:
+        if item.condition is not None or self._channel(item.what) is not None:
+            _refuse(item, "`untaken` is about an agent message of some type, not about what it says")
+        agents = None if item.agent is None else frozenset(self._meant(item.agent, item.which))
+        performative = None if item.performative is None else item.performative.text
+        return play.Untaken(item.what.text, performative, agents)
 
     def _ended(self, item: nodes.Ended) -> int:
         """An outcome of a protocol is reached where one of its places is entered, in any agent."""
@@ -621,10 +673,15 @@ def _share(written: nodes.Share | None) -> play.Share | None:
     return play.Share(-int(-written.percent.value * seeds // 100), seeds)
 
 
+def _until(item: nodes.Setup) -> int:
+    """Until when a scenario is played by hand."""
+    return NEVER if item.duration is None else item.duration.nanoseconds
+
+
 def _end(statements: Sequence[nodes.Statement]) -> tuple[int, bool]:
     """The end of the run: what the scenario says, or its last moment; whether some statement has none."""
     for item in statements:
-        if isinstance(item, nodes.Setup) and item.duration is not None:
+        if isinstance(item, nodes.Setup) and item.word == "for" and item.duration is not None:
             return item.duration.nanoseconds, False
     is_open = False
     moments: list[int] = []

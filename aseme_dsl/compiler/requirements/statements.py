@@ -34,6 +34,7 @@ from aseme_dsl.grammar.formulas.statement import read_statements
 from aseme_dsl.grammar.text import statements as nodes
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.chart.inputs import LOST
 from aseme_dsl.source import Span
 
 
@@ -499,23 +500,51 @@ class Check:
         self._ranges((item.takes, *(pace for _, pace in item.writes)))
         if not self._activity(item.activity):
             return
-        name = item.activity.text
-        activity = self.known.activities.get(name)
-        for end in item.ends:
-            ends = activity.ends if activity is not None else ()
-            if end.text not in ends:
-                self._unknown(problems.NoOutcomeOfActivity, end, ends, name)
+        self._outcomes(item.activity.text, item.ends)
         for message in (*(message for message, _ in item.writes), *item.sends):
             self.fills(message)
+        self._sets(item.activity.text, item.sets)
+
+    def _outcomes(self, name: str, ends: Iterable[tree.Name]) -> None:
+        activity = self.known.activities.get(name)
+        there = activity.ends if activity is not None else ()
+        for end in ends:
+            if end.text not in there:
+                self._unknown(problems.NoOutcomeOfActivity, end, there, name)
+
+    def _sets(self, name: str, sets: Iterable[tuple[tree.Name, tree.Expression]]) -> None:
+        """The variables that an activity sets."""
         roles = self.known.performed.get(name, frozenset())
         variables: dict[str, Type] = {}
         for role in sorted(roles):
             variables |= self.known.variables.get(role, {})
-        for variable, value in item.sets:
+        for variable, value in sets:
             if variable.text not in variables:
                 self._unknown(problems.NoVariableToSet, variable, variables, name)
                 continue
             self.value(value, None, variables[variable.text])
+
+    def _does(self, item: nodes.Does) -> None:
+        """What an activity does by hand."""
+        self._agent(item.agent)
+        if not self._activity(item.activity):
+            return
+        self._outcomes(item.activity.text, () if item.outcome is None else (item.outcome,))
+        for message in (*item.writes, *(sent for sent, _ in item.sends)):
+            self.fills(message)
+        for _, part in item.sends:
+            if part.text not in self.known.processes:
+                self._unknown(problems.NoParticipantInScenario, part, self.known.processes)
+        for message in item.prepares:
+            self.fills(message, is_content=True)
+        for performative, taken in item.takes:
+            self._performative(performative)
+            self.carried(taken)
+        self._sets(item.activity.text, item.sets)
+
+    def _performative(self, name: tree.Name | None) -> None:
+        if name is not None and name.text not in (*PERFORMATIVES, LOST):
+            self.found.append(unknown_performative(name))
 
     def _moments(self, item: nodes.Timed) -> None:
         """`from 8s to 3s` is empty."""
@@ -549,6 +578,23 @@ class Check:
                 events = self.known.events.get(role or "")
                 if role is not None and events is not None and item.event.text not in events:
                     self._unknown(problems.NoEventOfRole, item.event, events, role)
+            case nodes.Does():
+                self._does(item)
+            case nodes.Gets():
+                self._agent(item.agent)
+                self._agent(item.sender)
+                self._performative(item.performative)
+                if item.what is not None:
+                    self.carried(item.what)
+            case nodes.Computes():
+                self._agent(item.agent)
+                symbols = self.known.top.symbols
+                function = next((one for one in symbols.functions if one.name == item.function.text), None)
+                if function is None and item.function.text != "random":
+                    names = (one.name for one in symbols.functions)
+                    self._unknown(problems.NoFunctionInScenario, item.function, names)
+                    return
+                self.value(item.value, None, DOUBLE if function is None else function.result)
             case nodes.Hit():
                 for agent in item.agents:
                     self._agent(agent)
@@ -723,14 +769,14 @@ class Check:
             self._unknown(problems.NoActivityInScenario, name, self.known.performed)
         return False
 
-    def fills(self, item: nodes.Filled) -> list[Fill]:
-        """The members of a message that are given."""
+    def fills(self, item: nodes.Filled, *, is_content: bool = False) -> list[Fill]:
+        """The members of a message that are given, or only of the content of one."""
         if item.performative is not None and item.performative.text not in PERFORMATIVES:
             self.found.append(unknown_performative(item.performative))
         kind = self.carried(item.what)
         if kind is None:
             return []
-        if item.performative is None and len(item.what.segments) == 1:
+        if item.performative is None and len(item.what.segments) == 1 and not is_content:
             self._report(problems.NeitherMessage(kind), item.what)
         checker = Checker(self.scope(None))
         fills = tuple(replace(one, value=self._own(one.value)) for one in item.fills)

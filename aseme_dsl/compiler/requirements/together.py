@@ -11,7 +11,7 @@ from aseme_dsl.grammar.text import statements as nodes
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
-_ONCE = ("for", "network", "world")
+_ONCE = ("for", "network", "world", "stepwise")
 
 
 def check_together(statements: Sequence[nodes.Statement], agents: Mapping[str, str]) -> Iterator[Diagnostic]:
@@ -20,6 +20,7 @@ def check_together(statements: Sequence[nodes.Statement], agents: Mapping[str, s
     yield from _taking_part(statements)
     yield from _crashes(statements)
     yield from _ends(statements)
+    yield from _by_hand(statements)
     for item in statements:
         match item:
             case nodes.Table(rows=()):
@@ -89,7 +90,9 @@ def _crashes(statements: Iterable[nodes.Statement]) -> Iterator[Diagnostic]:
 def _ends(statements: Iterable[nodes.Statement]) -> Iterator[Diagnostic]:
     """What is to be later than the end of the run does not come."""
     ends = [
-        item.duration for item in statements if isinstance(item, nodes.Setup) and item.duration is not None
+        item.duration
+        for item in statements
+        if isinstance(item, nodes.Setup) and item.word == "for" and item.duration is not None
     ]
     if not ends:
         return
@@ -106,6 +109,23 @@ def _ends(statements: Iterable[nodes.Statement]) -> Iterator[Diagnostic]:
                 continue
         if last.nanoseconds > end.nanoseconds:
             yield Diagnostic(problems.BehindTheEnd(end.span.text), last.span)
+
+
+def _by_hand(statements: Iterable[nodes.Statement]) -> Iterator[Diagnostic]:
+    """In a stepwise scenario, activities end and messages arrive by hand; in no other one."""
+    is_stepwise = any(isinstance(item, nodes.Setup) and item.word == "stepwise" for item in statements)
+    for item in statements:
+        match item:
+            case nodes.Timed(event=nodes.Does() | nodes.Gets() | nodes.Computes() as event):
+                if not is_stepwise:
+                    verb = event.span.text.removeprefix(event.agent.span.text).split()[0]
+                    yield Diagnostic(problems.NotStepwise(verb), event.span)
+            case nodes.Setup(word="network" | "world" as word) if is_stepwise:
+                yield Diagnostic(problems.StepwiseWith(word), item.span)
+            case nodes.Simulated() if is_stepwise:
+                yield Diagnostic(problems.StepwiseWith("activity"), item.span)
+            case _:
+                pass
 
 
 def _groups(hit: nodes.Hit, agents: Mapping[str, str]) -> Iterator[Diagnostic]:

@@ -12,7 +12,19 @@ from aseme_dsl.editor.typing.values import agents, members, members_to_fill, top
 from aseme_dsl.grammar.formulas.statement import OF_SCENARIO, RULES, SIMULATED
 from aseme_dsl.grammar.text.token import Token
 
-_VERBS = ("in", "has", "receives", "raises", "loses radio", "fails by")
+_VERBS = (
+    "in",
+    "has",
+    "receives",
+    "raises",
+    "loses radio",
+    "fails by",
+    "ends",
+    "does",
+    "gets",
+    "misses",
+    "computes",
+)
 """What may stand behind an agent."""
 
 

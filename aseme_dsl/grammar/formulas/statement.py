@@ -34,7 +34,11 @@ _NETWORK = ("delay", "loss", "reorder")
 _ANY = ("any", "some", "every")
 SIMULATED = ("real", "takes", "ends", "fails", "writes", "sends", "sets")
 """What may stand behind `activity A`."""
-_HEARD = ("sent", "received", "message")
+_HEARD = ("sent", "received", "message", "untaken")
+_VERBS = ("receives", "raises", "loses", "ends", "does", "gets", "misses", "computes")
+"""What an agent may do at a moment."""
+DONE = ("sets", "writes", "sends", "prepares", "takes")
+"""What may stand behind `robot1 ends A`."""
 
 _Made = TypeVar("_Made")
 
@@ -436,7 +440,7 @@ def _statement(reader: Reader, in_property: bool) -> nodes.Statement:
         reader.take()
         _need(reader, "by")
         return nodes.Fails(agent, _duration(reader), reader.since(first.start))
-    if is_word(first) and following in ("receives", "raises", "loses"):
+    if is_word(first) and following in _VERBS:
         raise Malformed(Diagnostic(problems.WithoutMoment(following), reader.span(first)))
     if not is_word(first) and first not in ("(", "[", "!"):
         raise _wrong(reader, Wanted.STATEMENT)
@@ -590,6 +594,10 @@ def _setup(reader: Reader) -> nodes.Setup:
             duration = _duration(reader)
         case "points":
             points = _count(reader)
+        case "stepwise":
+            if reader.next == "until":
+                reader.take()
+                duration = _duration(reader)
         case _:  # world, with or without the function that makes it
             if is_word(reader.next) and _ahead(reader) == ":" and is_word(_ahead(reader, 2)):
                 colon = reader.tokens[reader.index + 1]
@@ -701,7 +709,7 @@ def _event(reader: Reader) -> nodes.Event:
     begin = reader.index
     is_agent = is_word(reader.next) and "." not in reader.next
     verb = _ahead(reader, 2 if reader.next in _ANY else 1)
-    if is_agent and verb in ("receives", "raises", "loses"):
+    if is_agent and verb in (*_VERBS, "fails"):
         agent = _agent(reader)
         reader.take()
         match verb:
@@ -715,15 +723,75 @@ def _event(reader: Reader) -> nodes.Event:
             case "raises":
                 event = _name(reader, Wanted.EVENT)
                 return nodes.Raises(agent, event, reader.since(agent.span.start))
+            case "ends" | "does" | "fails":
+                return _does(reader, agent, verb)
+            case "gets" | "misses":
+                return _gets(reader, agent, verb == "misses")
+            case "computes":
+                function = _name(reader, Wanted.NAME)
+                _need(reader, "=")
+                return nodes.Computes(agent, function, operation(reader), reader.since(agent.span.start))
             case _:
                 _need(reader, "radio")
                 return nodes.Hit("loses", (agent,), reader.since(agent.span.start))
     if is_agent and is_word(verb) and verb not in ("in", "has"):
-        near = closest(verb, ("receives", "raises", "loses", "in", "has"))
+        near = closest(verb, (*_VERBS, "in", "has"))
         if near is not None:
             reader.index += 1
             raise _wrong(reader, "receives", "raises", "loses", "in", "has")
     return nodes.Reached(_condition(reader), _from(reader, begin))
+
+
+def _does(reader: Reader, agent: tree.Name, verb: str) -> nodes.Does:
+    """`Grasp with slipped sets n = 3 writes … sends … prepares … takes …`"""
+    activity = _name(reader, Wanted.ACTIVITY)
+    outcome = None
+    if verb == "ends" and reader.next == "with":
+        reader.take()
+        outcome = _name(reader, Wanted.OUTCOME)
+    sets: list[tuple[tree.Name, tree.Expression]] = []
+    filled: dict[str, list[nodes.Filled]] = {"writes": [], "prepares": []}
+    sends: list[tuple[nodes.Filled, tree.Name]] = []
+    takes: list[tuple[tree.Name, tree.Path]] = []
+    while reader.next in DONE:
+        match str(reader.take()):
+            case "sets":
+                name = _name(reader, Wanted.NAME)
+                _need(reader, "=")
+                sets.append((name, operation(reader)))
+            case "takes":
+                takes.append((_name(reader, Wanted.PERFORMATIVE), _path(reader, Wanted.MESSAGE)))
+            case "sends":
+                sent = _message(reader)
+                _need(reader, "to")
+                sends.append((sent, _name(reader, Wanted.PARTICIPANT)))
+            case word:
+                filled[word].append(_message(reader))
+    return nodes.Does(
+        agent,
+        activity,
+        verb,
+        outcome,
+        tuple(sets),
+        tuple(filled["writes"]),
+        tuple(sends),
+        tuple(filled["prepares"]),
+        tuple(takes),
+        reader.since(agent.span.start),
+    )
+
+
+def _gets(reader: Reader, agent: tree.Name, is_lost: bool) -> nodes.Gets:
+    """`request Tool from robot1`, `vision.data.Ball from robot1`, `lost from robot1`"""
+    performative = None
+    what = None
+    if is_word(reader.next) and "." not in reader.next:
+        performative = _name(reader, Wanted.PERFORMATIVE)
+    if performative is None or reader.next != "from":
+        what = _path(reader, Wanted.MESSAGE)
+    _need(reader, "from")
+    sender = _agent(reader)
+    return nodes.Gets(agent, performative, what, sender, is_lost, reader.since(agent.span.start))
 
 
 def _always(reader: Reader) -> nodes.Statement:
@@ -854,6 +922,7 @@ _SCENARIO: dict[str, Callable[[Reader], nodes.Statement]] = {
     "world": _setup,
     "for": _setup,
     "points": _setup,
+    "stepwise": _setup,
     "at": _at,
     "by": _at,
     "after": _after,

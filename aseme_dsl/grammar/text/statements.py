@@ -143,7 +143,7 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class Setup:
-    """`network …`, `world …`, `for 10s`, `points 3`, `assume fair`: what names nothing of the system."""
+    """`network …`, `world …`, `for 10s`, `stepwise until 5s`, `points 3`, `assume fair`: it names nothing."""
 
     word: str
     span: Span
@@ -174,6 +174,51 @@ class Raises:
 
 
 @dataclass(frozen=True, slots=True)
+class Does:
+    """`robot1 ends Grasp with slipped sets n = 3`, `robot1 does Look writes …`, `robot1 fails Kick`.
+
+    `verb` is the word behind the agent. It `sends` agent messages, each to a participant. It
+    `takes` others, each given with its performative.
+    """
+
+    agent: Name
+    activity: Name
+    verb: str
+    outcome: Name | None
+    sets: tuple[tuple[Name, Expression], ...]
+    writes: tuple[Filled, ...]
+    sends: tuple[tuple[Filled, Name], ...]
+    prepares: tuple[Filled, ...]
+    takes: tuple[tuple[Name, Path], ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Gets:
+    """`robot2 gets request Tool from robot1`, `robot2 misses vision.data.Ball from robot1`.
+
+    Without `what`, the performative says all: `gets lost from robot1`.
+    """
+
+    agent: Name
+    performative: Name | None
+    what: Path | None
+    sender: Name
+    is_lost: bool
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Computes:
+    """`robot1 computes near = true`: what a function gives from now on."""
+
+    agent: Name
+    function: Name
+    value: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Hit:
     """`crash robot1 at 6s`, `robot1 loses radio`, `partition { a } | { b }` with its `groups`."""
 
@@ -191,7 +236,7 @@ class Reached:
     span: Span
 
 
-Event = Receives | Raises | Hit | Reached
+Event = Receives | Raises | Does | Gets | Computes | Hit | Reached
 
 
 @dataclass(frozen=True, slots=True)
@@ -264,12 +309,15 @@ Statement = TakesPart | Simulated | Input | Table | Setup | Hit | Timed | Rule |
 
 __all__ = [
     "Assumed",
+    "Computes",
     "Condition",
+    "Does",
     "Ended",
     "Event",
     "Fails",
     "Fault",
     "Filled",
+    "Gets",
     "Heard",
     "Hit",
     "Holds",

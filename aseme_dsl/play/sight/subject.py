@@ -17,6 +17,7 @@ from aseme_dsl.play.scenario import (
     NotSo,
     Says,
     Script,
+    Untaken,
     all_parts,
 )
 from aseme_dsl.play.sight.deciding import agents_about
@@ -143,7 +144,7 @@ def _asked(script: Script, number: int, is_why: bool, held: frozenset[int], plan
                     if text is not None and _is_known(plans(name), text):
                         return Next(name, text, is_why)
             return None
-        case Holds() | Faulty() | Failed():
+        case Holds() | Untaken() | Faulty() | Failed():
             return None
         case _:
             assert_never(condition)

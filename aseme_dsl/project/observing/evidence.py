@@ -18,6 +18,7 @@ from aseme_dsl.play.scenario import (
     NotSo,
     Says,
     Script,
+    Untaken,
     parts_of,
 )
 from aseme_dsl.records import dataclass
@@ -83,7 +84,7 @@ def needs_of(script: Script, item: Expectation, channels: Iterable[str]) -> Need
                 has_channels = has_channels or not is_mail
                 if value is not None:
                     inside = inside or _inside(value)
-            case Faulty() | Failed():
+            case Faulty() | Failed() | Untaken():
                 has_faults = True
             case AllOf() | AnyOf() | NotSo():
                 todo += parts_of(condition)

@@ -4,22 +4,29 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from dataclasses import replace
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.system import System
 from aseme_dsl.play.scenario import Expectation
-from aseme_dsl.project.proving.results import Bounds, Result, Verdict
+from aseme_dsl.project.proving.counterexample import Run
+from aseme_dsl.project.proving.replaying import played, written
+from aseme_dsl.project.proving.results import Bounds, Case, Result, Verdict
 from aseme_dsl.project.proving.scopes import PREFIX, Scope
 from aseme_dsl.project.proving.watched import Watched, is_timed, named, reads_what_is_tried
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
-from aseme_dsl.proofs.explore.questions import Stuck, stuck, unmet
+from aseme_dsl.proofs.explore.questions import Stuck, around, stuck, unmet
 from aseme_dsl.proofs.explore.search import Graph, Limits, Step
 from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.chart.plan import Plan, Transition
+from aseme_dsl.runtime.chart.plan import Plan, State, Transition
 from aseme_dsl.runtime.monitor.rules import LeadsTo, Sometime
+from aseme_dsl.runtime.time.clock import SECOND
+from aseme_dsl.runtime.version.loading import Loaded
 
 _RARE = frozenset(("lost", "error", "after"))
 """Events of transitions that are there for what is not assumed, or for waits that end otherwise."""
+_LONG = 3600 * SECOND
+"""So long a scenario waits for what does not come (ns)."""
 _SHOWN = 5
 """So many dead states are named."""
 
@@ -65,7 +72,9 @@ class Judge:
         assumed: Assumed,
         limits: Limits,
         system: System,
+        loaded: Loaded,
     ) -> None:
+        self._loaded = loaded
         self._scope = scope
         self._explored = explored
         self._graph = graph
@@ -103,7 +112,9 @@ class Judge:
         if found is not None:
             state, circle = found
             reason = "what is awaited never comes" if not circle else "what is awaited may never come"
-            return self._refuted(name, reason, graph.way_to(state), item)
+            steps = graph.way_to(state)
+            further = 0 if circle else _LONG
+            return self._refuted(name, reason, steps, item, round_=around(graph, circle), further=further)
         if timed:
             return self._result(name, Verdict.UNDECIDED, "it speaks of how long something takes", item=item)
         if any(witness not in graph.met for witness in item.witnesses) and graph.cut is None:
@@ -124,7 +135,8 @@ class Judge:
         if found is None or found.past is None:
             return self._seen("non-local choice", "race")
         reason = f"{found.agent} and {found.past} have sent past each other, and {found.agent} waits for ever"
-        return self._refuted("non-local choice", reason, self._graph.way_to(found.state))
+        steps = self._graph.way_to(found.state)
+        return self._refuted("non-local choice", reason, steps, further=_LONG, expects=[self._waits(found)])
 
     def _deadlock(self, found: Stuck | None) -> Result:
         if found is None:
@@ -134,13 +146,21 @@ class Judge:
         reason = (
             f"{found.agent} waits {waiting.where} {waiting.name} for ever{f' for {what}' if what else ''}"
         )
-        return self._refuted("deadlock", reason, self._graph.way_to(found.state))
+        steps = self._graph.way_to(found.state)
+        return self._refuted("deadlock", reason, steps, further=_LONG, expects=[self._waits(found)])
+
+    def _waits(self, found: Stuck) -> str:
+        """That an agent does not wait where it waits for ever."""
+        agent = next(item for item in self._explored.agents if item.name == found.agent)
+        names = [state.name for state in around_of(agent.plan, found.waiting.state)]
+        where = next((name for name in names if name.isidentifier()), agent.plan.name)
+        return f"at {{end}} not {found.agent} in {where}"
 
     def _seen(self, name: str, *kinds: str) -> Result:
         first = next((item for item in self._graph.sightings if item.kind in kinds), None)
         if first is None:
             return self._unbroken(name, is_built_in=True)
-        return self._refuted(name, first.text, self._graph.way_with(first.at))
+        return self._refuted(name, first.text, self._graph.way_with(first.at), expects=first.expects)
 
     def _agreement(self) -> Iterator[Result]:
         """Two outcomes of one protocol never come together."""
@@ -152,7 +172,7 @@ class Judge:
         if steps is None:
             yield self._unbroken("agreement", is_built_in=True)
         else:
-            yield self._refuted("agreement", reached.text, steps)
+            yield self._refuted("agreement", reached.text, steps, expects=reached.expects)
 
     @property
     def reached(self) -> Reached:
@@ -188,8 +208,17 @@ class Judge:
         return self._explored.left_out
 
     def _refuted(
-        self, name: str, reason: str, steps: Sequence[Step], item: Expectation | None = None
+        self,
+        name: str,
+        reason: str,
+        steps: Sequence[Step],
+        item: Expectation | None = None,
+        *,
+        round_: Sequence[Step] = (),
+        further: int = 0,
+        expects: Sequence[str] = (),
     ) -> Result:
+        """A run speaks against it, if it happens; it ends with one `round_` of what may repeat for ever."""
         passes = any(step.passes for step in steps)
         if passes and self._assumed.times:
             why = f"abstract: the run that was found may not keep `{self._assumed.times[0]}`"
@@ -198,7 +227,21 @@ class Judge:
         else:
             verdict = Verdict.REFUTED
         lines = tuple(step.text for step in steps) or ("at the start",)
-        return self._result(name, verdict, reason, lines, item, item is None)
+        found = self._result(name, verdict, reason, lines, item, item is None)
+        if verdict is not Verdict.REFUTED:
+            return found
+        run = Run(f"{name} of {self._scope.what}", self._scope.team, further, expects)
+        replay = written(self._explored, self._graph.pictures[0], (*steps, *round_), run)
+        if not replay.problem:
+            replay = played(self._scope.root, replay, self._loaded, item)
+        if replay.problem:
+            why = f"abstract: the run that was found is none of a team: {replay.problem}"
+            return replace(found, verdict=Verdict.UNDECIDED, reason=f"{reason}; {why}" if reason else why)
+        assert replay.played is not None
+        scope = self._scope
+        remark = reason or "it is broken here"
+        case = Case(run.title, scope.roles, replay.text, scope.team, replay.played.story, remark)
+        return replace(found, case=case)
 
     def _result(
         self,
@@ -225,6 +268,14 @@ class Judge:
         if self._explored.needed is not None:
             parts.append("only the regions that matter to it")
         return Bounds(self._scope.agents, tuple(parts), len(graph.parents))
+
+
+def around_of(plan: Plan, label: str) -> Iterator[State]:
+    """A state, and those around it, from inside."""
+    state: State | None = plan.by_label[label]
+    while state is not None:
+        yield state
+        state = None if state.parent is None else plan.by_label[state.parent]
 
 
 def _dead_in(plan: Plan, visited: Set[str], taken: Set[int]) -> list[str]:
@@ -272,6 +323,8 @@ class _Outcomes:
         self._explored = explored
         self._graph = graph
         self.text = ""
+        self.expects: list[str] = []
+        """Statements of which one does not hold in the run."""
 
     def disagreement(self) -> list[Step] | None:
         """The shortest run in which places of two outcomes are entered."""
@@ -284,6 +337,10 @@ class _Outcomes:
             if len(now[1]) > 1:
                 one, other = sorted(now[1])[:2]
                 self.text = f'both "{one}" and "{other}" come of it'
+                self.expects = [
+                    f'no outcome "{after}" within 60min after outcome "{before}"'
+                    for before, after in ((one, other), (other, one))
+                ]
                 return _way(parents, now)
             for edge in self._graph.edges.get(now[0], ()):
                 after = edge.target, now[1] | self._entered(outcomes, edge.taken)

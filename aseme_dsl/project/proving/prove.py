@@ -198,7 +198,7 @@ def _searched(
         limits,
         lambda graph: is_all and graph.broken.keys() >= set(wanted),
     )
-    return Judge(scope, explored, graph, watch, assumed, limits, system)
+    return Judge(scope, explored, graph, watch, assumed, limits, system, loaded)
 
 
 def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iterator[Result]:

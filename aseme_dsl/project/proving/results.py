@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from enum import StrEnum
 
+from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
@@ -30,6 +31,21 @@ class Bounds:
 
 
 @dataclass(frozen=True, slots=True)
+class Case:
+    """A counterexample that was played as a scenario.
+
+    `roles` declares the roles that there are for it only. `story` is what happened, up to what `remark` says.
+    """
+
+    title: str
+    roles: str
+    text: str
+    team: tuple[tuple[str, str], ...]
+    story: tuple[Happened, ...]
+    remark: str
+
+
+@dataclass(frozen=True, slots=True)
 class Result:
     """An answer. `of` is the team or the protocol, `bounds` say how far it goes.
 
@@ -44,6 +60,8 @@ class Result:
     counterexample: tuple[str, ...] = ()
     span: Span | None = None
     is_built_in: bool = False
+    case: Case | None = None
+    """The counterexample as a scenario, if it is one."""
 
     @property
     def text(self) -> str:
@@ -61,6 +79,7 @@ class Result:
             "reason": self.reason,
             "bounds": self.bounds.text,
             "counterexample": list(self.counterexample),
+            "scenario": None if self.case is None else self.case.roles + self.case.text,
             "at": None if self.span is None else str(self.span),
         }
 

@@ -24,6 +24,8 @@ class Scope:
     root: Path | Source
     team: tuple[tuple[str, str], ...]
     protocol: str | None = None
+    roles: str = ""
+    """The roles that the source has beside those of the file."""
 
     @property
     def agents(self) -> str:
@@ -47,7 +49,7 @@ def scope_of(root: Path | Source, aip: Aip, robots: int) -> Scope:
     source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
     roles = {part.name: f"{PREFIX}{part.name}" for part in aip.participants}
     text = "".join(
-        f"\nsrm {role} {{ plays {aip.name}.{name} liveness {{ {role} = {name} }} }}"
+        f"srm {role} {{ plays {aip.name}.{name} liveness {{ {role} = {name} }} }}\n"
         for name, role in roles.items()
     )
     team = tuple(
@@ -56,7 +58,8 @@ def scope_of(root: Path | Source, aip: Aip, robots: int) -> Scope:
         for count in (_count(part, robots),)
         for number in range(1, count + 1)
     )
-    return Scope(f"protocol {aip.name}", Source(source.path, f"{source.text}\n{text}\n"), team, aip.name)
+    whole = Source(source.path, f"{source.text}\n\n{text}")
+    return Scope(f"protocol {aip.name}", whole, team, aip.name, text)
 
 
 def _count(part: Participant, robots: int) -> int:

@@ -21,6 +21,7 @@ from aseme_dsl.play.scenario import (
     NotSo,
     Says,
     Script,
+    Untaken,
     all_parts,
 )
 from aseme_dsl.play.sight.insight import Insight, Live
@@ -145,7 +146,7 @@ def asked_by(script: Script) -> Asked | None:
                 channels.update(_channel(part) for part in e.walk(value))
             case AllOf() | AnyOf() | NotSo():
                 pass
-            case Says() | Faulty() | Failed():
+            case Says() | Untaken() | Faulty() | Failed():
                 return None
             case _:
                 assert_never(item)

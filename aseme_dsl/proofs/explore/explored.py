@@ -195,14 +195,30 @@ class Explored:
                 return f"the module {module.name} of {role} writes variables"
         return ""
 
-    def begin(self) -> None:
-        """Let all agents make their first step."""
-        self.choices.begin()
+    def settle(self) -> None:
+        """Get the agents ready for their first step."""
         self._touch("")
         for agent in self.agents:
             agent.chart.settle()
-            agent.begin()
+
+    def begin(self) -> bool:
+        """Let all agents make their first step; whether that could be made in one way only.
+
+        If not, the state before it has it as a move.
+        """
+        self.choices.begin()
+        before = self.picture()
+        self._touch("")
+        self._begin_all()
         self._settle()
+        is_only = not self.choices.again()
+        if not is_only:
+            self.take_back(before)
+        return is_only
+
+    def _begin_all(self) -> None:
+        for agent in self.agents:
+            agent.begin()
 
     def _touch(self, name: str) -> None:
         """An agent may be changed in this move; an empty name: any of them."""
@@ -285,6 +301,9 @@ class Explored:
     def moves(self) -> Iterator[Move]:
         """What may happen next."""
         self.coming.look()
+        if not any(agent.chart.started for agent in self.agents):
+            yield Move(("begin",), "the agents begin", self._begin_all, "")
+            return
         yield from self._ends()
         yield from self._arrivals()
         yield from self._times()
@@ -293,7 +312,7 @@ class Explored:
 
     def _ends(self) -> Iterator[Move]:
         for execution in self.driver.running:
-            if not self._matters(execution.agent, execution.label):
+            if not self.matters(execution.agent, execution.label):
                 continue
             kind = ("end", execution.agent, execution.label)
             text = f"{execution.agent}: {execution.activity} ends"
@@ -307,9 +326,15 @@ class Explored:
                 text = f"{execution.agent}: {execution.activity} runs"
                 yield Move(kind, text, partial(self._acting.act, execution), execution.agent, is_fair=False)
 
-    def _matters(self, agent: str, label: str) -> bool:
+    def matters(self, agent: str, label: str) -> bool:
         """Whether a state of an agent matters to what is asked."""
         return self.needed is None or label in self.needed.states[self._roles[agent]]
+
+    def written(self, execution: Execution, *, is_end: bool) -> tuple[str, ...]:
+        """The variables that an activity writes when it runs or ends, as its agent calls them."""
+        agent = next(item for item in self.agents if item.name == execution.agent)
+        names = self._acting.written(agent, execution, is_end=is_end)
+        return tuple(agent.plan.variable_of(name, execution.label).name for name in names)
 
     def _arrivals(self) -> Iterator[Move]:
         for (sender, receiver), waiting in self.ways.ways.items():
@@ -345,7 +370,7 @@ class Explored:
             if agent.over or agent.down:
                 continue
             for item in passing(agent.chart, self._ages[agent.role]):
-                if item.what == "state" and not self._matters(agent.name, item.name):
+                if item.what == "state" and not self.matters(agent.name, item.name):
                     continue
                 kind = ("time", agent.name, item.what, item.name)
                 text = f"{agent.name}: {_passed(agent.plan, item)}"

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 from aseme_dsl.proofs.explore.deciding.staging import raised_by
 from aseme_dsl.proofs.explore.explored import Explored
-from aseme_dsl.proofs.explore.search import Edge, Graph
+from aseme_dsl.proofs.explore.search import Edge, Graph, Kind, Step
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.team.ending import Waiting, waits_of
@@ -173,4 +174,47 @@ def _is_fair(graph: Graph, circle: Iterable[int]) -> bool:
     return always <= made
 
 
-__all__ = ["Stuck", "stuck", "unmet"]
+def around(graph: Graph, circle: Sequence[int]) -> list[Step]:
+    """One way round a circle that a fair run may go for ever, from its first state back to it."""
+    if not circle:
+        return []
+    inside = frozenset(circle)
+    wanted = frozenset.intersection(*(graph.enabled[state] for state in circle))
+    steps: list[Step] = []
+    state = first = min(circle)
+    while True:
+        edges = _to(graph, inside, state, partial(_is_of, wanted))
+        if not edges:
+            break
+        steps += [edge.step for edge in edges]
+        wanted -= {edge.kind for edge in edges}
+        state = edges[-1].target
+    if state != first or not steps:
+        edges = _to(graph, inside, state, lambda edge: edge.target == first)
+        steps += [edge.step for edge in edges]
+    return steps
+
+
+def _is_of(kinds: frozenset[Kind], edge: Edge) -> bool:
+    return edge.kind in kinds
+
+
+def _to(graph: Graph, inside: frozenset[int], state: int, is_wanted: Callable[[Edge], bool]) -> list[Edge]:
+    """The shortest way inside a circle that ends with a move that is wanted; empty if there is none."""
+    ways: dict[int, list[Edge]] = {state: []}
+    todo = deque([state])
+    while todo:
+        here = todo.popleft()
+        for edge in graph.edges[here]:
+            if edge.target not in inside:
+                continue
+            way = [*ways[here], edge]
+            if is_wanted(edge):
+                return way
+            if edge.target not in ways:
+                ways[edge.target] = way
+                todo.append(edge.target)
+    return []
+
+
+__all__ = ["Stuck", "around", "stuck", "unmet"]

@@ -58,6 +58,8 @@ class Sighting:
     kind: str
     text: str
     at: Arrival
+    expects: tuple[str, ...] = ()
+    """Statements of a scenario that do not hold in a run with it."""
 
 
 @dataclass(slots=True)
@@ -108,9 +110,10 @@ class Eyes:
 
     def __init__(self) -> None:
         self.taken: set[tuple[str, tuple[int, ...]]] = set()
-        self.seen: list[tuple[str, str]] = []
-        self.untaken: list[tuple[str, str, str]] = []
-        """Agent messages that nothing has taken: sender, receiver, and what is to be said of it."""
+        self.seen: list[tuple[str, str, tuple[str, ...]]] = []
+        """What is to be noted: its kind, what is to be said of it, and statements that it breaks."""
+        self.untaken: list[tuple[str, str, str, str]] = []
+        """Agent messages that nothing has taken: sender, receiver, what is to be said of it, and the type."""
 
     def clear(self) -> None:
         """A move is made."""
@@ -127,9 +130,10 @@ class Eyes:
                 what = f"{record.get('performative', '')} {record.get('message', '')}".strip()
                 text = f"{record['agent']} does not take {what} of {record['sender']}: {record['reason']}"
                 if record.get("performative") != "not_understood":
-                    self.untaken.append((record["sender"], record["agent"], text))
+                    message = str(record.get("message", ""))
+                    self.untaken.append((record["sender"], record["agent"], text, message))
             case "error":
-                self.seen.append(("failure", f"{record['agent']} fails: {record['reason']}"))
+                self.seen.append(("failure", f"{record['agent']} fails: {record['reason']}", ()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,6 +179,7 @@ class _Search:
 
     def run(self) -> Graph:
         graph = self._graph
+        self._explored.settle()
         try:
             self._explored.begin()
         except Circling as problem:
@@ -243,15 +248,16 @@ class _Search:
         have chosen.
         """
         explored, eyes = self._explored, self._eyes
-        for sender, receiver, text in eyes.untaken:
+        for sender, receiver, text, message in eyes.untaken:
+            expects = (f"never untaken {message} by {receiver}",)
             if explored.crashed:
                 continue
             if explored.arriving is None or not explored.arriving.crosses:
                 if not explored.late.intersection((sender, receiver)):
-                    eyes.seen.append(("orphan", text))
+                    eyes.seen.append(("orphan", text, expects))
                 continue
             if (receiver, sender) in explored.spurned:
-                eyes.seen.append(("race", text))
+                eyes.seen.append(("race", text, expects))
             explored.spurned.add((sender, receiver))
 
     def _note(self, before: Arrival) -> int:
@@ -285,9 +291,9 @@ class _Search:
         for name, way in self._eyes.taken:
             graph.taken.setdefault(roles[name], set()).update(way)
         known = {(item.kind, item.text) for item in graph.sightings}
-        for kind, text in self._eyes.seen:
+        for kind, text, expects in self._eyes.seen:
             if (kind, text) not in known:
-                graph.sightings.append(Sighting(kind, text, move))
+                graph.sightings.append(Sighting(kind, text, move, expects))
 
 
 def _places(agent: Agent) -> tuple[int, ...]:

@@ -126,6 +126,8 @@ class Setup:
     """The agents' bodies where there is no world."""
     until_ns: int | None = None
     """When the run ends."""
+    least_ns: int = 0
+    """Before this moment it does not end because all agents have ended."""
     stop: Callable[[Team], str | None] | None = None
     """Asked at every instant at which nothing is left to do; the reason that it gives ends the run."""
     timed_inputs: Iterable[TimedInput] = ()
@@ -175,6 +177,7 @@ class Team:
         self.system = setup.system or members[0][1].PLAN.system
         self._path = tuple(setup.path)
         self._until = setup.until_ns
+        self._least = setup.least_ns
         self._stop = setup.stop
         self._before = setup.before
         self._has_run = False
@@ -512,7 +515,7 @@ class Team:
 
     def _settled(self) -> str | None:
         self._swaps.try_again()
-        if all(agent.over for agent in self.agents):
+        if all(agent.over for agent in self.agents) and self.driver.clock.now() >= self._least:
             return "finished"
         return self._stop(self) if self._stop is not None else None
 

@@ -172,6 +172,11 @@ class NoActivityInScenario(Absent):
     what = "there is no activity"
 
 
+class NoFunctionInScenario(Absent):
+    code = "E229"
+    what = "there is no function"
+
+
 class NoOutcomeOfActivity(Absent):
     code = "E229"
     activity: str
@@ -371,6 +376,30 @@ class HitWithoutMoment(Problem):
     code = "E230"
     message = "it needs a moment"
     hint = "write `at 2s` or `from 2s to 5s` before it"
+
+
+class NotStepwise(Problem):
+    """`verb`: that of something which happens by hand."""
+
+    code = "E230"
+    verb: str
+    hint = "write `stepwise` in the scenario, so that nothing else ends or arrives"
+
+    @property
+    def message(self) -> str:
+        return f"`{self.verb}` in a scenario that is not stepwise"
+
+
+class StepwiseWith(Problem):
+    """`word`: that of a statement which leaves open what is done by hand."""
+
+    code = "E230"
+    word: str
+    hint = "remove one of both"
+
+    @property
+    def message(self) -> str:
+        return f"`{self.word}` in a scenario that is stepwise"
 
 
 class NeitherMessage(Problem):

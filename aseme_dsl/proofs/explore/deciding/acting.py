@@ -69,6 +69,11 @@ class Acting:
         writes = any(not self._is_new(agent, channel) for channel in info.writes)
         return bool(sets or writes or sends)
 
+    def written(self, agent: Agent, execution: Execution, *, is_end: bool) -> list[str]:
+        """The variables that an activity writes when it runs or ends."""
+        found = self._writable(agent, execution)
+        return [name for name in found if is_end or name in self._watched[agent.role]]
+
     def _writable(self, agent: Agent, execution: Execution) -> list[str]:
         """The variables that an activity may write: those that it declares, and of its participant those
         that no line of the protocol writes, but to give them their initial value."""
@@ -104,9 +109,8 @@ class Acting:
         agent = cast("Agent", execution.owner.agent)
         info = execution.info
         self._read(agent, execution)
-        for name in self._writable(agent, execution):
-            if is_end or name in self._watched[agent.role]:
-                self._set(agent, execution, name)
+        for name in self.written(agent, execution, is_end=is_end):
+            self._set(agent, execution, name)
         for channel in info.writes:
             if is_end or not self._is_new(agent, channel):
                 self._publish(agent, execution, channel)
@@ -207,7 +211,8 @@ class Acting:
         name, _, result, _ = function
         kinds: Mapping[str, tuple[object, ...]] = {"bool": (False, True)}
         answers = kinds.get(result) or self._values.results(name, result)
-        return self._choices.of((agent, name, repr(arguments)), answers, f"{name}() is {{}}")
+        text = f"{name.partition('(')[0]}() is {{}}"
+        return self._choices.of(("function", agent, name, repr(arguments)), answers, text)
 
 
 class Free(Prepared):

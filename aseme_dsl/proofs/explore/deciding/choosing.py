@@ -18,6 +18,8 @@ class Choices:
         self._place = 0
         self.said: list[str] = []
         """The decisions of this way, for readers."""
+        self.heard: list[tuple[Hashable, object]] | None = None
+        """What was asked and answered, and what was noted, if something keeps it."""
 
     def begin(self) -> None:
         """A move is made for the first time."""
@@ -51,7 +53,13 @@ class Choices:
             if text and chosen is not None:
                 self.said.append(text.format(chosen))
         self._made[question] = chosen
+        self.note(question, chosen)
         return chosen
+
+    def note(self, what: Hashable, value: object = None) -> None:
+        """Something is to be known beside the decisions."""
+        if self.heard is not None:
+            self.heard.append((what, value))
 
     def way(self) -> tuple[int, ...]:
         """The decisions of this way by their numbers: the same again lead to the same state."""

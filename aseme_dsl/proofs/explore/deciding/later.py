@@ -53,12 +53,14 @@ class Later:
         """A new message of this kind. For the members at these paths, one of the values is decided when it is
         read; the others have their defaults. `name` is what it is, for readers."""
         self.decided.made += 1
+        self._choices.note(("made", self.decided.made, kind.__name__))
         return self._open(kind, _Content(self.decided.made, kind, tried, name), ())
 
     def forget(self, message: object) -> None:
         """What was decided of a message may be otherwise from now on."""
         content = content_of(message)
         if content is not None:
+            self._choices.note(("forgotten", content.number))
             values = self.decided.values
             for key in [key for key in values if key[0] == content.number]:
                 del values[key]

@@ -1,0 +1,142 @@
+"""Counterexample: a run that was found, written as a scenario, and played on what runs on a robot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from typing import assert_never, cast
+
+from aseme_dsl.proofs.explore.deciding.unread import Path
+from aseme_dsl.proofs.explore.retrace import (
+    Acts,
+    Arrives,
+    Comes,
+    Content,
+    Crash,
+    Event,
+    Gives,
+    Happening,
+    Retraced,
+)
+from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.time.clock import MILLISECOND, SECOND
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """What a scenario has beside what happens.
+
+    From the last move on all goes by itself for `further` ns; 0 if the run ends with it. `expects` are
+    statements that do not hold in the run; `{end}` in them stands for its end, and `{last}` for the moment of
+    its last move. None are needed if a property or clause is broken, or an agent fails.
+    """
+
+    title: str
+    team: Sequence[tuple[str, str]]
+    further: int = 0
+    expects: Sequence[str] = ()
+
+
+def scenario_of(run: Run, found: Retraced, types: Mapping[str, Mapping[str, str]]) -> str:
+    """The text of a scenario. `types` are those of the variables of each agent that is a duration."""
+    lines = [f"{name} : {role}" for name, role in run.team]
+    last = found.moments[-1] if found.moments else 0
+    if run.further:
+        lines.append(f"stepwise until {moment(last + MILLISECOND)}")
+    else:
+        lines.append("stepwise")
+    for at, happenings in zip(found.moments, found.happenings, strict=True):
+        lines += [_line(item, moment(at), types) for item in happenings]
+    end = last + run.further
+    lines += [item.format(end=moment(end), last=moment(last)) for item in run.expects]
+    lines.append(f"for {moment(end)}")
+    title = run.title.replace("\\", "\\\\").replace('"', "'")
+    return f'scenario "{title}" {{\n' + "".join(f"  {line}\n" for line in lines) + "}\n"
+
+
+def moment(at: int) -> str:
+    """A moment (ns) as a file writes it."""
+    if at % SECOND == 0:
+        return f"{at // SECOND}s"
+    if at % MILLISECOND == 0:
+        return f"{at // MILLISECOND}ms"
+    return f"{at / MILLISECOND:.6f}".rstrip("0") + "ms"
+
+
+def _line(item: Happening, at: str, types: Mapping[str, Mapping[str, str]]) -> str:
+    if isinstance(item, Crash):
+        return f"crash {item.agent} at {at}"
+    return f"at {at} {_said(item, types)}"
+
+
+def _said(item: Acts | Comes | Arrives | Event | Gives, types: Mapping[str, Mapping[str, str]]) -> str:
+    match item:
+        case Acts():
+            return " ".join(_acts(item, types.get(item.agent, {})))
+        case Comes(agent=agent, channel=channel, content=content, sender=sender):
+            by = "" if sender is None else f" from {sender}"
+            return f"{agent} receives {channel} {{ {_fills(content)} }}{by}"
+        case Arrives(agent=agent, sender=sender, what=what, is_lost=is_lost):
+            return f"{agent} {'misses' if is_lost else 'gets'} {what} from {sender}"
+        case Event(agent=agent, event=event):
+            return f"{agent} raises {event}"
+        case Gives(agent=agent, function=function, value=value):
+            return f"{agent} computes {function} = {_value(value, '')}"
+        case _:
+            assert_never(item)
+
+
+def _acts(item: Acts, types: Mapping[str, str]) -> Iterator[str]:
+    yield f"{item.agent} {item.verb} {item.activity}"
+    if item.outcome is not None:
+        yield f"with {item.outcome}"
+    for performative, message in item.takes:
+        yield f"takes {performative} {message}"
+    for name, value in item.sets.items():
+        yield f"sets {name} = {_value(value, types.get(name, ''))}"
+    for channel, content in item.writes:
+        yield f"writes {channel} {{ {_fills(content)} }}"
+    for content in item.prepares:
+        yield f"prepares {_kind(content)} {{ {_fills(content)} }}"
+    for performative, content, part in item.sends:
+        yield f"sends {performative} {_kind(content)} {{ {_fills(content)} }} to {part}"
+
+
+def _kind(content: Content) -> str:
+    return content.kind or type(content.whole).__name__
+
+
+def _fills(content: Content) -> str:
+    pairs = content.members.items() if content.whole is None else _members(content.whole, ())
+    return "  ".join(f"{'.'.join(path)} = {_value(value, '')}" for path, value in pairs)
+
+
+def _members(message: object, at: Path) -> Iterator[tuple[Path, object]]:
+    """What a message holds, by the ways to its members."""
+    for item in fields(cast("type", message)):
+        value = getattr(message, item.name)
+        if is_dataclass(value):
+            yield from _members(value, (*at, item.name))
+        elif value is not None:
+            yield (*at, item.name), value
+
+
+def _value(value: object, kind: str) -> str:
+    match value:
+        case bool():
+            return "true" if value else "false"
+        case Enum():
+            return f"{type(value).__name__}.{value.name}"
+        case int() if kind == "duration":
+            return moment(value)
+        case str():
+            escaped = value.replace("\\", "\\\\").replace('"', '\\"')
+            return f'"{escaped}"'
+        case tuple() | list():
+            return f"[{', '.join(_value(item, '') for item in value)}]"
+        case _:
+            return str(value)
+
+
+__all__ = ["Run", "moment", "scenario_of"]

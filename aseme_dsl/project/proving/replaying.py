@@ -1,0 +1,94 @@
+"""Replaying: whether a run that a search has found happens on what runs on a robot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from aseme_dsl import outside
+from aseme_dsl.compiler.phases import inspect_files, scenarios_of
+from aseme_dsl.diagnostics import Severity, has_errors
+from aseme_dsl.play.run import NotPlayable, Played, play
+from aseme_dsl.play.scenario import Expectation, Scenario
+from aseme_dsl.project.building.project import compile_root, options_of
+from aseme_dsl.project.proving.counterexample import Run, scenario_of
+from aseme_dsl.proofs.explore.explored import Explored
+from aseme_dsl.proofs.explore.memory import Picture
+from aseme_dsl.proofs.explore.retrace import NotRetraced, retrace
+from aseme_dsl.proofs.explore.search import Step
+from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.version.loading import Loaded
+from aseme_dsl.source import Source
+
+SEED = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Replay:
+    """The scenario of a run, and how it went; or why there is none: it does not happen."""
+
+    text: str = ""
+    problem: str = ""
+    scenario: Scenario | None = None
+    played: Played | None = None
+
+
+def written(explored: Explored, first: Picture, steps: Sequence[Step], run: Run) -> Replay:
+    """The scenario of a run, which is not played yet."""
+    types = {
+        agent.name: {item.name.partition("@")[0]: item.type for item in agent.plan.variables}
+        for agent in explored.agents
+    }
+    try:
+        return Replay(scenario_of(run, retrace(explored, first, steps), types))
+    except NotRetraced as problem:
+        return Replay(problem=str(problem))
+
+
+def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation | None) -> Replay:
+    """A scenario as it went with the files of `root`. There is a problem unless it breaks the expectation:
+    `of`, or one of its own, if that is None."""
+    source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
+    whole = Source(source.path, f"{source.text}\n{found.text}")
+    compiled = compile_root(whole)
+    wrong = [item for item in compiled.diagnostics if item.severity is Severity.ERROR]
+    if has_errors(wrong):
+        return replace(found, problem=f"{wrong[0].message}: `{_line(wrong[0].span)}`")
+    scenarios = scenarios_of(inspect_files(whole, None, options_of(compiled.configuration)), {})
+    scenario = scenarios[-1]
+    if scenario.refused is not None:
+        return replace(found, problem=f"{scenario.refused.reason}: `{_line(scenario.refused.span)}`")
+    (script,) = scenario.scripts
+    kept = tuple(item for item in script.expectations if _is(item, of))
+    try:
+        run = play(
+            loaded,
+            replace(script, expectations=kept),
+            SEED,
+            {},
+            lambda activity: None,
+            script.until,
+        )
+    except NotPlayable as problem:
+        return replace(
+            found, problem=f"{problem}{'' if problem.span is None else f': `{_line(problem.span)}`'}"
+        )
+    if run.broken is None:
+        failed = "; ".join(f"{name} fails: {why}" for name, why in run.failures.items())
+        return replace(found, problem=failed or "in it, all is as it should be")
+    return replace(found, scenario=scenario, played=run)
+
+
+def _is(item: Expectation, of: Expectation | None) -> bool:
+    if of is None:
+        return not item.of
+    return (item.of, item.span.text) == (of.of, of.span.text)
+
+
+def _line(span: object) -> str:
+    text = getattr(span, "text", "")
+    return " ".join(str(text).split())
+
+
+__all__ = ["Replay", "played", "written"]

@@ -1,0 +1,493 @@
+"""Retrace: a run that a search has found once more, with all that was decided in it, and when it can happen.
+
+A search decides late what a message says or what an activity has written. Here each decision is given back to
+what it is about: the message where it was made, the activity where it wrote. Times are found last: the moves
+of a run have no moments, but deadlines, timers and ages tie some of them to each other.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Hashable, Iterator, Sequence
+from dataclasses import field
+from functools import partial
+from typing import cast
+
+from aseme_dsl.proofs.explore.ages import passing, thresholds_of
+from aseme_dsl.proofs.explore.deciding.unread import Path
+from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
+from aseme_dsl.proofs.explore.memory import Picture
+from aseme_dsl.proofs.explore.search import Step
+from aseme_dsl.proofs.explore.surroundings import NOW, Underway
+from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.activity.execution import Execution
+from aseme_dsl.runtime.agent.agent import Agent
+from aseme_dsl.runtime.message.acl import AclMessage
+
+
+class NotRetraced(Exception):
+    """A run has something for which scenarios have no words; the text says what."""
+
+
+class _Marked(int):
+    """The moment at which an explored team stands, with the number of the move in which it was read."""
+
+    step: int
+
+    def __add__(self, other: int) -> _Marked:
+        return _marked(int(self) + other, self.step)
+
+    __radd__ = __add__
+
+
+def _marked(moment: int, step: int) -> _Marked:
+    found = _Marked(moment)
+    found.step = step
+    return found
+
+
+# ---- what happens -----------------------------------------------------------------------------------
+
+
+@dataclass(slots=True)
+class Content:
+    """What a message says: its members as far as something has read them, or all of it at once."""
+
+    kind: str
+    members: dict[Path, object] = field(default_factory=dict)
+    whole: object = None
+
+
+@dataclass(slots=True)
+class Acts:
+    """An activity runs, ends or fails, as `verb` says, and does something before."""
+
+    agent: str
+    activity: str
+    verb: str
+    outcome: str | None = None
+    sets: dict[str, object] = field(default_factory=dict)
+    writes: list[tuple[str, Content]] = field(default_factory=list)
+    sends: list[tuple[str, Content, str]] = field(default_factory=list)
+    """Agent messages: the performative, what it says, and the participant to which it goes."""
+    prepares: list[Content] = field(default_factory=list)
+    takes: list[tuple[str, str]] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class Comes:
+    """A message comes on a channel, from outside or from an activity of the agent itself."""
+
+    agent: str
+    channel: str
+    content: Content
+    sender: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Arrives:
+    """What was on its way arrives, or is lost; `what` is a channel, or a performative and a type."""
+
+    agent: str
+    sender: str
+    what: str
+    is_lost: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """An event is raised."""
+
+    agent: str
+    event: str
+
+
+@dataclass(frozen=True, slots=True)
+class Crash:
+    agent: str
+
+
+@dataclass(frozen=True, slots=True)
+class Gives:
+    """A function gives a value from now on; `random` draws it."""
+
+    agent: str
+    function: str
+    value: object
+
+
+Happening = Acts | Comes | Arrives | Event | Crash | Gives
+
+
+@dataclass(frozen=True, slots=True)
+class Retraced:
+    """What happens in each move of a run, and the moments of the moves (ns)."""
+
+    happenings: tuple[tuple[Happening, ...], ...]
+    moments: tuple[int, ...]
+
+
+def retrace(explored: Explored, first: Picture, steps: Sequence[Step]) -> Retraced:
+    """Make the moves of a run again, from the first state on.
+
+    Raises:
+        NotRetraced: what happens, or when, cannot be said in a scenario.
+    """
+    return _Retrace(explored, first).run(steps)
+
+
+@dataclass(frozen=True, slots=True)
+class _Tie:
+    """Move `later` is `duration` ns behind move `earlier`, or before that is over if it `is_less`."""
+
+    later: int
+    earlier: int
+    duration: int
+    is_less: bool
+
+
+class _Retrace:
+    def __init__(self, explored: Explored, first: Picture) -> None:
+        self._explored = explored
+        self._first = first
+        self._step = 0
+        self._happenings: list[list[Happening]] = []
+        self._contents: dict[int, Content] = {}
+        self._forgotten: set[int] = set()
+        self._places: dict[int, tuple[str, str, str | None]] = {}
+        """Where contents came to that may come again: the agent, the channel and the sender."""
+        self._wrote: dict[tuple[str, str], Acts] = {}
+        """What has written a variable of an agent last."""
+        self._ended: dict[str, Acts] = {}
+        """The activity of an agent that has ended last."""
+        self._about: Acts | None = None
+        """What acts in the present move, if an activity does."""
+        self._kind: tuple[str, ...] = ()
+        self._origins: dict[tuple[str, ...], int] = {}
+        self._ties: list[_Tie] = []
+
+    def run(self, steps: Sequence[Step]) -> Retraced:
+        explored = self._explored
+        clock = explored.driver.clock
+        heard: list[tuple[Hashable, object]] = []
+        try:
+            explored.take_back(self._first)
+            self._note_origins()
+            for number, step in enumerate(steps, 1):
+                self._step = number
+                self._happenings.append([])
+                moves = list(explored.moves())
+                move = moves[step.number]
+                self._pend(move)
+                heard.clear()
+                explored.choices.heard = heard
+                explored.choices.follow(step.way)
+                clock.moment = _marked(NOW, number)
+                self._about = self._begin(move)
+                with contextlib.suppress(Circling):
+                    explored.make(move)
+                self._hear(heard)
+                explored.choices.heard = None
+                clock.moment = NOW
+                explored.picture()
+                self._note_origins()
+        finally:
+            explored.choices.heard = None
+            clock.moment = NOW
+        moments = _moments(len(steps), self._ties)
+        return Retraced(tuple(map(tuple, self._happenings)), moments)
+
+    # ---- moves -------------------------------------------------------------------------------
+
+    def _begin(self, move: Move) -> Acts | None:
+        """What a move is, without what is decided in it."""
+        match move.kind:
+            case ("end" | "act" | "fail" as what, agent, label):
+                found = self._execution(agent, label)
+                verbs = {"end": "ends", "act": "does", "fail": "fails"}
+                acts = Acts(agent, found.activity, verbs[what])
+                if what != "fail":
+                    for name in self._explored.written(found, is_end=what == "end"):
+                        self._wrote[agent, name] = acts
+                if what == "end":
+                    self._ended[agent] = acts
+                self._add(acts)
+                return acts
+            case ("arrive" | "lose" as what, sender, receiver, *_):
+                item = cast("Underway", _argument(move))
+                self._add(Arrives(receiver, sender, _what(item), what == "lose"))
+            case ("event", agent, event):
+                self._add(Event(agent, event))
+            case ("crash", agent):
+                self._add(Crash(agent))
+            case ("begin",):
+                self._ties.append(_Tie(self._step, 0, 0, is_less=False))
+            case ("input" | "time" | "timer", *_):
+                pass  # what is decided in it says what comes; or time passes
+            case _:
+                raise NotRetraced(f"no statement says `{move.text}`")
+        return None
+
+    def _execution(self, agent: str, label: str) -> Execution:
+        running = [item for item in self._explored.driver.running if item.agent == agent]
+        found = next(item for item in running if item.label == label)
+        if next(item for item in running if item.activity == found.activity) is not found:
+            raise NotRetraced(f"{agent} runs {found.activity} twice at once")
+        return found
+
+    def _add(self, item: Happening) -> None:
+        self._happenings[-1].append(item)
+
+    def _put_before(self, item: Happening) -> None:
+        """What comes with a move stands before it."""
+        own = self._happenings[-1]
+        place = len(own) - (1 if own and isinstance(own[-1], Acts | Arrives | Event) else 0)
+        own.insert(place, item)
+
+    # ---- decisions ---------------------------------------------------------------------------
+
+    def _hear(self, heard: Sequence[tuple[Hashable, object]]) -> None:
+        acts = self._about
+        comes: tuple[str, str] | None = None
+        publishes = ""
+        given: dict[tuple[str, str], object] = {}
+        for what, value in heard:
+            match what:
+                case ("ends",):
+                    if acts is not None:
+                        acts.outcome = str(value)
+                case ("come", str() as agent, str() as channel):
+                    comes = (agent, channel) if value else None
+                case ("publish", str() as channel):
+                    publishes = channel if value else ""
+                case ("input",):
+                    self._came(comes or self._channel(), Content("", whole=value))
+                    comes = None
+                case ("published", str() as channel):
+                    assert acts is not None
+                    acts.writes.append((channel, Content("", whole=value)))
+                case ("made", int() as number, str() as kind):
+                    content = self._contents[number] = Content(kind)
+                    if publishes and acts is not None:
+                        acts.writes.append((publishes, content))
+                        publishes = ""
+                    else:
+                        self._came(comes or self._channel(), content, number)
+                        comes = None
+                case ("forgotten", int() as number):
+                    self._forgotten.add(number)
+                case ("member", int() as number, str() as kind, tuple() as path):
+                    self._content(number, kind).members[path] = value
+                case ("variable", str() as agent, str() as name, _):
+                    self._set(agent, name, value)
+                case ("send", str() as performative, str() as part):
+                    if value is not None and acts is not None:
+                        acts.sends.append((performative.split()[0], Content("", whole=value), part))
+                case ("read", str() as performative, str() as message, _):
+                    if value and acts is not None:
+                        acts.takes.append((performative, message))
+                case ("content", str() as agent, _):
+                    self._prepare(agent, Content("", whole=value))
+                case ("function", str() as agent, str() as name, _):
+                    if given.setdefault((agent, name), value) != value:
+                        raise NotRetraced(f"{name} gives two values at one moment")
+                    self._put_before(Gives(agent, name.partition("(")[0], value))
+                case ("random", str() as agent, _):
+                    if given.setdefault((agent, "random"), value) != value:
+                        raise NotRetraced("random() gives two values at one moment")
+                    self._put_before(Gives(agent, "random", value))
+                case _:
+                    raise NotRetraced(f"no statement decides {what}")
+
+    def _channel(self) -> tuple[str, str]:
+        """Where the message comes that the present move gives."""
+        match self._kind:
+            case ("input", agent, channel):
+                return agent, channel
+            case _:
+                raise NotRetraced("a message comes from nowhere")
+
+    def _came(self, place: tuple[str, str], content: Content, number: int | None = None) -> None:
+        agent, channel = place
+        sender = agent if self._explored.coming.brief[agent].get(channel) else None
+        if number is not None:
+            self._places[number] = agent, channel, sender
+        self._put_before(Comes(agent, channel, content, sender))
+
+    def _content(self, number: int, kind: str) -> Content:
+        """A content of which a member is decided: a new one, if the one before was forgotten."""
+        if number in self._forgotten:
+            self._forgotten.discard(number)
+            agent, channel, sender = self._places[number]
+            self._contents[number] = Content(kind)
+            self._put_before(Comes(agent, channel, self._contents[number], sender))
+        if number not in self._contents:
+            raise NotRetraced(f"a {kind} was decided before the run began")
+        return self._contents[number]
+
+    def _set(self, agent: str, name: str, value: object) -> None:
+        acts = self._wrote.get((agent, name))
+        if acts is None:
+            raise NotRetraced(f"nothing has written {name}")
+        acts.sets[name.partition("@")[0]] = value
+
+    def _prepare(self, agent: str, content: Content) -> None:
+        acts = self._ended.get(agent)
+        if acts is None:
+            raise NotRetraced(f"nothing has prepared a message of {agent}")
+        kind = type(content.whole).__name__
+        acts.prepares[:] = [item for item in acts.prepares if type(item.whole).__name__ != kind]
+        acts.prepares.append(content)
+
+    # ---- times -------------------------------------------------------------------------------
+
+    def _pend(self, move: Move) -> None:
+        """Tie a move to what is pending before it: it is due with the move, or not before it."""
+        self._kind = move.kind
+        for key, origin, duration in self._pending():
+            is_it = key == (move.kind if move.kind[0] in ("time", "timer") else ())
+            self._ties.append(_Tie(self._step, origin, duration, not is_it))
+
+    def _note_origins(self) -> None:
+        """Since which move the times run that run now."""
+        explored = self._explored
+        there: set[tuple[str, ...]] = set()
+        for agent in explored.agents:
+            if agent.over or agent.down:
+                continue
+            chart = agent.chart
+            for label, slot in chart.TIMES.items():
+                self._origin(("state", agent.name, label), getattr(chart, slot), there)
+            for board in chart.boards():
+                if board is None:
+                    continue
+                for name, due in board.timers.items():
+                    self._origin(("timer", agent.name, name), due, there)
+                for channel, senders in board._states.items():
+                    for item in senders.values():
+                        key = ("message", agent.name, channel, *map(str, item.identity))
+                        self._origin(key, item.time, there)
+                for channel, items in board._signals.items():
+                    for item in items:
+                        key = ("message", agent.name, channel, *map(str, item.identity))
+                        self._origin(key, item.time, there)
+        for timer in explored.driver.timers:
+            if timer.call is not None:
+                self._origin(("pause", str(id(timer))), timer.moment, there)
+        for key in [key for key in self._origins if key not in there]:
+            del self._origins[key]
+
+    def _origin(self, key: tuple[str, ...], moment: int, there: set[tuple[str, ...]]) -> None:
+        there.add(key)
+        if isinstance(moment, _Marked):
+            self._origins[key] = moment.step
+        else:
+            self._origins.setdefault(key, self._step)
+
+    def _pending(self) -> Iterator[tuple[tuple[str, ...], int, int]]:
+        """What may pass now, with the move from which on it is counted, and how long it takes."""
+        explored = self._explored
+        for agent in explored.agents:
+            if agent.over or agent.down:
+                continue
+            for item in passing(agent.chart, {}):
+                if item.what == "state" and explored.matters(agent.name, item.name):
+                    origin = self._origins["state", agent.name, item.name]
+                    yield ("time", agent.name, "state", item.name), origin, item.duration
+            yield from self._of_boards(agent)
+        for timer in explored.driver.timers:
+            if timer.call is not None:
+                yield ("timer",), self._origins["pause", str(id(timer))], timer.moment - NOW
+
+    def _of_boards(self, agent: Agent) -> Iterator[tuple[tuple[str, ...], int, int]]:
+        thresholds = thresholds_of(agent.plan)[0]
+        for board in agent.chart.boards():
+            if board is None:
+                continue
+            for name, due in board.timers.items():
+                if due > NOW:
+                    origin = self._origins["timer", agent.name, name]
+                    yield ("time", agent.name, "timer", name), origin, int(due) - NOW
+            for channel, ages in thresholds.items():
+                for item in board._states.get(channel, {}).values():
+                    age = NOW - item.time
+                    older = next((limit for limit in ages if age < limit), None)
+                    if older is None and ages and age == ages[-1]:
+                        older = ages[-1] + 1
+                    if older is not None:
+                        key = ("message", agent.name, channel, *map(str, item.identity))
+                        yield ("time", agent.name, "message", channel), self._origins[key], older
+            for channel, longest in board.EXPIRES.items():
+                for item in board._signals.get(channel, ()):
+                    if NOW - item.time < longest:
+                        key = ("message", agent.name, channel, *map(str, item.identity))
+                        yield ("time", agent.name, "signal", channel), self._origins[key], longest
+
+
+def _argument(move: Move) -> object:
+    """What a move is about that something on its way makes."""
+    assert isinstance(move.do, partial)
+    return move.do.args[-1]
+
+
+def _what(item: Underway) -> str:
+    """What is on its way, as a scenario says it."""
+    if item.kind != "mail":
+        return item.what
+    given = item.give.args if isinstance(item.give, partial) else ()
+    acl = next((part for part in given if isinstance(part, AclMessage)), None)
+    return item.what if acl is None else f"{acl.performative} {acl.message}".rstrip()
+
+
+# ---- moments ----------------------------------------------------------------------------------------
+
+_GAPS = (10**9, 10**8, 10**7, 10**6, 10**3)
+"""So long, or as long as is possible, two moves are apart (ns)."""
+
+
+def _moments(count: int, ties: Sequence[_Tie]) -> tuple[int, ...]:
+    """The earliest moments of moves. Raises NotRetraced if there are none."""
+    for gap in _GAPS:
+        found = _solved(count, ties, gap)
+        if found is not None:
+            return found
+    raise NotRetraced("its times exclude each other")
+
+
+def _solved(count: int, ties: Sequence[_Tie], gap: int) -> tuple[int, ...] | None:
+    """Longest ways in the graph of what is at least so much later than what."""
+    begin = _Tie(1, 0, 0, is_less=False)
+    edges = [
+        (number - 1, number, 0 if number == 1 and begin in ties else gap) for number in range(1, count + 1)
+    ]
+    for tie in ties:
+        if tie.is_less:
+            edges.append((tie.later, tie.earlier, gap - tie.duration))
+        else:
+            edges.append((tie.earlier, tie.later, tie.duration))
+            edges.append((tie.later, tie.earlier, -tie.duration))
+    moments = [0] * (count + 1)
+    for _ in range(count + 2):
+        changed = False
+        for source, target, least in edges:
+            if moments[source] + least > moments[target]:
+                moments[target] = moments[source] + least
+                changed = True
+        if not changed:
+            return None if moments[0] else tuple(moments[1:])
+    return None
+
+
+__all__ = [
+    "Acts",
+    "Arrives",
+    "Comes",
+    "Content",
+    "Crash",
+    "Event",
+    "Gives",
+    "Happening",
+    "NotRetraced",
+    "Retraced",
+    "retrace",
+]

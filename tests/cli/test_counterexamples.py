@@ -1,0 +1,191 @@
+"""Counterexamples of `asemec prove`: scenarios that show on the real runtime what the search has found."""
+
+from __future__ import annotations
+
+import os
+import random
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import Here
+from tests.cli.test_prove import BUY, CENTRES, FORGED, LATE, MEET
+from tests.proofs.random_talks import talk_of
+
+TALKS = range(int(os.environ.get("REPLAYED_TALKS", "6")))
+"""Random protocols whose counterexamples are played."""
+
+
+@pytest.mark.parametrize(
+    ("text", "refuted"),
+    [
+        pytest.param(MEET, {"deadlock", "non-local choice"}, id="both wait"),
+        pytest.param(LATE, {"agreement"}, id="a deadline crosses the answer"),
+        pytest.param(
+            FORGED,
+            {"Carry@carrier before Settle@manager", "deadlock", "orphan messages"},
+            id="an activity sends too early, or not, or twice",
+        ),
+        pytest.param(CENTRES, {"one centre", "deadlock"}, id="two beliefs"),
+    ],
+)
+def test_what_is_refuted_fails_when_it_is_played(
+    here: Here, folder: Path, text: str, refuted: set[str]
+) -> None:
+    (folder / "a.aseme").write_text(text)
+    proved = here("prove", "a.aseme", "--save", "found.aseme", "--stories", "stories", "--json")
+    found = [item for item in proved.json["results"] if item["verdict"] == "REFUTED"]
+    assert {item["name"] for item in found} == refuted
+    played = here("test", "found.aseme", "--json")
+    assert played.code == 1
+    verdicts = {item["name"]: item["verdict"] for item in played.json["scenarios"]}
+    assert verdicts == {f"{item['name']} of {item['of']}": "failed" for item in found}
+    assert len(list((folder / "stories").glob("*.svg"))) == len(found)
+
+
+def test_what_holds_leaves_no_file(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text(BUY)
+    assert here("prove", "a.aseme", "--save", "found.aseme").code == 0
+    assert not (folder / "found.aseme").exists()
+
+
+def test_the_file_itself_may_take_them_once(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text(LATE)
+    here("prove", "a.aseme", "agreement", "--save", "a.aseme")
+    first = (folder / "a.aseme").read_text()
+    assert 'scenario "agreement of protocol ask"' in first
+    assert here("test", "a.aseme").code == 1
+    here("prove", "a.aseme", "agreement", "--save", "a.aseme")
+    assert (folder / "a.aseme").read_text() == first
+
+
+def test_a_run_whose_times_exclude_each_other_is_no_counterexample(here: Here, folder: Path) -> None:
+    text = (
+        "system S\n"
+        "srm one { liveness { one = A . B } control one { enter B : after(1s) } }\n"
+        "srm two { liveness { two = C . D } control two { enter D : after(10s) } }\n"
+        "team t { one : one  two : two }\n"
+        'property "order" { B before D }\n'
+    )
+    (folder / "a.aseme").write_text(text)
+    (item,) = here("prove", "a.aseme", "order", "--json").json["results"]
+    assert item["verdict"] == "UNDECIDED"
+    assert "abstract" in item["reason"] and "times exclude each other" in item["reason"]
+    (folder / "a.aseme").write_text(text.replace("after(1s)", "after(20s)"))
+    done = here("prove", "a.aseme", "order", "--save", "found.aseme")
+    assert "REFUTED" in done.out
+    assert here("test", "found.aseme").code == 1
+
+
+def test_what_is_decided_when_agents_begin_is_tried(here: Here, folder: Path) -> None:
+    """The first step has as many ways as any other one."""
+    (folder / "luck.py").write_text("def lucky() -> bool:\n    return False\n")
+    (folder / "a.aseme").write_text(
+        'system S\nfunction lucky() : bool = "luck:lucky"\n'
+        "srm robot {\n  liveness { robot = (A | B) . C~ }\n"
+        "  control robot { enter A : [lucky()]  enter B : else }\n}\n"
+        'property "no A" { never robot in A }\n',
+    )
+    done = here("prove", "a.aseme", "--save", "found.aseme", "--json")
+    verdicts = {item["name"]: item["verdict"] for item in done.json["results"]}
+    assert (verdicts["no A"], verdicts["dead states"]) == ("REFUTED", "PROVED")
+    assert "robot computes lucky = true" in (folder / "found.aseme").read_text()
+    assert here("test", "found.aseme").code == 1
+
+
+@pytest.mark.parametrize("seed", TALKS)
+def test_what_is_refuted_of_a_random_protocol_fails_when_it_is_played(
+    here: Here, folder: Path, seed: int
+) -> None:
+    (folder / "a.aseme").write_text(talk_of(random.Random(seed)))
+    proved = here("prove", "a.aseme", "--states", "3000", "--save", "found.aseme", "--json")
+    found = {
+        f"{item['name']} of {item['of']}"
+        for item in proved.json["results"]
+        if item["verdict"] == "REFUTED" and item["name"] != "dead states"
+    }
+    assert not [item for item in proved.json["results"] if "abstract" in item["reason"]]
+    if found:
+        played = here("test", "found.aseme", "--json")
+        assert {item["name"] for item in played.json["scenarios"] if item["verdict"] == "failed"} == found
+
+
+# ---- stepwise scenarios -----------------------------------------------------------------------------
+
+PASS = """\
+system Pass
+enum Where { HERE, THERE }
+message Ball { int number }
+topic field { state Ball  data Ball }
+srm one {
+  var tries : int
+  liveness { one = Kick . Rest }
+  activities { Kick writes field.state.Ball, field.data.Ball, tries ends hit, missed }
+}
+srm two {
+  liveness { two = Wait . Catch }
+  control two { enter Catch : [field.state.Ball.number == 3] }
+}
+team t { one : one  two : two }
+"""
+
+
+def _played(here: Here, folder: Path, *lines: str) -> tuple[int, str]:
+    (folder / "a.aseme").write_text(
+        PASS + 'scenario "s" {\n' + "".join(f"  {line}\n" for line in lines) + "}\n"
+    )
+    done = here("test", "a.aseme")
+    return done.code, done.out + done.err
+
+
+def test_in_a_stepwise_scenario_nothing_ends_or_arrives_by_itself(here: Here, folder: Path) -> None:
+    assert _played(here, folder, "stepwise", "at 60s one in Kick and two in Wait")[0] == 0
+    lines = (
+        "stepwise",
+        "at 1s two ends Wait",
+        "at 2s one ends Kick with missed sets tries = 2 writes field.state.Ball { number = 3 }",
+        "at 3s two in Wait and one has [tries == 2]",
+        "at 4s two gets field.state.Ball from one",
+        "at 5s two in Catch",
+    )
+    code, said = _played(here, folder, *lines)
+    assert code == 0, said
+
+
+def test_until_a_moment_a_scenario_is_stepwise(here: Here, folder: Path) -> None:
+    assert _played(here, folder, "stepwise until 5s", "at 4s one in Kick", "by 6s one in Rest")[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        (("stepwise", "at 1s two gets field.state.Ball from one"), "it is not the next on its way from one"),
+        (("stepwise", "at 1s one ends Rest"), "Rest does not run in one then"),
+        (("at 1s one ends Kick",), "`ends` in a scenario that is not stepwise"),
+        (("stepwise", "network delay 1s"), "`network` in a scenario that is stepwise"),
+        (("stepwise", "at 1s one ends Kick with hot"), "`Kick` has no outcome `hot`"),
+        (("stepwise", "at 1s one does Kik"), "there is no activity `Kik`"),
+        (("stepwise", "at 1s one computes far = 3"), "there is no function `far`"),
+        (("stepwise", "at 1s two gets infrom Ball from one"), "infrom"),
+        (("stepwise", "one ends Kick"), "`ends` without a moment"),
+    ],
+)
+def test_what_cannot_be_done_by_hand_is_said(
+    here: Here, folder: Path, lines: tuple[str, ...], said: str
+) -> None:
+    code, text = _played(here, folder, *lines)
+    assert code == 1
+    assert said in text
+
+
+def test_what_is_missed_does_not_come(here: Here, folder: Path) -> None:
+    lines = (
+        "stepwise",
+        "at 1s two ends Wait",
+        "at 2s one ends Kick writes field.state.Ball { number = 3 } writes field.state.Ball { number = 4 }",
+        "at 3s two misses field.state.Ball from one",
+        "at 4s two gets field.state.Ball from one",
+        "at 5s two in Wait",
+    )
+    code, said = _played(here, folder, *lines)
+    assert code == 0, said
