@@ -89,16 +89,20 @@ def _shape(item: Element) -> Shape:
 def _inset(item: Element, around: Shape) -> Inset:
     """The picture of a nested state, which has the rest of its border."""
     dx, dy = map(float, _NUMBER.findall(item.get("data-at", "")))
-    pieces = tuple(_piece(piece, (-dx, -dy)) for piece in item)
+    pieces = tuple(part for piece in item for part in _pieces(piece, (-dx, -dy)))
     right, low = around.x + around.width - INSET_PAD, around.y + around.height - INSET_PAD
     return Inset(right - dx, low - dy, pieces)
 
 
-def _piece(item: Element, move: Point) -> Piece:
+def _pieces(item: Element, move: Point) -> Iterator[Piece]:
     name = item.get("id") or (f"n{item.get('data-n')}" if item.get("data-n") else "")
     tip = next((inner.text or "" for inner in item if inner.tag == f"{SVG}title"), "")
-    parts = tuple(_part(inner, move) for inner in item if inner.tag != f"{SVG}title")
-    return Piece(name, Kind(item.get("data-kind", "")), parts, tip)
+    inside = [inner for inner in item if inner.tag != f"{SVG}title"]
+    parts = tuple(_part(inner, move) for inner in inside if not inner.get("data-part"))
+    yield Piece(name, Kind(item.get("data-kind", "")), parts, tip)
+    for other in (inner for inner in inside if inner.get("data-part")):
+        parts = tuple(_part(inner, move) for inner in other)
+        yield Piece(f"{name}.{other.get('data-part')}", Kind(other.get("data-kind", "")), parts)
 
 
 def _part(item: Element, move: Point) -> Part:
@@ -119,7 +123,7 @@ def _part(item: Element, move: Point) -> Part:
             right, low = x + float(item.get("width", "")), y + float(item.get("height", ""))
             return Outline(((x, y), (right, y), (right, low), (x, low)), fill, ink, item.get("rx") != "0")
         case _:
-            points = _points(item.get("d", ""))
+            points = _points(item.get("d") or item.get("points") or "")
             moved = tuple((a + move[0], b + move[1]) for a, b in points)
             return Outline(moved, fill, ink, "C" in item.get("d", ""), "dashed" in looks)
 

@@ -18,6 +18,7 @@ from aseme_dsl.diagrams.compact.layout import scale, texts_of
 from aseme_dsl.diagrams.compact.pages import Page, divided, whole
 from aseme_dsl.diagrams.look.dot import Kind, Shown
 from aseme_dsl.diagrams.look.drawing import Drawing, NoSuchState, Options, PageSize, piece_name
+from aseme_dsl.diagrams.look.inset import Piece
 
 __all__ = ["drawings"]
 
@@ -105,6 +106,11 @@ def _left_out(picture: Picture, name: str) -> Iterator[str]:
             yield f"{name} is without the inside of state {item.state}: {item.reason}"
 
 
+def _turns(piece: Piece) -> bool:
+    """Whether a piece is a turn of a line, which has the rest of the line in the drawing."""
+    return piece.id[:1] == "t" and "." in piece.id
+
+
 def _shown(picture: Picture) -> tuple[Shown, ...]:
     """The elements that have an id: states, and transitions with their lines and texts."""
     found: list[Shown] = []
@@ -115,7 +121,11 @@ def _shown(picture: Picture) -> tuple[Shown, ...]:
                 found += (Shown(f"n{label}", Kind.BOX) for label in (item.state, *item.also))
                 pieces = item.inset.pieces if item.inset is not None else ()
                 own = f"n{item.state}"
-                found += (Shown(piece.id, piece.kind) for piece in pieces if piece.id not in ("", own))
+                found += (
+                    Shown(item.id, item.kind)
+                    for item in pieces
+                    if item.id not in ("", own) and not _turns(item)
+                )
             case Line():
                 found += (Shown(f"t{place}", Kind.LINE) for link in item.chain for place in link)
             case Text(of=int(place)):

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import assert_never
 from xml.sax.saxutils import escape
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.diagrams.compact.elements import Line, Picture, Shape
 from aseme_dsl.diagrams.compact.ink.reading import line_name, state_name
-from aseme_dsl.diagrams.look.dot import Kind
 from aseme_dsl.diagrams.look.inset import Outline, Oval, Part, Piece, Point, Words
 from aseme_dsl.diagrams.look.labels import printable, text_width
 
@@ -22,15 +21,22 @@ def inset(chart: Statechart, shape: Shape) -> Iterator[str]:
         return
     x, y = shape.origin
     yield f'<g class="inset" data-in="{shape.state}" data-at="{x:.1f} {y:.1f}">'
+    others: dict[str, list[Piece]] = {}
     for piece in shape.inset.pieces:
-        yield from _piece(chart, piece, shape.state, (x, y))
+        name, dot, _ = piece.id.partition(".")
+        if dot and name[:1] == "t":
+            others.setdefault(name, []).append(piece)
+    for piece in shape.inset.pieces:
+        if piece.id[:1] != "t" or "." not in piece.id:
+            yield from _piece(chart, piece, shape.state, (x, y), others.get(piece.id, ()))
     yield "</g>"
 
 
-def _piece(chart: Statechart, piece: Piece, around: str, at: Point) -> Iterator[str]:
+def _piece(chart: Statechart, piece: Piece, around: str, at: Point, others: Sequence[Piece]) -> Iterator[str]:
+    """A piece, and in it the `others` that its line turns at."""
     said, own, kind = "", f' id="{piece.id}"', "piece"
     named = piece.id.removeprefix("n")
-    if piece.kind is Kind.LINE and piece.id.removeprefix("t").isdecimal():
+    if piece.id[:1] == "t":
         place = int(piece.id.removeprefix("t"))
         kind, own = "line", f'{own} data-t="{place}"'
         said = line_name(chart, Line((), ((place,),)))
@@ -38,7 +44,7 @@ def _piece(chart: Statechart, piece: Piece, around: str, at: Point) -> Iterator[
         # The border around the picture has the name of the outermost state.
         kind, own = "state", f'{own if named != around else ""} data-n="{named}"'
         said = state_name(chart, named)
-    elif not piece.id:
+    else:
         own = ""
     role = f' role="img" aria-label="{_text(said)}"' if said else ""
     yield f'<g{own} class="{kind}" data-kind="{piece.kind}"{role}>'
@@ -48,6 +54,10 @@ def _piece(chart: Statechart, piece: Piece, around: str, at: Point) -> Iterator[
     for part in piece.parts:
         yield _part(part, at, is_border=first, is_head=kind == "line")
         first = False
+    for other in others:
+        yield f'<g data-part="{other.id.partition(".")[2]}" data-kind="{other.kind}">'
+        yield from (_part(part, at, is_border=False, is_head=False) for part in other.parts)
+        yield "</g>"
     yield "</g>"
 
 
@@ -72,6 +82,11 @@ def _part(part: Part, at: Point, *, is_border: bool, is_head: bool) -> str:
             look += " dashed" * part.dashed + " thick" * (part.wide > 1)
             if is_border:
                 return _border(part, look, at)
+            if not part.ink:  # what only fills is no path, so that pages which colour lines leave it
+                points = " ".join(
+                    f"{x + dx:.2f},{y + dy:.2f}" for x, y in part.points[:: 3 if part.curved else 1]
+                )
+                return f'<polygon class="{look}" points="{points}"/>'
             head = "head " if is_head and part.is_head else ""
             return f'<path class="{head}{look}" d="{path(part, at)}"/>'
         case _:
