@@ -19,6 +19,7 @@ from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagrams.look.drawing import (
     DEFAULT,
+    STATE_GAPS,
     Drawing,
     Expressions,
     Layout,
@@ -202,7 +203,8 @@ def _by_graphviz(
     sheet = tree.sheet if layout is Layout.TREE else statechart.sheet
     drawer = partial(sheet, expressions=options.expressions)
     pieces = partial(division.pieces, shown, name, drawer)
-    return of_sheet(drawer(shown, name, {}), states=len(shown.states), pieces=pieces)
+    gaps = STATE_GAPS if layout is Layout.NESTED else ()
+    return of_sheet(drawer(shown, name, {}), states=len(shown.states), pieces=pieces, gaps=gaps)
 
 
 def draw_statechart(

@@ -14,7 +14,7 @@ from xml.etree import ElementTree
 import pytest
 
 from aseme_dsl.amola.statechart import Statechart, StateType
-from aseme_dsl.diagrams import Options, PageSize, draw_statechart, render, writes_pdf
+from aseme_dsl.diagrams import Layout, Options, PageSize, draw_statechart, render, writes_pdf
 from aseme_dsl.diagrams.compact.blocks import NotCompact
 from aseme_dsl.diagrams.compact.check import faults
 from aseme_dsl.diagrams.compact.elements import Form, Picture, Shape
@@ -227,3 +227,10 @@ def test_random_charts_with_arrows_by_label_are_drawn_rightly(first: int) -> Non
             count += 1
             missed += not faults(chart, wrong)
     assert parts and missed <= count / 100, (missed, count)
+
+
+@pytest.mark.parametrize("seed", [12, 23])
+def test_a_nested_drawing_has_the_first_layout_whose_texts_are_under_no_line(seed: int) -> None:
+    (drawing,) = draw_statechart(random_statechart(seed, size=8, extra=3), Options(layout=Layout.NESTED))
+    assert hidden_texts(render(replace(drawing, wider=None), "svg")) != []
+    assert hidden_texts(render(drawing, "svg")) == []

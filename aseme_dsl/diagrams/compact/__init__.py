@@ -120,12 +120,8 @@ def _shown(picture: Picture) -> tuple[Shown, ...]:
             case Shape():
                 found += (Shown(f"n{label}", Kind.BOX) for label in (item.state, *item.also))
                 pieces = item.inset.pieces if item.inset is not None else ()
-                own = f"n{item.state}"
-                found += (
-                    Shown(item.id, item.kind)
-                    for item in pieces
-                    if item.id not in ("", own) and not _turns(item)
-                )
+                inner = (piece for piece in pieces if piece.id not in ("", f"n{item.state}"))
+                found += (Shown(piece.id, piece.kind) for piece in inner if not _turns(piece))
             case Line():
                 found += (Shown(f"t{place}", Kind.LINE) for link in item.chain for place in link)
             case Text(of=int(place)):

@@ -77,6 +77,16 @@ class Options:
 
 DEFAULT = Options()
 
+STATE_GAPS = (
+    ("0.35", "0.34"),
+    ("0.25", "0.5"),
+    ("0.5", "0.4"),
+    ("0.6", "0.6"),
+    ("0.3", "0.75"),
+    ("0.8", "0.5"),
+)
+"""Between states and rows of a statechart, in inches: other layouts, to be tried in this order."""
+
 _LONG_LABEL = 80
 
 
@@ -89,7 +99,7 @@ class Drawing(Displayed):
     the SVG of a drawing that needs no Graphviz, `note` what must be said of the drawing, and `about` what it
     shows, for readers who cannot see it. `closed` are the labels of the states that a compact drawing shows
     as boxes without what is inside, and `size` is how wide and high it is, in px. `wider` are other layouts
-    in DOT, for when lines run on one another.
+    in DOT, for when lines run on one another or over texts.
     """
 
     name: str

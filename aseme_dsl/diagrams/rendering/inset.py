@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.diagrams.look.colours import LIGHT
 from aseme_dsl.diagrams.look.dot import Kind
-from aseme_dsl.diagrams.look.drawing import Drawing, Expressions, of_sheet
+from aseme_dsl.diagrams.look.drawing import STATE_GAPS, Drawing, Expressions, of_sheet
 from aseme_dsl.diagrams.look.inset import Inset, Outline, Oval, Part, Piece, Point, Words
 from aseme_dsl.diagrams.look.view import view
 from aseme_dsl.diagrams.models.statechart import sheet
@@ -42,7 +42,7 @@ def region(chart: Statechart, label: str) -> Inset | str:
     )
     drawn = sheet(replace(shown, ways=tuple(inner)), f"part.{label}", expressions=Expressions.INLINE)
     try:
-        return _drawn(program(), of_sheet(drawn))
+        return _drawn(program(), of_sheet(drawn, states=len(shown.states), gaps=STATE_GAPS))
     except GraphvizMissing:
         return "Graphviz, which would draw it nested, is not installed"
     except DrawingFailed as failure:

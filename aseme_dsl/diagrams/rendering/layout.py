@@ -15,7 +15,7 @@ from pathlib import Path
 from aseme_dsl.diagrams.look.dot import Kind
 from aseme_dsl.diagrams.look.drawing import Drawing
 from aseme_dsl.diagrams.rendering import svg
-from aseme_dsl.diagrams.rendering.lines import mixed_up
+from aseme_dsl.diagrams.rendering.lines import crossed, mixed_up
 
 TIME_LIMIT = 10.0
 """How long one run of Graphviz may take, in seconds."""
@@ -28,6 +28,9 @@ _PURE = "graphviz-pure"
 To do it with svglib and reportlab instead takes 38 MB, and a font with Greek letters that not every machine
 has.
 """
+
+_TEXT = 30.0
+"""A text under a line counts as much as so many px of lines on one another."""
 
 _ATTEMPTS: Sequence[tuple[str, ...]] = ((), ("-Gnewrank=true",))
 """Graphviz' own ranking lays clusters out better; the new one survives where that breaks down."""
@@ -118,16 +121,23 @@ def _clear(drawing: Drawing, command: Sequence[str], time_limit: float) -> tuple
     """
     lines = [item.id for item in drawing.shown if item.kind is Kind.LINE]
     text, picture = drawing.dot, _whole(drawing, drawing.dot, command, time_limit)
-    if drawing.wider is None or not (least := mixed_up(picture, lines)):
+    if drawing.wider is None or not (least := _unclear(drawing, picture, lines)):
         return text, picture
     for other in drawing.wider():
         if not least:
             break
         with contextlib.suppress(_Flawed):
             made = _whole(drawing, other, command, time_limit)
-            if (left := mixed_up(made, lines)) < least:
+            if (left := _unclear(drawing, made, lines)) < least:
                 text, picture, least = other, made, left
     return text, picture
+
+
+def _unclear(drawing: Drawing, picture: bytes, lines: Sequence[str]) -> float:
+    """How much a reader cannot tell apart: texts under lines, and where there are no states, also lines."""
+    outlines = [item.id for item in drawing.shown if item.kind in (Kind.LINE, Kind.GROUP)]
+    texts = _TEXT * crossed(picture, outlines)
+    return texts if drawing.states else texts + mixed_up(picture, lines)
 
 
 def _whole(drawing: Drawing, text: str, command: Sequence[str], time_limit: float) -> bytes:

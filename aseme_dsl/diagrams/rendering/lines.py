@@ -1,13 +1,15 @@
-"""Lines: how far lines of an SVG by Graphviz run on one another, so that a reader mixes them up."""
+"""Lines: how far lines of an SVG by Graphviz run on one another, or over texts, and mislead."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise, product
 from xml.etree import ElementTree
+
+from aseme_dsl.diagrams.look.labels import text_width
 
 _NAMESPACE = "{http://www.w3.org/2000/svg}"
 _PAIR = re.compile(r"(-?\d+(?:\.\d+)?),(-?\d+(?:\.\d+)?)")
@@ -23,6 +25,10 @@ _HEAD = 7.0
 
 _BESIDE = 24.0
 """Lines that begin or end so near to each other fan out there."""
+
+_CELL = 32.0
+_ABOVE, _BELOW = 0.72, 0.2
+"""How far a text reaches above and below its base line, by its size."""
 
 _STEP = 2.0
 _BENDS = 12
@@ -54,6 +60,45 @@ def mixed_up(svg: bytes, ids: Sequence[str]) -> float:
         math.dist(head, lines[number][-1]) > _BESIDE for head in heads for number in around.lines_at(head)
     )
     return sum(length for length in far if length > _LONG) + _LONG * through
+
+
+def crossed(svg: bytes, ids: Sequence[str]) -> int:
+    """How many texts are under a line or border with one of these ids."""
+    wanted = set(ids)
+    root = ElementTree.fromstring(svg)
+    cells: dict[tuple[int, int], set[Point]] = defaultdict(set)
+    for item in root.iter():
+        for x, y in _outline(item) if item.get("id") in wanted else ():
+            cells[int(x // _CELL), int(y // _CELL)].add((x, y))
+    return sum(_is_crossed(text, cells) for text in root.iter(f"{_NAMESPACE}text"))
+
+
+def _outline(item: ElementTree.Element) -> Iterator[Point]:
+    """Points on the line of an element, or on its border."""
+    shapes = (shape for shape in item.iter() if shape.get("d") or shape.get("points"))
+    shape = next(shapes, None)
+    if shape is None:
+        return
+    if shape.get("d"):
+        yield from _points(shape.get("d", ""))
+        return
+    corners = [(float(x), float(y)) for x, y in _PAIR.findall(shape.get("points", ""))]
+    for start, end in pairwise(corners):
+        yield from _between(start, end)
+
+
+def _is_crossed(text: ElementTree.Element, cells: Mapping[tuple[int, int], set[Point]]) -> bool:
+    said, size = "".join(text.itertext()).strip(), float(text.get("font-size", "12"))
+    wide = text_width(said, size, bold=text.get("font-weight") == "bold")
+    x, y = float(text.get("x", "0")), float(text.get("y", "0"))
+    left = x - {"middle": wide / 2, "end": wide}.get(text.get("text-anchor", ""), 0.0)
+    top, low = y - _ABOVE * size, y + _BELOW * size
+    return bool(said) and any(
+        left <= at <= left + wide and top <= level <= low
+        for column in range(int(left // _CELL), int((left + wide) // _CELL) + 1)
+        for row in range(int(top // _CELL), int(low // _CELL) + 1)
+        for at, level in cells.get((column, row), ())
+    )
 
 
 def _middle(corners: str) -> Point:
@@ -94,11 +139,15 @@ def _points(path: str) -> Iterator[Point]:
         curve = [corners[at - 1], *corners[at : at + 3]]
         bent += (_on(curve, step / _BENDS) for step in range(1, _BENDS + 1))
     for start, end in pairwise(bent):
-        steps = max(1, math.ceil(math.dist(start, end) / _STEP))
-        for step in range(steps):
-            part = step / steps
-            yield start[0] + (end[0] - start[0]) * part, start[1] + (end[1] - start[1]) * part
+        yield from _between(start, end)
     yield bent[-1]
+
+
+def _between(start: Point, end: Point) -> Iterator[Point]:
+    steps = max(1, math.ceil(math.dist(start, end) / _STEP))
+    for step in range(steps):
+        part = step / steps
+        yield start[0] + (end[0] - start[0]) * part, start[1] + (end[1] - start[1]) * part
 
 
 def _on(curve: list[Point], part: float) -> Point:
@@ -107,4 +156,4 @@ def _on(curve: list[Point], part: float) -> Point:
     return curve[0]
 
 
-__all__ = ["mixed_up"]
+__all__ = ["crossed", "mixed_up"]

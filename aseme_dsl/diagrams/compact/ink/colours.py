@@ -37,6 +37,7 @@ path.p2{stroke:{p2};stroke-width:4}path.p3{stroke:{p3};stroke-width:4}
 
 _INSET = (
     ".inset path{stroke-width:1}.inset .thick{stroke-width:2.2}.inset .dashed{stroke-dasharray:5 2}"
+    ".inset .line text{paint-order:stroke;stroke:{paper};stroke-width:3px;stroke-linejoin:round}"
     ".f-none{fill:none}.i-none{stroke:none}"
 )
 
