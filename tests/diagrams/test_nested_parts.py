@@ -229,7 +229,7 @@ def test_random_charts_with_arrows_by_label_are_drawn_rightly(first: int) -> Non
     assert parts and missed <= count / 100, (missed, count)
 
 
-@pytest.mark.parametrize("seed", [12, 23])
+@pytest.mark.parametrize("seed", [22])
 def test_a_nested_drawing_has_the_first_layout_whose_texts_are_under_no_line(seed: int) -> None:
     (drawing,) = draw_statechart(random_statechart(seed, size=8, extra=3), Options(layout=Layout.NESTED))
     assert hidden_texts(render(replace(drawing, wider=None), "svg")) != []

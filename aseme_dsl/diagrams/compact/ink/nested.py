@@ -82,7 +82,7 @@ def _part(part: Part, at: Point, *, is_border: bool, is_head: bool) -> str:
             look += " dashed" * part.dashed + " thick" * (part.wide > 1)
             if is_border:
                 return _border(part, look, at)
-            if not part.ink:  # what only fills is no path, so that pages which colour lines leave it
+            if not part.ink:  # what only fills is not a path, so that pages which colour lines leave it
                 points = " ".join(
                     f"{x + dx:.2f},{y + dy:.2f}" for x, y in part.points[:: 3 if part.curved else 1]
                 )
