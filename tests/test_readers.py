@@ -87,6 +87,7 @@ LISTED: dict[str, str] = {
     "diagnostics/pages.py: page: read_text": OWN,
     "diagrams/rendering/store.py: _write: os.fdopen": "it writes",
     "diagrams/rendering/lines.py: mixed_up: fromstring": "what Graphviz has drawn of our own text",
+    "diagrams/rendering/lines.py: crossed: fromstring": "what Graphviz has drawn of our own text",
     "diagrams/rendering/svg.py: faults: fromstring": "what Graphviz has drawn of our own text",
     "diagrams/rendering/inset.py: inset: fromstring": "what Graphviz has drawn of our own text",
     "documents/html.py: inline: fromstring": "what Graphviz has drawn of our own text",

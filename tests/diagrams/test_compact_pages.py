@@ -168,3 +168,12 @@ def test_compact_drawings_are_written_in_all_formats() -> None:
     assert b"_background" in render(drawing, "dot")
     if writes_pdf():
         assert render(drawing, "pdf").startswith(b"%PDF")
+
+
+def test_the_texts_below_a_small_chart_on_a_page_are_as_wide_as_the_chart() -> None:
+    guard = " && ".join(f"number_{n} > {n}" for n in range(12))
+    variables = " ".join(f"var number_{n} : int = 0" for n in range(12))
+    control = f"enter A : [{guard}]\n skip A : else"
+    text = f"system S\nsrm r {{ {variables} liveness {{ r = [A] }} control r {{ {control} }} }}"
+    (page,) = draw_statechart(compiled(text).iacs[0], Options(page=PageSize.SCREEN))
+    assert page.size[0] < 700

@@ -50,9 +50,9 @@ Entry = tuple[str, str]
 class Wanted:
     """What is to be drawn: the OR `top`, with the composites `closed` closed, if it can be in the `size`.
 
-    On a `page` of this size, the texts below take all of its width, or stand beside the chart, or `apart` on
-    pages of their own. The `path` leads to the page, from the states that the pages before it show. What has
-    no compact form is drawn by `nested`, if that is given.
+    On a `page` of this size, the texts below are as wide as the chart. If that is too high, they take all of
+    the width, or stand beside the chart, or `apart` on pages of their own. The `path` leads to the page, from
+    the states that the pages before it show. What has no compact form is drawn by `nested`, if that is given.
     """
 
     top: str
@@ -151,15 +151,17 @@ def _page(chart: Statechart, field: Placed, words: Words, placer: Placer, wanted
     entries = _entries(words)
     right = max(room.right, _MARGIN + min(_needed(entries), _LEAST - _MARGIN))
     below = room.down + 20
-    broad = wanted.size[0] - _MARGIN if wanted.page else right
     further: tuple[Picture, ...] = ()
     if wanted.apart and entries:
         told = text(_MARGIN, below, "Its names and numbers are explained on a page of their own.", Look.SMALL)
         room.add(replace(told, leads=texts_of(wanted.top)))
         further = _apart(chart, placer.plan, wanted, entries)
     else:
-        explained = _explained(entries, _MARGIN, broad - _MARGIN, below)
+        explained = _explained(entries, _MARGIN, right - _MARGIN, below)
         lowest = max((item.y for item in explained), default=0.0)
+        if wanted.page and lowest + 2 * _MARGIN > wanted.size[1]:
+            explained = _explained(entries, _MARGIN, wanted.size[0] - 2 * _MARGIN, below)
+            lowest = max((item.y for item in explained), default=0.0)
         beside = wanted.size[0] - room.right - 2 * _MARGIN
         if wanted.page and lowest + 2 * _MARGIN > wanted.size[1] and beside > _BESIDE:
             explained = _explained(entries, room.right + _MARGIN, beside, top)
