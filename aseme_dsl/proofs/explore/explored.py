@@ -208,9 +208,8 @@ class Explored:
         """
         self.choices.begin()
         before = self.picture()
-        self._touch("")
-        self._begin_all()
-        self._settle()
+        self.coming.look()
+        self.make(Move(("begin",), "", self._begin_all, ""))
         is_only = not self.choices.again()
         if not is_only:
             self.take_back(before)
