@@ -73,6 +73,12 @@ _NANOSECOND = 1e-9
     help="Append the counterexamples to FILE, as scenarios.",
 )
 @folder_option("--stories", text="Directory for a sequence diagram (SVG) of each counterexample.")
+@click.option(
+    "--horizon",
+    callback=time_limit_of,
+    metavar="D",
+    help="Explore durations only up to this moment of the team's time.  [default: without end]",
+)
 @json_option
 @colour_option
 def command(
@@ -83,6 +89,7 @@ def command(
     states: int,
     saved: Path | None,
     stories: Path | None,
+    horizon: int | None,
     as_json: bool,
     colour: str,
 ) -> int:
@@ -99,7 +106,7 @@ def command(
     progress = Progress(as_json)
     limits = Limits(states, budget * _NANOSECOND)
     try:
-        found = prove(compiled, asked, robots, limits, progress.say)
+        found = prove(compiled, asked, robots, limits, progress.say, horizon)
     except NotThere as problem:
         raise click.UsageError(str(problem)) from problem
     except (LoadError, OperateError) as problem:

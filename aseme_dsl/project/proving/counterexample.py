@@ -27,15 +27,17 @@ from aseme_dsl.runtime.time.clock import MILLISECOND, SECOND
 class Run:
     """What a scenario has beside what happens.
 
-    From the last move on all goes by itself for `further` ns; 0 if the run ends with it. `expects` are
-    statements that do not hold in the run; `{end}` in them stands for its end, and `{last}` for the moment of
-    its last move. None are needed if a property or clause is broken, or an agent fails.
+    From the last move on all goes by itself for `further` ns; 0 if the run ends with it. With an `end`,
+    nothing more is done until then. `expects` are statements that do not hold in the run; `{end}` in them
+    stands for its end, and `{last}` for the moment of its last move.
+    None are needed if a property or clause is broken, or an agent fails.
     """
 
     title: str
     team: Sequence[tuple[str, str]]
     further: int = 0
     expects: Sequence[str] = ()
+    end: int = 0
 
 
 def scenario_of(run: Run, found: Retraced, types: Mapping[str, Mapping[str, str]]) -> str:
@@ -48,7 +50,7 @@ def scenario_of(run: Run, found: Retraced, types: Mapping[str, Mapping[str, str]
         lines.append("stepwise")
     for at, happenings in zip(found.moments, found.happenings, strict=True):
         lines += [_line(item, moment(at), types) for item in happenings]
-    end = last + run.further
+    end = max(last + run.further, run.end)
     lines += [item.format(end=moment(end), last=moment(last)) for item in run.expects]
     lines.append(f"for {moment(end)}")
     title = run.title.replace("\\", "\\\\").replace('"', "'")

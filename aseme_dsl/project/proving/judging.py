@@ -13,20 +13,29 @@ from aseme_dsl.project.proving.counterexample import Run
 from aseme_dsl.project.proving.replaying import played, written
 from aseme_dsl.project.proving.results import Bounds, Case, Result, Verdict
 from aseme_dsl.project.proving.scopes import PREFIX, Scope
-from aseme_dsl.project.proving.watched import Watched, is_timed, named, reads_what_is_tried
+from aseme_dsl.project.proving.watched import (
+    Watched,
+    is_timed,
+    left_out_of_times,
+    named,
+    reads_what_is_tried,
+)
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, around, stuck, unmet
 from aseme_dsl.proofs.explore.search import Graph, Limits, Step
+from aseme_dsl.proofs.timed.schedule import moments
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, State, Transition
-from aseme_dsl.runtime.monitor.rules import LeadsTo, Sometime
-from aseme_dsl.runtime.time.clock import SECOND
+from aseme_dsl.runtime.monitor.rules import Always, Before, Never, Until
+from aseme_dsl.runtime.time.clock import SECOND, readable
 from aseme_dsl.runtime.version.loading import Loaded
 
 _RARE = frozenset(("lost", "error", "after"))
 """Events of transitions that are there for what is not assumed, or for waits that end otherwise."""
 _LONG = 3600 * SECOND
 """So long a scenario waits for what does not come (ns)."""
+_GAPS = (10**9, 10**8, 10**7, 10**6, 10**3, 0)
+"""So far apart (ns) are two moves of a run with times, if they can be."""
 _SHOWN = 5
 """So many dead states are named."""
 
@@ -60,6 +69,21 @@ def dead_states(found: Sequence[Reached]) -> tuple[Verdict, str]:
     )
 
 
+@dataclass(frozen=True, slots=True)
+class Times:
+    """Time was measured, up to the `horizon` (ns), if there is one."""
+
+    horizon: int | None = None
+
+
+def asks_for_times(item: Expectation, found: Result | None) -> bool:
+    """Whether what was found of an expectation depends on times, which were not measured."""
+    if is_timed(item.rule):
+        return True
+    is_safe = isinstance(item.rule, Always | Never | Before | Until)
+    return is_safe and found is not None and found.passes and found.verdict is Verdict.UNDECIDED
+
+
 class Judge:
     """Answers the questions about one team."""
 
@@ -73,6 +97,7 @@ class Judge:
         limits: Limits,
         system: System,
         loaded: Loaded,
+        times: Times | None = None,
     ) -> None:
         self._loaded = loaded
         self._scope = scope
@@ -82,6 +107,8 @@ class Judge:
         self._assumed = assumed
         self._limits = limits
         self._system = system
+        self._times = times
+        self._first = graph.pictures[0]
 
     def results(self) -> Iterator[Result]:
         """All answers: what the document says, then what is asked of every team."""
@@ -104,19 +131,21 @@ class Judge:
     # ---- what the document says --------------------------------------------------------------
 
     def _expectation(self, number: int, item: Expectation) -> Result:
-        graph, timed = self._graph, is_timed(item.rule)
-        name = named(item)
-        if number in graph.broken and (not timed or isinstance(item.rule, LeadsTo)):
-            return self._refuted(name, "", graph.way_with(graph.broken[number]), item)
-        found = unmet(graph, number) if not timed or isinstance(item.rule, LeadsTo | Sometime) else None
+        graph, name = self._graph, named(item)
+        if self._times is not None and (why := left_out_of_times(item.rule, self._explored.agents)):
+            return self._result(name, Verdict.UNDECIDED, why, item=item)
+        if number in graph.broken:
+            steps = graph.way_with(graph.broken[number])
+            if self._times is not None:
+                return self._at(name, steps, item)
+            return self._refuted(name, "", steps, item)
+        found = unmet(graph, number) if self._times is None else None
         if found is not None:
             state, circle = found
             reason = "what is awaited never comes" if not circle else "what is awaited may never come"
             steps = graph.way_to(state)
             further = 0 if circle else _LONG
             return self._refuted(name, reason, steps, item, round_=around(graph, circle), further=further)
-        if timed:
-            return self._result(name, Verdict.UNDECIDED, "it speaks of how long something takes", item=item)
         if any(witness not in graph.met for witness in item.witnesses) and graph.cut is None:
             return self._result(
                 name, Verdict.UNDECIDED, "vacuous: what it speaks of never happens", item=item
@@ -127,6 +156,21 @@ class Judge:
             reason = "it asks for values, of which a few are tried"
             return self._result(name, Verdict.UNDECIDED, reason, item=item)
         return self._unbroken(name, item=item)
+
+    def _at(self, name: str, steps: Sequence[Step], item: Expectation) -> Result:
+        """A run that was found with times: it speaks against an expectation if it is played so."""
+        fitting = (moments(steps, gap) for gap in _GAPS)
+        when = next((some for some in fitting if some is not None), None)
+        if when is None:
+            reason = "abstract: no moments fit the run that was found"
+            return self._result(name, Verdict.UNDECIDED, reason, tuple(step.text for step in steps), item)
+        timed = [*zip(when, steps, strict=True)]
+        lines = tuple(f"at {readable(moment)}: {step.text}" for moment, step in timed) or ("at the start",)
+        found = self._result(name, Verdict.REFUTED, "", lines, item)
+        made = [(moment, step) for moment, step in timed if step.number >= 0]
+        run = Run(f"{name} of {self._scope.what}", self._scope.team, end=max(when, default=0) + 1)
+        at = [moment for moment, _ in made]
+        return self._played(found, [step for _, step in made], run, item, at)
 
     # ---- what is asked of every team ---------------------------------------------------------
 
@@ -227,19 +271,30 @@ class Judge:
         else:
             verdict = Verdict.REFUTED
         lines = tuple(step.text for step in steps) or ("at the start",)
-        found = self._result(name, verdict, reason, lines, item, item is None)
+        found = replace(self._result(name, verdict, reason, lines, item, item is None), passes=passes)
         if verdict is not Verdict.REFUTED:
             return found
         run = Run(f"{name} of {self._scope.what}", self._scope.team, further, expects)
-        replay = written(self._explored, self._graph.pictures[0], (*steps, *round_), run)
+        return self._played(found, (*steps, *round_), run, item)
+
+    def _played(
+        self,
+        found: Result,
+        steps: Sequence[Step],
+        run: Run,
+        item: Expectation | None,
+        at: Sequence[int] | None = None,
+    ) -> Result:
+        """What a run speaks against, once it was played; `at` are the moments of its moves, if known."""
+        replay = written(self._explored, self._first, steps, run, at)
         if not replay.problem:
             replay = played(self._scope.root, replay, self._loaded, item)
         if replay.problem:
             why = f"abstract: the run that was found is none of a team: {replay.problem}"
-            return replace(found, verdict=Verdict.UNDECIDED, reason=f"{reason}; {why}" if reason else why)
+            reason = f"{found.reason}; {why}" if found.reason else why
+            return replace(found, verdict=Verdict.UNDECIDED, reason=reason)
         assert replay.played is not None
-        scope = self._scope
-        remark = reason or "it is broken here"
+        scope, remark = self._scope, found.reason or "it is broken here"
         case = Case(run.title, scope.roles, replay.text, scope.team, replay.played.story, remark)
         return replace(found, case=case)
 
@@ -259,7 +314,17 @@ class Judge:
 
     def _bounds(self) -> Bounds:
         graph = self._graph
-        parts = ["any delay" + (", data may be lost" if self._assumed.loses else "")]
+        delay, times = self._assumed.delay, self._times
+        within = "any delay"
+        if times is not None and delay is not None:
+            within = f"delay {readable(delay[0])} to {readable(delay[1])}"
+        parts = [within + (", data may be lost" if self._assumed.loses else "")]
+        if times is not None:
+            parts += [
+                f"{name} takes {readable(least)} to {readable(most)}"
+                for name, (least, most) in self._assumed.takes.items()
+            ]
+            parts.append("all times" if times.horizon is None else f"the first {readable(times.horizon)}")
         parts += [f"at most {most} of {len(names)} crash" for most, names in self._assumed.crashes if names]
         if graph.is_queue_cut:
             queue = self._limits.queue

@@ -25,12 +25,13 @@ from aseme_dsl.play.scenario import (
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root, options_of
 from aseme_dsl.project.playing.operate import generate_version, loaded_for
-from aseme_dsl.project.proving.judging import Judge, Reached, dead_states
+from aseme_dsl.project.proving.judging import Judge, Reached, Times, asks_for_times, dead_states
 from aseme_dsl.project.proving.results import Bounds, Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope, scopes_of
 from aseme_dsl.project.proving.watched import (
     Watched,
     asked_by,
+    is_timed,
     layout_of,
     messages_in,
     named,
@@ -40,6 +41,7 @@ from aseme_dsl.proofs.explore.apart import groups_of
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.needed import Asked
 from aseme_dsl.proofs.explore.search import Eyes, Limits, search
+from aseme_dsl.proofs.timed.search import Watching, search_with_times
 from aseme_dsl.runtime.trace.trace import Listener
 from aseme_dsl.runtime.version.loading import Loaded
 
@@ -54,10 +56,12 @@ def prove(
     robots: int,
     limits: Limits,
     told: Callable[[str], None] = lambda text: None,
+    horizon: int | None = None,
 ) -> tuple[Result, ...]:
     """What holds in all runs of a system without errors; `asked` are names of what to answer, all if none.
 
     With `robots` agents of each role, and of each participant, that has several. `told` hears what is done.
+    Where times are measured, that is up to the `horizon` (ns), if there is one.
 
     Raises:
         NotThere: nothing is called as one of `asked`; the text lists what there is.
@@ -68,7 +72,7 @@ def prove(
     known: list[str] = []
     for scope in scopes_of(compiled.root, compiled.system, robots):
         told(f"exploring the {scope.what}")
-        found += _explored(scope, compiled, limits, asked, known)
+        found += _explored(scope, compiled, limits, asked, known, horizon)
         if scope.protocol is None:
             found += _left_out(scope, compiled, found)
     names = dict.fromkeys((*known, *(item.name for item in found)))
@@ -79,7 +83,12 @@ def prove(
 
 
 def _explored(
-    scope: Scope, compiled: Compiled, limits: Limits, asked: Sequence[str], known: list[str]
+    scope: Scope,
+    compiled: Compiled,
+    limits: Limits,
+    asked: Sequence[str],
+    known: list[str],
+    horizon: int | None,
 ) -> Iterator[Result]:
     """The answers about one team; the names of its properties and clauses are added to `known`."""
     own = compiled if scope.protocol is None else compile_root(scope.root)
@@ -113,6 +122,8 @@ def _explored(
                     continue
                 one = replace(own_script, expectations=(item,))
                 about = asked_by(one)
+                if is_timed(item.rule):
+                    continue
                 judge = None if about is None else search_in(scope, one, share(2), about=about)
                 if judge is None:
                     rest.append(item)
@@ -125,6 +136,13 @@ def _explored(
             judge = search_in(scope, own_script, share(1 if is_whole or not has_more else 2))
             assert judge is not None
             found |= {item.name: item for item in (judge.results() if is_whole else judge.expected())}
+        for item in () if script is None else _of_scope(script, scope).expectations:
+            name = named(item)
+            if script is not None and (not asked or name in asked) and asks_for_times(item, found.get(name)):
+                one = replace(script, expectations=(item,))
+                judge = search_in(scope, one, share(2), about=asked_by(one), times=Times(horizon))
+                assert judge is not None
+                found[name] = next(judge.expected())
         yield from found.values()
         if has_more and not is_whole:
             parts: list[Result] = []
@@ -166,9 +184,10 @@ def _searched(
     assumed: Assumed,
     asked: Sequence[str],
     about: Asked | None = None,
+    times: Times | None = None,
 ) -> Judge | None:
     """One search, with the judge of what it has found. With `about`, it is about that alone: what does not
-    matter to it stands still. Then there is none if everything matters."""
+    matter to it stands still. Then there is none if everything matters, unless `times` are measured."""
     eyes = Eyes()
     watch = Watched(script) if script is not None and script.expectations else None
     listeners: list[Listener] = [eyes] if watch is None else [eyes, watch.observer]
@@ -182,8 +201,9 @@ def _searched(
         names_in(script),
         messages_in(script, loaded.messages),
         about,
+        times is not None,
     )
-    if about is not None and explored.needed is None:
+    if about is not None and explored.needed is None and times is None:
         return None
     if watch is not None:
         watch.begin(explored)
@@ -191,14 +211,19 @@ def _searched(
     if watch is not None:  # the number of the only one, or of those that were asked for
         wanted = (0,) if about is not None else watch.numbers_of(asked)
     is_all = about is not None or 0 < len(asked) == len(wanted)
-    graph = search(
-        explored,
-        eyes,
-        None if watch is None else watch.monitors,
-        limits,
-        lambda graph: is_all and graph.broken.keys() >= set(wanted),
-    )
-    return Judge(scope, explored, graph, watch, assumed, limits, system, loaded)
+    if times is not None:
+        assert watch is not None
+        watching = Watching(watch.monitors, watch.dues, watch.begin_moment)
+        graph = search_with_times(explored, eyes, watching, limits, times.horizon)
+    else:
+        graph = search(
+            explored,
+            eyes,
+            None if watch is None else watch.monitors,
+            limits,
+            lambda graph: is_all and graph.broken.keys() >= set(wanted),
+        )
+    return Judge(scope, explored, graph, watch, assumed, limits, system, loaded, times)
 
 
 def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iterator[Result]:
@@ -243,7 +268,14 @@ def assumed_by(assumptions: Sequence[Assumption]) -> Assumed:
         if isinstance(item, DurationAssumed | PaceAssumed)
         or (isinstance(item, NetworkAssumed) and item.network.most > 0)
     )
-    return Assumed(loses, crashes, fails, times)
+    networks = [item.network for item in assumptions if isinstance(item, NetworkAssumed)]
+    delays = [(network.least, network.most) for network in networks if network.most > 0]
+    takes = {
+        item.activity: (item.takes.least, item.takes.most)
+        for item in assumptions
+        if isinstance(item, DurationAssumed)
+    }
+    return Assumed(loses, crashes, fails, times, delays[-1] if delays else None, takes)
 
 
 __all__ = ["NotThere", "assumed_by", "prove"]

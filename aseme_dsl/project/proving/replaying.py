@@ -34,14 +34,20 @@ class Replay:
     played: Played | None = None
 
 
-def written(explored: Explored, first: Picture, steps: Sequence[Step], run: Run) -> Replay:
-    """The scenario of a run, which is not played yet."""
+def written(
+    explored: Explored,
+    first: Picture,
+    steps: Sequence[Step],
+    run: Run,
+    moments: Sequence[int] | None = None,
+) -> Replay:
+    """The scenario of a run, which is not played yet; with these moments of its moves, if they are known."""
     types = {
         agent.name: {item.name.partition("@")[0]: item.type for item in agent.plan.variables}
         for agent in explored.agents
     }
     try:
-        return Replay(scenario_of(run, retrace(explored, first, steps), types))
+        return Replay(scenario_of(run, retrace(explored, first, steps, moments), types))
     except NotRetraced as problem:
         return Replay(problem=str(problem))
 
@@ -77,6 +83,8 @@ def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation |
     if run.broken is None:
         failed = "; ".join(f"{name} fails: {why}" for name, why in run.failures.items())
         return replace(found, problem=failed or "in it, all is as it should be")
+    if run.assumption is not None:
+        return replace(found, problem=f"it breaks `{_line(run.assumption[0].span)}`")
     return replace(found, scenario=scenario, played=run)
 
 

@@ -62,6 +62,8 @@ class Result:
     is_built_in: bool = False
     case: Case | None = None
     """The counterexample as a scenario, if it is one."""
+    passes: bool = False
+    """Whether time passes in the counterexample, and was not measured."""
 
     @property
     def text(self) -> str:

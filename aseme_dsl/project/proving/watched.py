@@ -2,8 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import (
+    Callable,
+    Collection,
+    Iterable,
+    Iterator,
+    Mapping,
+    MutableSequence,
+    Sequence,
+)
 from dataclasses import replace
+from functools import partial
 from typing import assert_never
 
 from aseme_dsl.amola import expression as e
@@ -30,6 +39,9 @@ from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.needed import Asked
 from aseme_dsl.proofs.explore.search import Monitors
 from aseme_dsl.proofs.explore.surroundings import NOW
+from aseme_dsl.proofs.timed.search import Due
+from aseme_dsl.proofs.timed.stamp import Mark, Stamp
+from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import (
@@ -158,7 +170,7 @@ class Watched:
     """Shows the observer of scenarios what happens in a team that is explored."""
 
     def __init__(self, script: Script) -> None:
-        self.observer = Observer(script, {}, goes_on=True)
+        self.observer = Observer(_from_now(script), {}, goes_on=True)
         self.observer._now = NOW
         self._retired: set[int] = set()
         self._explored: Explored | None = None
@@ -185,6 +197,53 @@ class Watched:
         return tuple(
             number for number, item in enumerate(self.observer.script.expectations) if named(item) in names
         )
+
+    # ---- with times --------------------------------------------------------------------------
+
+    def begin_moment(self) -> None:
+        """What the observer sees from now on happens at the moment of a new move."""
+        assert self._explored is not None
+        self.observer._now = self._explored.driver.clock.now()
+
+    def dues(self) -> Sequence[Due]:
+        """What is awaited, or forbidden, by a moment."""
+        clauses = self.observer._clauses
+        found = [
+            self._due(number, rule, state, partial(self._forget, self.observer.states, number), "")
+            for number, item in enumerate(self.observer.script.expectations)
+            for rule, state in ((item.rule, self.observer.states[number]),)
+            if item.protocol is None
+        ]
+        for place, talk in enumerate(clauses._talks.values()):
+            found += [
+                self._due(number, clauses._clauses[number].rule, state, forget, f"{place}")
+                for number, state in talk.states.items()
+                for forget in (partial(self._forget, talk.states, number),)
+            ]
+        return [item for item in found if item is not None]
+
+    def _forget(self, states: MutableSequence[State] | dict[int, State], number: int) -> None:
+        rule = self.observer.script.expectations[number].rule
+        kept = State(Verdict.KEPT)
+        states[number] = kept if isinstance(rule, Never) else replace(states[number], due=None)
+
+    def _due(
+        self, number: int, rule: Rule, state: State, forget: Callable[[], None], place: str
+    ) -> Due | None:
+        if number in self._retired or state.verdict is not Verdict.OPEN:
+            return None
+        name = f"due {number} {place}"
+        match rule:
+            case LeadsTo(within=within) if within is not None and isinstance(state.due, Stamp):
+                return Due(number, Mark(name, state.due.origin, state.due.offset), 0, True, forget)
+            case NotWithin() if isinstance(state.due, Stamp):
+                return Due(number, Mark(name, state.due.origin, state.due.offset), 0, False, forget)
+            case Sometime(until=until) if until != NEVER:
+                return Due(number, Mark(name, 0, int(until) - NOW), 0, True, forget)
+            case Never(before=before) if before != NEVER:
+                return Due(number, Mark(name, 0, int(before) - NOW), -1, False, forget)
+            case _:
+                return None
 
     # ---- what the search asks ----------------------------------------------------------------
 
@@ -235,6 +294,24 @@ class Watched:
             del clauses._talks[name]
 
 
+def _from_now(script: Script) -> Script:
+    """The same with moments that are counted from the moment at which an explored team stands."""
+    return replace(
+        script,
+        expectations=tuple(replace(item, rule=_rule_from_now(item.rule)) for item in script.expectations),
+    )
+
+
+def _rule_from_now(rule: Rule) -> Rule:
+    match rule:
+        case Sometime(since=since, until=until) if until != NEVER:
+            return replace(rule, since=NOW + since, until=NOW + until)
+        case Never(before=before) if before != NEVER:
+            return replace(rule, before=NOW + before)
+        case _:
+            return rule
+
+
 def named(item: Expectation) -> str:
     """The name of a property; a clause is called as it is written."""
     if item.of.startswith("clause"):
@@ -263,6 +340,23 @@ def _is_tried(part: e.Value, written: Collection[str]) -> bool:
     return isinstance(part, e.Member | e.Bound | e.Age | e.At | e.Mean | e.Call)
 
 
+def left_out_of_times(rule: Rule, agents: Iterable[Agent]) -> str:
+    """What is not explored with times; empty if all is."""
+    match rule:
+        case At() | AfterFirst():
+            return "it asks what is so at one moment"
+        case Sometime(since=since) if since not in (0, NOW):
+            return "it asks for something from a moment on"
+        case _:
+            pass
+    for agent in agents:
+        chart = type(agent.chart)
+        resumed = next((item for item in agent.plan.transitions if item.resume), None)
+        if resumed is not None and (chart.TIMES or chart.PART_TIMERS):
+            return f"the time that stands still until `{resumed.text}` ({resumed.at}) is not measured"
+    return ""
+
+
 def is_timed(rule: Rule) -> bool:
     """Whether a rule speaks of how long something takes."""
     match rule:
@@ -285,6 +379,7 @@ __all__ = [
     "asked_by",
     "is_timed",
     "layout_of",
+    "left_out_of_times",
     "messages_in",
     "named",
     "names_in",

@@ -10,9 +10,11 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 
 from aseme_dsl.proofs.explore.surroundings import NOW
+from aseme_dsl.proofs.timed.stamp import standing
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import NEVER, Board
 from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.history import History
 from aseme_dsl.runtime.chart.inputs import Sample
 from aseme_dsl.runtime.chart.plan import Plan
 
@@ -29,6 +31,10 @@ class Passing:
     duration: int
     """How long from the moment from which it is counted (ns); 0 where that is not known."""
     pass_: Callable[[], None]
+    since: int
+    """The moment from which it is counted; of a timer, that at which it runs out."""
+    place: tuple[object, ...] = ()
+    """Which one it is, of several with this name."""
 
 
 def passing(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator[Passing]:
@@ -36,17 +42,17 @@ def passing(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator
     if not chart.started or chart.finished or chart.failure is not None:
         return
     yield from _states(chart)
-    for board in chart.boards():
+    for number, board in enumerate(chart.boards()):
         if board is None:
             continue
         for name, due in board.timers.items():
             if due > NOW:
-                yield Passing("timer", name, 0, _expire(board, name))
-        yield from _messages(board, thresholds)
+                yield Passing("timer", name, 0, _expire(board, name, due), due, (number,))
+        yield from _messages(number, board, thresholds)
 
 
-def _expire(board: Board, name: str) -> Callable[[], None]:
-    return lambda: board.timers.__setitem__(name, NOW)
+def _expire(board: Board, name: str, due: int) -> Callable[[], None]:
+    return lambda: board.timers.__setitem__(name, standing(due, NOW))
 
 
 def _states(chart: Chart) -> Iterator[Passing]:
@@ -79,7 +85,8 @@ def _states(chart: Chart) -> Iterator[Passing]:
             for slot, moment in times.items():
                 setattr(board, slot, moment)
     for label, slot, since, due in found:
-        yield Passing("state", label, due - since, _age(chart, slot, since - (due - NOW)))
+        pass_ = _age(chart, slot, standing(since, int(since) - (int(due) - NOW)))
+        yield Passing("state", label, int(due) - int(since), pass_, since)
 
 
 def _age(chart: Chart, slot: str, since: int) -> Callable[[], None]:
@@ -128,25 +135,41 @@ def asks_for_history(plan: Plan) -> bool:
     return False
 
 
-def _messages(board: Board, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator[Passing]:
+def _messages(number: int, board: Board, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator[Passing]:
     for channel, ages in thresholds.items():
-        for sender, item in board._states.get(channel, {}).items():
-            age = NOW - item.time
-            older = next((limit for limit in ages if age < limit), None)
-            if older is None and ages and age == ages[-1]:
-                older = ages[-1] + 1
+        for sender, item in _newest(board, channel).items():
+            older = next_age(NOW - item.time, ages)
             if older is not None:
-                yield Passing("message", channel, older, _older(board, channel, sender, item, older))
+                pass_ = _older(board, channel, sender, item, older)
+                yield Passing("message", channel, older, pass_, item.time, (number, sender))
     for channel, longest in board.EXPIRES.items():
-        for item in board._signals.get(channel, ()):
+        for index, item in enumerate(board._signals.get(channel, ())):
             if NOW - item.time < longest:
-                yield Passing("signal", channel, longest, _old(board, channel, item, longest))
+                pass_ = _old(board, channel, item, longest)
+                yield Passing("signal", channel, longest, pass_, item.time, (number, index))
+
+
+def next_age(age: int, ages: tuple[int, ...]) -> int | None:
+    """The next age at which conditions about a message may be otherwise; None if there is none."""
+    older = next((limit for limit in ages if age < limit), None)
+    return ages[-1] + 1 if older is None and ages and age == ages[-1] else older
+
+
+def _newest(board: Board, channel: str) -> dict[str, Sample]:
+    """The newest message of each sender of a state, or of data."""
+    if channel in board._states:
+        return board._states[channel]
+    return {item.sender: item for item in board._data.get(channel, ())}
 
 
 def _older(board: Board, channel: str, sender: str, item: Sample, age: int) -> Callable[[], None]:
     def make() -> None:
         board.part()
-        board._states[channel][sender] = replace(item, time=NOW - age)
+        newest = {**_newest(board, channel), sender: replace(item, time=standing(item.time, NOW - age))}
+        if channel in board._states:
+            board._states[channel] = newest
+        else:  # of data, the newest is all that is read
+            board._data[channel] = History(sorted(newest.values(), key=lambda one: one.time))
         board._refresh(channel)
 
     return make
@@ -156,9 +179,9 @@ def _old(board: Board, channel: str, item: Sample, age: int) -> Callable[[], Non
     def make() -> None:
         board.part()
         waiting = board._signals[channel]
-        waiting[waiting.index(item)] = replace(item, time=NOW - age)
+        waiting[waiting.index(item)] = replace(item, time=standing(item.time, NOW - age))
 
     return make
 
 
-__all__ = ["Passing", "asks_for_history", "passing", "thresholds_of"]
+__all__ = ["Passing", "asks_for_history", "next_age", "passing", "thresholds_of"]

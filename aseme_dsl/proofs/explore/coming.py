@@ -181,7 +181,8 @@ class Coming:
             is_own = bool(self.brief[name][channel])
             content = self._contents.new(message, ("input",), "{}", f"{name}: {message}")
             identity = agent.identity() if is_own else self._bus.outside()
-            item = Sample(channel, content, name if is_own else "input", NOW, identity)
+            now = agent.driver.clock.now()
+            item = Sample(channel, content, name if is_own else "input", now, identity)
             for number in agent.chart.READERS[channel]:
                 board = agent.chart.boards()[number]
                 if board is not None and board.newest(channel) is None:

@@ -7,6 +7,7 @@ what runs.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import field
 from functools import partial
 
 from aseme_dsl.proofs.explore.ages import Passing, asks_for_history, passing, thresholds_of
@@ -18,9 +19,11 @@ from aseme_dsl.proofs.explore.deciding.staging import OPEN, StandsFor, events, l
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.proofs.explore.memory import Memory, Picture
 from aseme_dsl.proofs.explore.needed import Asked, needed_for
+from aseme_dsl.proofs.explore.on_the_way import Came, come, letter_of, sample_of
 from aseme_dsl.proofs.explore.relevant import Relevant
-from aseme_dsl.proofs.explore.surroundings import Still, Underway, Ways
+from aseme_dsl.proofs.explore.surroundings import NOW, Still, Underway, Ways
 from aseme_dsl.proofs.explore.team_layout import layout_of
+from aseme_dsl.proofs.timed.stamp import Mark, Window, marked, stamp, standing, window
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.activity.executions import _Node
@@ -54,7 +57,11 @@ class Assumed:
     crashes: tuple[tuple[int, frozenset[str]], ...] = ()
     fails: frozenset[str] = frozenset()
     times: tuple[str, ...] = ()
-    """What is assumed of how long something takes, as it is written: it is not made use of."""
+    """What is assumed of how long something takes, as it is written."""
+    delay: tuple[int, int] | None = None
+    """How long a message is on its way (ns), if that is assumed."""
+    takes: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    """How long activities take (ns), of which that is assumed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +77,8 @@ class Move:
     """Whether it happens some time, if it can all the time."""
     passes: bool = False
     """Whether time passes."""
+    window: Window | None = None
+    """When it happens, where that is not at any time."""
 
 
 class Explored:
@@ -86,17 +95,28 @@ class Explored:
         kept: frozenset[str] = frozenset(),
         told: frozenset[str] = frozenset(),
         asked: Asked | None = None,
+        with_times: bool = False,
     ) -> None:
         """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
         `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
         variables and timers in `kept`, and for what is in messages of the types `told`. What does not matter
-        to the question that is `asked`, if there is one, does not move."""
+        to the question that is `asked`, if there is one, does not move. `with_times`, each move says when it
+        may happen, counted from those before; else time is not measured."""
         self.choices = Choices()
         self._assumed = assumed
         self.driver = driver = Still()
         self.trace = trace = Trace(None, listeners)
         trace.now = driver.clock.now
-        self.ways = Ways()
+        self.ways = Ways(now=driver.clock.now)
+        self._with_times = with_times
+        self.moved = 0
+        """How many moves were made; with times, the number of the present one."""
+        self.came: Came | None = None
+        """What has come in the present move."""
+        self.windows: list[Window] = []
+        """What has turned out in the present move about when it is made."""
+        if with_times:
+            driver.clock.moment = stamp(NOW, 0)
         self.bus = Bus(driver, trace)
         self.conversations = Conversations(driver, trace, system=loaded.name)
         self.bus.links = self.conversations.links = self.ways
@@ -105,6 +125,9 @@ class Explored:
         roles = dict.fromkeys(role for _, role in team)
         plans = [loaded.charts[role].PLAN for role in roles]
         self._modules = tuple((plan.name, module) for plan in plans for module in plan.modules)
+        self._paced = {
+            (plan.name, info.name) for plan in plans for info in plan.activities if info.every is not None
+        }
         self.values = Values(plans, loaded.messages, names)
         self.later = Later(self.choices, self.values)
         contents = Contents(self.choices, self.values, self.later, loaded.messages, told)
@@ -279,9 +302,51 @@ class Explored:
     def take_back(self, picture: Picture) -> None:
         self.memory.take_back(picture)
 
+    def next_moment(self) -> None:
+        """What is done from now on, is done in a move of its own, from which times are counted."""
+        self.moved += 1
+        self.driver.clock.moment = stamp(NOW, self.moved)
+
+    def marks(self) -> Iterator[Mark]:
+        """The moments from which something is counted that may still come."""
+        found: list[tuple[str, int]] = []
+        for execution in self.driver.running:
+            if execution.activity in self._assumed.takes and self.matters(execution.agent, execution.label):
+                found.append((f"end {execution.agent} {execution.label}", execution.started))
+        for (sender, receiver), waiting in self.ways.ways.items():
+            ages = self._ages[self._roles[receiver]]
+            for number, item in enumerate(waiting):
+                if self._on_the_way(item) is not None:
+                    found.append((f"way {sender} {receiver} {number}", item.sent))
+                sample = sample_of(item)
+                if sample is not None and ages.get(item.what):
+                    found.append((f"age {sender} {receiver} {number}", sample.time))
+        found += [
+            (f"timer {number}", timer.moment)
+            for number, timer in enumerate(item for item in self.driver.timers if item.call is not None)
+        ]
+        found += [
+            (f"pace {' '.join(map(str, key))}", held.last)
+            for key, held in self.bus._held.items()
+            if held.last is not None and NOW - held.last < (self.bus._rules[key[1]].every or 0)
+        ]
+        for agent in self.agents:
+            if not (agent.over or agent.down):
+                found += [
+                    (f"{agent.name} {item.what} {item.name} {item.place}", item.since)
+                    for item in passing(agent.chart, self._ages[agent.role])
+                    if item.what != "state" or self.matters(agent.name, item.name)
+                ]
+        for name, since in found:
+            mark = marked(name, since)
+            if mark is not None:
+                yield mark
+
     def make(self, move: Move) -> None:
         """Make a move, by the choices that are next. Raises Circling."""
         self.arriving = None
+        self.windows.clear()
+        self.came = None
         self._touched.clear()
         self.coming.begin()
         try:
@@ -301,7 +366,8 @@ class Explored:
         """What may happen next."""
         self.coming.look()
         if not any(agent.chart.started for agent in self.agents):
-            yield Move(("begin",), "the agents begin", self._begin_all, "")
+            when = Window(0, 0, 0)
+            yield Move(("begin",), "the agents begin", self._begin_all, "", window=when)
             return
         yield from self._ends()
         yield from self._arrivals()
@@ -315,15 +381,25 @@ class Explored:
                 continue
             kind = ("end", execution.agent, execution.label)
             text = f"{execution.agent}: {execution.activity} ends"
-            yield Move(kind, text, partial(self._end, execution), execution.agent)
+            when = self._lasting(execution)
+            yield Move(kind, text, partial(self._end, execution), execution.agent, window=when)
             if execution.activity in self._assumed.fails:
                 kind = ("fail", execution.agent, execution.label)
                 text = f"{execution.agent}: {execution.activity} fails"
-                yield Move(kind, text, partial(self._fail, execution), execution.agent, is_fair=False)
+                fail = partial(self._fail, execution)
+                yield Move(kind, text, fail, execution.agent, is_fair=False)
             if self._acting.acts(execution):
                 kind = ("act", execution.agent, execution.label)
                 text = f"{execution.agent}: {execution.activity} runs"
                 yield Move(kind, text, partial(self._acting.act, execution), execution.agent, is_fair=False)
+
+    def _lasting(self, execution: Execution) -> Window | None:
+        """When an activity ends, if that is assumed. The pause before it counts as a part of it."""
+        takes = self._assumed.takes.get(execution.activity)
+        if takes is None:
+            return None
+        is_paced = (self._roles[execution.agent], execution.activity) in self._paced
+        return window(execution.started, takes[0], None if is_paced else takes[1])
 
     def matters(self, agent: str, label: str) -> bool:
         """Whether a state of an agent matters to what is asked."""
@@ -350,7 +426,8 @@ class Explored:
                     continue
                 text = f"{receiver} gets {_called(item)} of {sender}"
                 kind = ("arrive", sender, receiver, item.what if is_sample else "")
-                yield Move(kind, text, partial(self._arrive, waiting, item), receiver)
+                arrive = partial(self._arrive, receiver, waiting, item)
+                yield Move(kind, text, arrive, receiver, window=self._on_the_way(item))
                 if is_sample and self._assumed.loses:
                     yield Move(
                         ("lose", *kind[1:]),
@@ -361,10 +438,28 @@ class Explored:
                     )
                     held.add(item.what)
 
+    def _on_the_way(self, item: Underway) -> Window | None:
+        """When a message comes, if that is assumed. The news of a loss takes any time."""
+        delay = self._assumed.delay
+        if delay is None or (item.kind == "mail" and letter_of(item) is None):
+            return None
+        repeats = self._assumed.loses and item.kind not in ("data", "radio")  # what is lost is sent again
+        return window(item.sent, delay[0], None if repeats else delay[1])
+
     def _times(self) -> Iterator[Move]:
         for timer in self.driver.timers:
             if timer.call is not None:
-                yield Move(("timer",), "a pause is over", timer.ring, "", passes=True)
+                when = window(timer.moment, 0, 0)
+                yield Move(("timer",), "a pause is over", timer.ring, "", passes=True, window=when)
+        for (name, channel, host), held in self.bus._held.items():
+            every = self.bus._rules[channel].every
+            last = held.last
+            if every is not None and last is not None and not held.waiting and NOW - last < every:
+                kind = ("pace", name, channel, host or "")
+                text = f"{name} may publish on {channel} again"
+                do = partial(setattr, held, "last", standing(last, NOW - every))
+                when = window(last, every, every)
+                yield Move(kind, text, do, "", passes=True, window=when)
         for agent in self.agents:
             if agent.over or agent.down:
                 continue
@@ -373,7 +468,11 @@ class Explored:
                     continue
                 kind = ("time", agent.name, item.what, item.name)
                 text = f"{agent.name}: {_passed(agent.plan, item)}"
-                yield Move(kind, text, partial(self._pass, agent, item.pass_), agent.name, passes=True)
+                do = partial(self._pass, agent, item.pass_)
+                # What may be renewed at any moment was renewed long enough ago.
+                renews = item.what == "message" and self._is_new(agent, item.name)
+                when = window(item.since, item.duration, None if renews else item.duration)
+                yield Move(kind, text, do, agent.name, passes=True, window=when)
 
     def _given(self) -> Iterator[Move]:
         """What comes from outside: messages on channels on which no agent publishes, and events."""
@@ -418,10 +517,20 @@ class Explored:
                         is_fair=False,
                     )
 
-    def _arrive(self, waiting: list[Underway], item: Underway) -> None:
+    def _arrive(self, receiver: str, waiting: list[Underway], item: Underway) -> None:
         waiting.remove(item)
         self.arriving = item
-        item.give()
+        self._give(receiver, item)()
+
+    def _give(self, receiver: str, item: Underway) -> Callable[[], None]:
+        """What gives a message, which may have become old on its way, to its receiver."""
+        if self.bus._routes.measured(item.what, NOW) is not None:
+            return item.give
+        came = come(item, self._ages[self._roles[receiver]].get(item.what, ()), self.choices)
+        self.came = came
+        if came.window is not None:
+            self.windows.append(came.window)
+        return came.give
 
     def _pass(self, agent: Agent, pass_: Callable[[], None]) -> None:
         pass_()
@@ -451,8 +560,7 @@ def _called(item: Underway) -> str:
     """What is on its way, for readers."""
     if item.kind != "mail":
         return item.what
-    given = item.give.args if isinstance(item.give, partial) else ()
-    acl = next((part for part in given if isinstance(part, AclMessage)), None)
+    acl = letter_of(item)
     return "the news of a loss" if acl is None else f"{acl.performative} {acl.message}"
 
 

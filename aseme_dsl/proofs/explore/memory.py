@@ -32,6 +32,7 @@ from typing import Any, cast
 
 from aseme_dsl.proofs.explore.deciding.later import content_of
 from aseme_dsl.proofs.explore.deciding.unread import place_of
+from aseme_dsl.proofs.timed.stamp import Stamp
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import Whole, whole
 from aseme_dsl.runtime.chart.chart import Chart
@@ -480,6 +481,8 @@ class _Keying:
         return type(value) is str and value in self._memory.senders
 
     def _other(self, value: Any) -> object:
+        if isinstance(value, Stamp):
+            return int(value)
         if isinstance(value, Enum):
             return value.name
         content = content_of(value)

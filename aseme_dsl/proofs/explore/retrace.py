@@ -127,13 +127,15 @@ class Retraced:
     moments: tuple[int, ...]
 
 
-def retrace(explored: Explored, first: Picture, steps: Sequence[Step]) -> Retraced:
-    """Make the moves of a run again, from the first state on.
+def retrace(
+    explored: Explored, first: Picture, steps: Sequence[Step], moments: Sequence[int] | None = None
+) -> Retraced:
+    """Make the moves of a run again, from the first state on; at these moments, if they are known.
 
     Raises:
         NotRetraced: what happens, or when, cannot be said in a scenario.
     """
-    return _Retrace(explored, first).run(steps)
+    return _Retrace(explored, first, moments).run(steps)
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +149,8 @@ class _Tie:
 
 
 class _Retrace:
-    def __init__(self, explored: Explored, first: Picture) -> None:
+    def __init__(self, explored: Explored, first: Picture, moments: Sequence[int] | None) -> None:
+        self._moments = moments
         self._explored = explored
         self._first = first
         self._step = 0
@@ -172,29 +175,38 @@ class _Retrace:
         heard: list[tuple[Hashable, object]] = []
         try:
             explored.take_back(self._first)
-            self._note_origins()
+            if self._moments is None:
+                self._note_origins()
             for number, step in enumerate(steps, 1):
                 self._step = number
                 self._happenings.append([])
                 moves = list(explored.moves())
                 move = moves[step.number]
-                self._pend(move)
+                self._kind = move.kind
+                if self._moments is None:
+                    self._pend(move)
                 heard.clear()
                 explored.choices.heard = heard
                 explored.choices.follow(step.way)
-                clock.moment = _marked(NOW, number)
+                if self._moments is None:
+                    clock.moment = _marked(NOW, number)
+                else:
+                    explored.next_moment()
                 self._about = self._begin(move)
                 with contextlib.suppress(Circling):
                     explored.make(move)
                 self._hear(heard)
                 explored.choices.heard = None
-                clock.moment = NOW
+                if self._moments is None:
+                    clock.moment = NOW
                 explored.picture()
-                self._note_origins()
+                if self._moments is None:
+                    self._tie_age()
+                    self._note_origins()
         finally:
             explored.choices.heard = None
             clock.moment = NOW
-        moments = _moments(len(steps), self._ties)
+        moments = _moments(len(steps), self._ties) if self._moments is None else tuple(self._moments)
         return Retraced(tuple(map(tuple, self._happenings)), moments)
 
     # ---- moves -------------------------------------------------------------------------------
@@ -222,7 +234,7 @@ class _Retrace:
                 self._add(Crash(agent))
             case ("begin",):
                 self._ties.append(_Tie(self._step, 0, 0, is_less=False))
-            case ("input" | "time" | "timer", *_):
+            case ("input" | "time" | "timer" | "pace", *_):
                 pass  # what is decided in it says what comes; or time passes
             case _:
                 raise NotRetraced(f"no statement says `{move.text}`")
@@ -292,6 +304,8 @@ class _Retrace:
                     if given.setdefault((agent, name), value) != value:
                         raise NotRetraced(f"{name} gives two values at one moment")
                     self._put_before(Gives(agent, name.partition("(")[0], value))
+                case ("age", *_):
+                    pass  # its moment makes it old
                 case ("random", str() as agent, _):
                     if given.setdefault((agent, "random"), value) != value:
                         raise NotRetraced("random() gives two values at one moment")
@@ -343,10 +357,18 @@ class _Retrace:
 
     def _pend(self, move: Move) -> None:
         """Tie a move to what is pending before it: it is due with the move, or not before it."""
-        self._kind = move.kind
         for key, origin, duration in self._pending():
             is_it = key == (move.kind if move.kind[0] in ("time", "timer") else ())
             self._ties.append(_Tie(self._step, origin, duration, not is_it))
+
+    def _tie_age(self) -> None:
+        """What has come in this move is as old as was decided."""
+        came = self._explored.came
+        if came is not None and isinstance(came.since, _Marked):
+            if came.least:
+                self._ties.append(_Tie(self._step, came.since.step, came.least, is_less=False))
+            elif came.until is not None:
+                self._ties.append(_Tie(self._step, came.since.step, came.until + 1, is_less=True))
 
     def _note_origins(self) -> None:
         """Since which move the times run that run now."""

@@ -8,6 +8,7 @@ from time import process_time
 
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
 from aseme_dsl.proofs.explore.memory import Picture
+from aseme_dsl.proofs.timed.stamp import Window
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.trace.records import Record
@@ -34,6 +35,10 @@ class Step:
     text: str
     passes: bool = False
     """Whether time passes."""
+    origin: int = 0
+    """With times: the number of the move, from which times are counted."""
+    windows: tuple[Window, ...] = ()
+    """With times: when it may be made."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -234,7 +239,9 @@ class _Search:
             circling = str(problem)
         text = "; ".join((move.text, *explored.choices.said))
         self._judge()
-        step = Step(number, explored.choices.way(), text, move.passes)
+        step = Step(
+            number, explored.choices.way(), text, move.passes or bool(explored.came and explored.came.least)
+        )
         target = self._note((state, step))
         self._look((state, step))
         if circling is not None:

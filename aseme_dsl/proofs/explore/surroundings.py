@@ -31,6 +31,10 @@ class StillClock:
     moment = NOW
     """The moment, which may be marked: see `retrace`."""
 
+    def __init__(self) -> None:
+        self.moment = NOW
+        """Now; of a team that is explored with times, a stamp."""
+
     def now(self) -> int:
         return self.moment
 
@@ -89,6 +93,8 @@ class Underway:
     what: str
     identity: Identity
     give: Callable[[], None]
+    sent: int
+    """When it was sent."""
     crosses: bool = False
     """Whether its receiver has sent an agent message to its sender, and neither has the other's."""
 
@@ -100,6 +106,7 @@ class Ways:
     ways: dict[tuple[str, str], list[Underway]] = field(default_factory=dict)
     taken: Callable[[str, str], bool] = lambda receiver, what: True
     """Whether it matters to a receiver what comes on a channel."""
+    now: Callable[[], int] = lambda: NOW
 
     def carry(
         self, sender: str, receiver: str, kind: str, what: str, identity: Identity, give: Callable[[], None]
@@ -111,7 +118,7 @@ class Ways:
         crossed = [item for item in against if item.kind == kind == "mail"]
         for item in crossed:
             against[against.index(item)] = replace(item, crosses=True)
-        item = Underway(kind, what, identity, give, bool(crossed))
+        item = Underway(kind, what, identity, give, self.now(), bool(crossed))
         self.ways.setdefault((sender, receiver), []).append(item)
 
 

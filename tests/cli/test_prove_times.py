@@ -1,0 +1,184 @@
+"""`asemec prove` on how long things take: deadlines, timers, ages, and messages on their way."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import Done, Here
+from tests.cli.test_prove import verdicts
+
+WAIT = """\
+system Wait
+srm one {
+  liveness { one = Wait . Go . Rest }
+  activities { Wait waits  Rest waits }
+  control one { enter Go : after(1s) }
+}
+team T { a : one }
+"""
+
+SEND = """\
+system Send
+message Ping { int n }
+topic t { KIND Ping }
+srm sender {
+  liveness { sender = Start . Pause . Rest }
+  activities { Start waits  Pause waits  Rest waits }
+  control sender {
+    enter Pause : after(50ms) / t.KIND.Ping.n = 1; write_messages.t.KIND.Ping
+    enter Rest  : after(500ms)
+  }
+}
+srm reader {
+  liveness { reader = Idle . Alert . Calm }
+  activities { Idle waits  Alert waits  Calm waits }
+  control reader {
+    enter Alert : when [AT_FIRST]
+    enter Calm  : when [AT_LAST]
+  }
+}
+team T { s : sender  r : reader }
+"""
+SIGNAL = (
+    SEND.replace("KIND", "signal").replace("AT_FIRST", "t.signal.Ping.n == 1").replace("AT_LAST", "false")
+)
+STATE = (
+    SEND.replace("KIND", "state")
+    .replace("AT_FIRST", "age(t.state.Ping) < 300ms")
+    .replace("AT_LAST", "age(t.state.Ping) >= 300ms")
+)
+
+TIMER = """\
+system Timer
+srm one {
+  liveness { one = (Work . Look . Reset)~ }
+  activities { Look waits  Work within 3s }
+  control one {
+    enter Work  : / start_timer(rest, 2s)
+    enter Look  : error
+    enter Look  :
+    enter Reset : when [expired(rest)]
+  }
+}
+team T { a : one }
+property "it looks" { assume Work takes 0ms..1s  every a in Work leads to a in Reset within 2s }
+property "it rests" { assume Work takes 0ms..1s  no a in Reset within 999ms after a in Look }
+"""
+
+
+@pytest.fixture
+def prove(here: Here, folder: Path) -> object:
+    def call(text: str, *arguments: object) -> Done:
+        (folder / "it.aseme").write_text(text)
+        return here("prove", "it.aseme", *arguments, "--json")
+
+    return call
+
+
+def verdict(prove, text: str, body: str) -> str:  # type: ignore[no-untyped-def]
+    done = prove(f'{text}property "it" {{ {body} }}\n', "it")
+    assert "Traceback" not in done.out
+    return verdicts(done)["it"]
+
+
+@pytest.mark.parametrize(
+    ("body", "is_proved"),
+    [
+        ("every a in Wait leads to a in Go within 1s", True),
+        ("every a in Wait leads to a in Go within 999ms", False),
+        ("no a in Go before 1s", True),
+        ("no a in Go before 1001ms", False),
+        ("eventually a in Go within 1s", True),
+        ("eventually a in Go within 999ms", False),
+        ("no a in Go within 999ms after a in Wait", True),
+        ("no a in Go within 1s after a in Wait", False),
+    ],
+)
+def test_a_deadline_is_kept_to_the_nanosecond(prove, body: str, is_proved: bool) -> None:  # type: ignore[no-untyped-def]
+    assert verdict(prove, WAIT, body) == ("PROVED" if is_proved else "REFUTED")
+
+
+@pytest.mark.parametrize(
+    ("text", "body", "is_proved"),
+    [
+        (SIGNAL, "every s in Pause leads to r in Alert within 200ms", True),
+        (SIGNAL, "every s in Pause leads to r in Alert within 199ms", False),
+        (SIGNAL, "r in Alert before s in Rest", True),
+        (SIGNAL.replace("500ms", "150ms"), "r in Alert before s in Rest", False),
+        (STATE, "every r in Alert leads to r in Calm within 300ms", True),
+        (STATE, "every r in Alert leads to r in Calm within 299ms", False),
+        (STATE, "eventually r in Calm within 350ms", True),
+        (STATE, "eventually r in Calm within 349ms", False),
+    ],
+)
+def test_messages_take_as_long_as_is_assumed(prove, text: str, body: str, is_proved: bool) -> None:  # type: ignore[no-untyped-def]
+    expected = "PROVED" if is_proved else "REFUTED"
+    assert verdict(prove, text, f"assume network delay 0ms..200ms {body}") == expected
+    if "Calm within 30" not in body:  # they take any time
+        assert verdict(prove, text, body) == "REFUTED"
+
+
+def test_a_timer_runs_from_its_start(prove) -> None:  # type: ignore[no-untyped-def]
+    assert set(verdicts(prove(TIMER, "it looks", "it rests")).values()) == {"PROVED"}
+    dropped = TIMER.replace("enter Work  : / start_timer(rest, 2s)", "")
+    assert verdicts(prove(dropped, "it looks"))["it looks"] == "REFUTED"
+    late = TIMER.replace("start_timer(rest, 2s)", "start_timer(rest, 2001ms)")
+    assert verdicts(prove(late, "it looks"))["it looks"] == "REFUTED"
+
+
+def test_the_line_names_the_times_that_it_is_about(prove) -> None:  # type: ignore[no-untyped-def]
+    body = "assume network delay 0ms..200ms every s in Pause leads to r in Alert within 200ms"
+    (item,) = prove(f'{SIGNAL}property "it" {{ {body} }}\n', "it").json["results"]
+    assert "delay 0 s to 0.2 s" in item["bounds"]
+    assert "all times" in item["bounds"]
+
+
+def test_deadlines_pass_in_the_order_in_which_they_are_due(prove) -> None:  # type: ignore[no-untyped-def]
+    both = """\
+system Both
+srm one {
+  liveness { one = (A . B) || (C . D) }
+  activities { A waits  B waits  C waits  D waits }
+  control one { enter B : after(1s)  enter D : after(2s) }
+}
+team T { a : one }
+"""
+    assert verdict(prove, both, "a in B before a in D") == "PROVED"
+    assert verdict(prove, both, "a in D before a in B") == "REFUTED"
+
+
+# ---- what was proved and is not so ------------------------------------------------------------------
+
+
+def test_a_message_may_be_old_when_it_comes(prove) -> None:  # type: ignore[no-untyped-def]
+    assert verdict(prove, STATE, "every s in Pause leads to r in Alert") == "REFUTED"
+
+
+def test_data_becomes_old(prove) -> None:  # type: ignore[no-untyped-def]
+    text = STATE.replace("state", "data")
+    assert verdict(prove, text, "never r in Calm") == "REFUTED"
+
+
+def test_who_may_publish_seldom_may_publish_again_later(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Seldom
+message Ping { int n }
+topic t { data Ping every 100ms }
+srm sender {
+  liveness { sender = First . Second . Rest }
+  activities { First waits  Second waits  Rest waits }
+  control sender {
+    enter Second : after(1s) / t.data.Ping.n = 1; write_messages.t.data.Ping
+    enter Rest   : after(1s) / t.data.Ping.n = 2; write_messages.t.data.Ping
+  }
+}
+srm reader {
+  liveness { reader = Idle . Ready . Alert }
+  activities { Idle waits  Ready waits  Alert waits }
+  control reader { enter Ready : when [t.data.Ping.n == 1]  enter Alert : when [t.data.Ping.n == 2] }
+}
+team T { s : sender  r : reader }
+"""
+    assert verdict(prove, text, "never r in Alert") == "REFUTED"
