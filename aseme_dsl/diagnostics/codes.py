@@ -67,6 +67,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E115": ("error", "empty range"),
     "E116": ("error", "declaration over the parse time limit"),
     "E117": ("error", "malformed statement of a scenario or property"),
+    "E118": ("error", "transition expression of KSE"),
     # Names and declarations (E2xx)
     "E200": ("error", "unknown name"),
     "E201": ("error", "duplicate declaration"),

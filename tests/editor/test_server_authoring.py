@@ -200,3 +200,14 @@ async def test_an_activity_gets_its_class(project: Project) -> None:
     place = at("look = ^Scan")
     found = await actions(project, lsp.Range(place, place), "refactor")
     assert not any(item.title.startswith("Write the Python class") for item in found)
+
+
+async def test_an_expression_of_kse_is_translated(project: Project) -> None:
+    text = TEAM.replace("[near]", "[TimeoutCheck(pace) && near]/process_messages")
+    assert text != TEAM
+    project.change("team.aseme", text)
+    shown = [item for item in await project.diagnostics("team.aseme") if item.code == "E118"]
+    found = await actions(project, between("[^TimeoutCheck", "process^_messages", text), diagnostics=shown)
+    assert list(found[0].diagnostics or ()) == shown
+    changed = written(project, found[0].edit, text)
+    assert changed == TEAM.replace("[near]", "[expired(pace) && near] / read_messages")

@@ -17,6 +17,7 @@ from aseme_dsl.compiler.read.names import as_written, of_homonyms, together
 from aseme_dsl.compiler.stages.analysis import Analysis
 from aseme_dsl.compiler.stages.charts import Charts
 from aseme_dsl.compiler.stages.declarations import Declarations
+from aseme_dsl.compiler.stages.pasted import pasted
 from aseme_dsl.compiler.stages.processes import Described, Processes, Requirements
 from aseme_dsl.compiler.stages.uses import Fulfilment, Uses
 from aseme_dsl.diagnostics import Diagnostic, Edit, Policy, has_errors
@@ -50,7 +51,7 @@ def tell(
     loaded = declared.loaded
     layout = loaded.layout
     placed = {id(item): layout.diagnostic(item) for item in declared.inclusion.once(found)}
-    kept = without_consequences(placed.values())
+    kept = pasted(without_consequences(placed.values()), loaded.files, declared.top)
     not_looked_for = _OF_CODE | FROM_CONDITIONS if unchecked else _OF_CODE
     diagnostics, suppressed = allow(loaded.files, kept, not_looked_for, layout)
     spellings = together(loaded.spellings, of_homonyms(declared.blocks.srms))

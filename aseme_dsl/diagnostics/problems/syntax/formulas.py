@@ -604,3 +604,19 @@ class ChainedComparisons(Problem):
         if len(self.left) >= _LONGEST:
             return None
         return f"write {self.left} && {self.middle} {self.second} …"
+
+
+# ---- E118: expressions of KSE ------------------------------------------------------------------
+
+
+class ForeignExpression(Problem):
+    """`now`: what says the same here, None for the `reason` why nothing does."""
+
+    code = "E118"
+    now: str | None
+    reason: str
+    message = "this is an expression of KSE"
+
+    @property
+    def hint(self) -> str:
+        return f"here it is {self.now}" if self.now is not None else f"say it anew: {self.reason}"
