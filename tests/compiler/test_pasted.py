@@ -87,7 +87,13 @@ def test_what_cannot_be_translated_says_why(line: str, why: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "line", ["leave Rest : [door.state.Visitor.step > 2]", "leave Rest : [nothing]", "leave Rest : [f(1)]"]
+    "line",
+    [
+        "leave Rest : [door.state.Visitor.step > 2]",
+        "leave Rest : [nothing]",
+        "leave Rest : [f(1)]",
+        "leave Rest : [door.state.Signal.x]",
+    ],
 )
 def test_other_mistakes_are_what_they_were(line: str) -> None:
     assert found(line) and "E118" not in [code for code, _, _ in found(line)]

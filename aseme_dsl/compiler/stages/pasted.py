@@ -17,7 +17,7 @@ from aseme_dsl.source import Source, Span
 
 _SURE = re.compile(
     r"\bTimeoutCheck\s*\(|\bTimeoutAction\s*\.|\bNULL\b|\bnullptr\b|\bprocess_messages\b|\bpublish_all\b"
-    r"|\bpublish\s*\.|\bmicrosec_clock\b|\bposix_time\b|\b\w+\.(?:State|Signal|Data)\.\w"
+    r"|\bpublish\s*\.|\bmicrosec_clock\b|\bposix_time\b|(?<![.\w])\w+\.(?:State|Signal|Data)\.\w"
     r"|\b\w+\.(?:state|signal|data)\.\w+(?:\.\w+)*\.\w+\(",
     re.ASCII,
 )
