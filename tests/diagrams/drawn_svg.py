@@ -33,7 +33,7 @@ def elements_of(root: Element) -> Iterator[Line | Shape | Text]:
     insets = {item.get("data-in"): item for item in root if item.get("data-in")}
     for item in root:
         kinds = item.get("class", "").split()
-        if item.tag == f"{SVG}g" and item.get("aria-hidden"):
+        if item.tag == f"{SVG}g" and item.get("aria-hidden") and not item.get("data-n"):
             yield from elements_of(item)
         elif item.tag == f"{SVG}g" and "line" in kinds:
             yield _line(item)

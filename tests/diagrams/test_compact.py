@@ -501,6 +501,19 @@ def test_a_screen_reader_says_words_for_signs_and_what_stays_in_a_state() -> Non
     assert not re.search(r"\d\.\d|→", "".join(said)), "no labels of states, no arrows"
 
 
+def test_a_screen_reader_says_a_frame_before_what_is_inside_and_after_what_is_before_it() -> None:
+    said = spoken("system S\nsrm r { liveness { r = A . work . E  work = B . inner  inner = C || D } }")
+    order = [
+        "activity A",
+        "group work",
+        "activity B, in work",
+        "parallel regions inner",
+        "activity C, in inner",
+        "activity E",
+    ]
+    assert [item for item in said if item in order] == order
+
+
 @pytest.mark.parametrize("name", ["hospital", "robocup"])
 def test_a_screen_reader_finds_each_activity_and_each_line_of_a_large_chart(name: str) -> None:
     for chart in example(name):
@@ -510,5 +523,7 @@ def test_a_screen_reader_finds_each_activity_and_each_line_of_a_large_chart(name
         for item in root.iter():
             kinds = item.get("class", "").split()
             title = item.find("{http://www.w3.org/2000/svg}title")
-            if "state" in kinds or ("line" in kinds and item.get("data-t")):
+            if item.get("aria-hidden"):  # a frame, which is read before what is inside it
+                assert item.get("data-n") or "state" not in kinds
+            elif "state" in kinds or ("line" in kinds and item.get("data-t")):
                 assert item in named and (item.get("aria-label") or (title is not None and title.text))

@@ -1,7 +1,7 @@
 """Reading: in what order the elements of a compact drawing stand in its file, and what is said of each.
 
-A screen reader reads a state, then the lines that leave it. What is written at lines and in states is said
-with them, so their texts are not read a second time.
+A screen reader reads a frame before the states in it, and a state before the lines that leave it. What is
+written at lines and in states is said with them, so their texts are not read a second time.
 """
 
 from __future__ import annotations
@@ -46,6 +46,28 @@ def in_order(chart: Statechart, picture: Picture) -> list[Element]:
                 assert_never(item)
 
     return sorted(picture.elements, key=key)
+
+
+def heard_before(chart: Statechart, picture: Picture) -> dict[Element, list[Shape]]:
+    """The frames that are read before a state: each before the first one inside, not where it is painted."""
+    places = {state.label: place for place, state in enumerate(chart.states)}
+    items = [item for item in in_order(chart, picture) if not isinstance(item, Text)]
+    frames = sorted(
+        (item for item in items if isinstance(item, Shape) and is_frame(item)),
+        key=lambda item: (places[item.state], -item.width),
+    )
+    found: dict[Element, list[Shape]] = {}
+    for item in items:
+        if isinstance(item, Shape) and not is_frame(item):
+            before = [frame for frame in frames if places[frame.state] <= places[item.state]]
+            found[item] = before
+            frames = frames[len(before) :]
+    return found
+
+
+def is_frame(item: Shape) -> bool:
+    """Whether a shape is painted behind what is inside it."""
+    return item.form in _FRAMES
 
 
 def names(chart: Statechart, picture: Picture) -> dict[Shape, str]:
@@ -163,4 +185,4 @@ def _holds(shape: Shape, item: Text) -> bool:
     return shape.x <= item.x <= shape.x + shape.width and shape.y <= item.y <= shape.y + shape.height
 
 
-__all__ = ["headings", "in_order", "line_name", "names", "silent", "state_name"]
+__all__ = ["headings", "heard_before", "in_order", "is_frame", "line_name", "names", "silent", "state_name"]

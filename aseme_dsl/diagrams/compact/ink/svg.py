@@ -20,7 +20,15 @@ from aseme_dsl.diagrams.compact.elements import (
 )
 from aseme_dsl.diagrams.compact.ink.colours import branch_colour, style
 from aseme_dsl.diagrams.compact.ink.nested import colours, inset
-from aseme_dsl.diagrams.compact.ink.reading import headings, in_order, line_name, names, silent
+from aseme_dsl.diagrams.compact.ink.reading import (
+    headings,
+    heard_before,
+    in_order,
+    is_frame,
+    line_name,
+    names,
+    silent,
+)
 from aseme_dsl.diagrams.compact.ink.signs import ENDLESS, SIGNS, Sign
 from aseme_dsl.diagrams.compact.words import BOLD, ICON
 from aseme_dsl.diagrams.look.labels import printable, text_width
@@ -48,9 +56,12 @@ def svg(
         f'<rect class="paper" width="{width:g}" height="{height:g}"/>',
     ]
     known: Counter[str] = Counter()
+    heard = heard_before(chart, picture)
     spoken, unread, first = names(chart, picture), silent(picture), headings(picture)
     texts: dict[bool, list[str]] = {True: [], False: []}
     for item in in_order(chart, picture):
+        for frame in heard.get(item, ()):
+            parts.append(f'<g role="img" aria-label="{_text(spoken[frame])}">{_unseen(frame)}</g>')
         made = _element(chart, item, known, files, spoken)
         leads = files.get(item.state) if isinstance(item, Shape) and item.form is Form.CLOSED else None
         if isinstance(item, Text) and item not in first:
@@ -156,6 +167,8 @@ def _shape(chart: Statechart, item: Shape, name: str, spoken: str) -> Iterator[s
     tips = [f"{state.label} {state.type.value} {state.name}", *(_told(chart, place) for place in item.marks)]
     others = item.also
     role = f' role="img" aria-label="{_text(spoken)}"' if spoken else ' role="img"'
+    if is_frame(item):
+        role = ' aria-hidden="true"'  # read before what is inside, not where it is painted
     yield f'<g{name} class="state"{role} data-n="{" ".join((item.state, *item.also))}"{marks}>'
     if state.type not in (StateType.START, StateType.END):
         yield f"<title>{_text(chr(10).join(tips))}</title>"
@@ -191,6 +204,12 @@ def _shape(chart: Statechart, item: Shape, name: str, spoken: str) -> Iterator[s
         case _:
             assert_never(item.form)
     yield "</g>" * (len(others) + 1)
+
+
+def _unseen(item: Shape) -> str:
+    """The place of a frame for a screen reader; nothing is painted there."""
+    box = f'x="{item.x:.1f}" y="{item.y:.1f}" width="{item.width:.1f}" height="{item.height:.1f}"'
+    return f'<rect {box} fill="none" stroke="none" pointer-events="none"/>'
 
 
 def _path(points: tuple[Point, ...]) -> str:
