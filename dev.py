@@ -150,7 +150,14 @@ LONG = [
     ("models of KSE in ASEME_MODELS", ["-m", "pytest", "-rs", "tests/interop/test_real_models.py"], {}),
     (
         "compact drawings of random charts",
-        ["-m", "pytest", "-n", "auto", "tests/diagrams/test_compact.py"],
+        [
+            "-m",
+            "pytest",
+            "-n",
+            "auto",
+            "tests/diagrams/test_compact.py",
+            "tests/diagrams/test_nested_parts.py",
+        ],
         {"COMPACT_CHARTS": "2000", "COMPACT_EDITS": "1", "COMPACT_FAULTS": "1"},
     ),
     (
