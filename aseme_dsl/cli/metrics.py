@@ -71,6 +71,7 @@ def command(
     model = model_of(compiled.system, choose(compiled.configuration))
     found: list[Diagnostic] = []
     runs: list[RunMetrics] = []
+    left_out: list[str] = []
     for file in files:
         if file.suffix == ".json":
             reason = "it is a file of `asemec test --coverage-file`, not a trace"
@@ -80,6 +81,7 @@ def command(
         found += read_runs(model, [file], seen, [measuring])
         if seen.traces:
             runs.append(measuring.end())
+            left_out += seen.left_out
     if not runs:
         return refuse(found, as_json, colour)
     print_diagnostics(found, colour)
@@ -89,8 +91,10 @@ def command(
         print_diagnostics(written, colour)
         found += written
     if as_json:
-        print_json({"metrics": data(model.system, runs)})
+        print_json({"metrics": {**data(model.system, runs), "left_out": left_out}})
     else:
+        for line in left_out:
+            click.echo(f"note: {line}")
         for line in lines(model.system, runs):
             click.echo(line)
     return int(has_errors(found))

@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 import pytest
 
 from tests.cli.support import Here
+from tests.runtime.playing import MS
 
 TEAM = """\
 system Desk
@@ -143,3 +144,17 @@ def test_a_conversation_with_a_name_of_its_own_belongs_to_its_protocol(desk: Her
     assert own != lines
     assert found[0] == found[1]
     assert any(row["kind"] == "protocol" and row["open"] for row in found[0]["rows"])
+
+
+def test_what_came_after_a_swap_is_named(here: Here, folder: Path) -> None:
+    (folder / "w.aseme").write_text(
+        "system W  srm r { liveness { r = A+ }  activities { A takes 70ms } }  team T { w : r }"
+    )
+    here("run", "w.aseme", "-o", "out", "--for", "600ms", "--trace", "t.jsonl", "-q")
+    lines = (folder / "t.jsonl").read_text().splitlines()
+    swap = {"kind": "swap", "time": 210 * MS, "agent": "w", "what": "done", "role": "r", "model": "0" * 16}
+    place = next(number for number, line in enumerate(lines) if json.loads(line)["time"] > 210 * MS)
+    (folder / "t.jsonl").write_text("\n".join([*lines[:place], json.dumps(swap), *lines[place:]]) + "\n")
+    told = "w changed to another model at 0.21 s; what came then was not counted"
+    assert here("metrics", "t.jsonl").out.startswith(f"note: {told}\n")
+    assert here("metrics", "t.jsonl", "--json").json["metrics"]["left_out"] == [told]

@@ -42,3 +42,15 @@ def test_metrics_and_coverage_follow_a_switch_of_the_role(here: Here, folder: Pa
     }
     covered = here("coverage", "t.jsonl").out.splitlines()
     assert [line.split()[1:3] for line in covered if line.startswith("states")] == [["8", "8"]], covered
+
+
+def test_why_asks_the_role_that_an_agent_had_then(here: Here, folder: Path) -> None:
+    (folder / "two.aseme").write_text(TWO)
+    here("run", "two.aseme", "-o", "out", "--for", "950ms", "--trace", "t.jsonl", "-q")
+    kicked = here("why", "b", "Kick", "--at", "950ms", "t.jsonl").out
+    assert "at 0.9 s it went to Kick from Kick" in kicked, kicked
+    saved = here("why", "b", "Save", "--at", "950ms", "t.jsonl").out
+    assert "b is in Kick" in saved and "at 0.2 s it went to Save from the start of Save~" in saved, saved
+    refused = here("whynot", "b", "Save", "--at", "950ms", "t.jsonl").err
+    assert "player has no state, transition or message Save" in refused, refused
+    assert "it ran another model that has it" in refused

@@ -22,6 +22,7 @@ from aseme_dsl.project.settings.target import builds_in, project_here
 from aseme_dsl.project.testing.replaying import generated, models_of
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.time.clock import readable
 from aseme_dsl.runtime.trace.packed import unpacked
 from aseme_dsl.runtime.trace.records import Record, TracedAgent, agents_of
 from aseme_dsl.runtime.trace.trace_files import TraceError
@@ -175,7 +176,8 @@ def _read_trace(
             mine.left_out[_UNMEASURED.format(path, why)] += 1
             replay = None
         if record["kind"] in ("swap", "select") and record.get("model") not in (None, *model.hashes.values()):
-            mine.left_out["an agent changed to another model, whose run was not counted"] += 1
+            name, when = record["agent"], readable(record["time"])
+            mine.left_out[f"{name} changed to another model at {when}; what came then was not counted"] += 1
     if others:
         mine.left_out[f"{', '.join(others)} ran another model at first, which was not counted"] += 1
     if replay is not None:
