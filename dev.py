@@ -111,6 +111,11 @@ LONG = [
         {"REPLAYED_TALKS": "200"},
     ),
     (
+        "what is proved of times holds in random runs",
+        ["-m", "pytest", "-n", "auto", "tests/proofs/test_timed_runs.py"],
+        {"TIMED_TEAMS": "600"},
+    ),
+    (
         "certificates of random charts, and of charts with planted faults",
         ["-m", "pytest", "-n", "auto", "tests/proofs/test_certificate.py"],
         {"CERTIFIED_CHARTS": "1000", "CERTIFIED_FAULTS": "400"},

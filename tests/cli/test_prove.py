@@ -162,7 +162,7 @@ def test_a_protocol_without_a_mistake_is_proved_with_its_bounds(prove) -> None: 
     assert done.code == 0, done.out
     assert done.out.splitlines()[0] == (
         "PROVED    Look@seller before Pay@buyer of protocol buy (it.aseme:16:3)"
-        " [1 buyer, 1 seller; any delay; 45 states]"
+        " [1 buyer, 1 seller; any delay; 38 states]"
     )
     assert done.out.count("PROVED") == len(done.out.splitlines())
 

@@ -156,6 +156,18 @@ def test_a_message_may_be_old_when_it_comes(prove) -> None:  # type: ignore[no-u
     assert verdict(prove, STATE, "every s in Pause leads to r in Alert") == "REFUTED"
 
 
+def test_a_state_is_seen_also_if_another_run_has_just_led_there(prove) -> None:  # type: ignore[no-untyped-def]
+    both = """\
+system Both
+srm one { liveness { one = (A . B)~ } activities { A waits B waits }
+          control one { enter B : after(300ms)  leave B : after(200ms) } }
+srm two { liveness { two = (C . D)~ } activities { C waits D waits }
+          control two { enter D : after(300ms)  leave D : after(200ms) } }
+team T { s : one  r : two }
+"""
+    assert verdict(prove, both, "never (s in B and r in D)") != "PROVED"
+
+
 def test_data_becomes_old(prove) -> None:  # type: ignore[no-untyped-def]
     text = STATE.replace("state", "data")
     assert verdict(prove, text, "never r in Calm") == "REFUTED"

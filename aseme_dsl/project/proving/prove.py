@@ -269,7 +269,11 @@ def assumed_by(assumptions: Sequence[Assumption]) -> Assumed:
         or (isinstance(item, NetworkAssumed) and item.network.most > 0)
     )
     networks = [item.network for item in assumptions if isinstance(item, NetworkAssumed)]
-    delays = [(network.least, network.most) for network in networks if network.most > 0]
+    delays = [
+        (network.least, network.most)
+        for network in networks
+        if network.most > 0 or not (network.loss or network.reorder)
+    ]
     takes = {
         item.activity: (item.takes.least, item.takes.most)
         for item in assumptions

@@ -61,7 +61,7 @@ def layout_of(
     parts = {
         Agent: (
             *("chart", "executions", "_untakable", "steps", "stopped", "down"),
-            *("_sequence", "_wanted", "_following", "_has_other_chart"),
+            *("_sequence", "_wanted", "_following", "_has_other_chart", "_configuration"),
         ),
         Executions: ("_nodes", "_former"),
         _Node: ("starts", "last_start", "last_end", "current", "next", "held", "waits", "made"),
@@ -78,7 +78,7 @@ def layout_of(
         Ways: ("ways",),
     }
     unkeyed = {
-        Agent: frozenset(("_sequence", "steps")),
+        Agent: frozenset(("_sequence", "steps", "_configuration")),
         Execution: frozenset(("number", "started")),
         inputs.Start: frozenset(("token",)),
         _Node: frozenset(("starts", "last_start", "last_end")),
