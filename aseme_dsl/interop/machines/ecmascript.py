@@ -6,7 +6,7 @@ Nothing is evaluated. What is not understood is Untranslatable, with the reason.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from aseme_dsl.interop.emf.expressions import Untranslatable
 from aseme_dsl.records import dataclass
@@ -77,7 +77,7 @@ def assignments(script: str) -> tuple[tuple[str, str], ...]:
         Untranslatable: something else stands in it.
     """
     found: list[tuple[str, str]] = []
-    for statement in re.split(r"[;\n]", re.sub(r"//[^\n]*", "", script)):
+    for statement in _statements(script):
         plain = statement.strip()
         if not plain:
             continue
@@ -93,6 +93,25 @@ def assignments(script: str) -> tuple[tuple[str, str], ...]:
         else:
             raise Untranslatable("a script of which not all is an assignment")
     return tuple(found)
+
+
+_PIECE = re.compile(
+    r"(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<end>[;\n])"
+    r"|'(?:[^'\\\n]|\\.)*'|\"(?:[^\"\\\n]|\\.)*\"|[^;\n'\"/]+|.",
+    re.DOTALL,
+)
+
+
+def _statements(script: str) -> Iterator[str]:
+    """What `;` and the ends of lines separate, without comments; both may be in quotes."""
+    statement = ""
+    for piece in _PIECE.finditer(script):
+        if piece["end"] is not None:
+            yield statement
+            statement = ""
+        else:
+            statement += " " if piece["comment"] is not None else piece[0]
+    yield statement
 
 
 class _Reader:

@@ -113,10 +113,16 @@ def test_a_machine_plays() -> None:
             '<state id="a"><onexit><script>n++; n += 2</script></onexit></state>',
             "exit 0.2 : / n = n + 1; n = n + 2",
         ),
+        (
+            '<state id="a"><onexit><script>t = "a;b//c"; n = 2 // t = "d";\n/* n = 3; */ n++</script></onexit>'
+            "</state>",
+            'exit 0.2 : / t = "a;b//c"; n = 2; n = n + 1',
+        ),
     ],
 )
 def test_what_becomes_what(states: str, expected: str) -> None:
-    assert expected in lines(machine(states, '<data id="n" expr="0"/>'))
+    data = '<data id="n" expr="0"/><data id="t" expr="\'\'"/>'
+    assert expected in lines(machine(states, data))
 
 
 def test_entry_actions_are_done_on_each_way_in() -> None:
