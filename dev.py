@@ -133,9 +133,14 @@ LONG = [
         {"MUTATIONS": "20000"},
     ),
     (
-        "changed models of KSE",
-        ["-m", "pytest", "-n", "auto", "tests/interop/test_emf_charts.py"],
+        "changed models of KSE, agents.xml and .proto files",
+        ["-m", "pytest", "-n", "auto", "tests/interop/test_changed_models.py"],
         {"ASEME_CHANGED_MODELS": "5000"},
+    ),
+    (
+        "changed models of KSE as projects",
+        ["-m", "pytest", "-n", "auto", "tests/interop/test_emf_charts.py"],
+        {"ASEME_CHANGED_MODELS": "500"},
     ),
     (
         "exported charts on engines of others",

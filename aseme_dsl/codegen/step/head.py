@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from aseme_dsl.amola.expression import (
     Publish,
@@ -10,7 +10,7 @@ from aseme_dsl.amola.expression import (
 )
 from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.codegen.code.face import key_of, natural
-from aseme_dsl.codegen.step.boards import Boards
+from aseme_dsl.codegen.step.boards import Boards, saving
 from aseme_dsl.codegen.step.names import Part, StepNames
 from aseme_dsl.runtime.chart.state import COMMON
 
@@ -96,7 +96,8 @@ class Head(Part):
         kept = {self.names.kept(node) for node in self.history.resumed}
         boards = {f"b{region.number}" for region in regions}
         own = sorted({name for name, _, _ in attributes} - kept - boards, key=natural)
-        return [*lines, *_saving([*COMMON, *own])]
+        said = ("values", "What the places hold.", "set_values", "Let the places hold these again.")
+        return [*lines, *saving([*COMMON, *own], *said)]
 
     def _expiring(self) -> list[str]:
         return ["    EXPIRING = True"] if self.boards.expire() else []
@@ -196,21 +197,6 @@ class Head(Part):
             )
             for region in self.flat.regions
         ]
-
-
-def _saving(names: Sequence[str]) -> list[str]:
-    """What gives the plain values of the attributes, and puts them back."""
-    places = ", ".join(f"self.{name}" for name in names)
-    return [
-        "",
-        "    def values(self) -> tuple[object, ...]:",
-        '        """What the places hold."""',
-        f"        return ({places})",
-        "",
-        "    def set_values(self, values: tuple[Any, ...]) -> None:",
-        '        """Let the places hold these again."""',
-        f"        ({places}) = values",
-    ]
 
 
 __all__ = ["Head"]

@@ -5,6 +5,8 @@ from __future__ import annotations
 from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, ChannelKind, Function, Type
 from aseme_dsl.diagnostics.problems.names import Reserved
 from aseme_dsl.grammar.formulas.words import RESERVED
+from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD as NOT_UNDERSTOOD
+from aseme_dsl.runtime.message.acl import PERFORMATIVES as PERFORMATIVES
 from aseme_dsl.source import Source, Span
 
 NOWHERE = Span(Source("<built in>", ""), 0, 0)
@@ -68,17 +70,6 @@ YIELDING = frozenset(
     )
 )
 """The forms that came later: a function that a document declares under such a name goes before."""
-
-PERFORMATIVES = tuple(
-    """
-    accept_proposal agree cancel cfp confirm disconfirm failure inform inform_if inform_ref not_understood
-    propagate propose proxy query_if query_ref refuse reject_proposal request request_when request_whenever
-    subscribe
-    """.split()
-)
-"""The 22 communicative acts of FIPA (SC00037J), with underscores."""
-NOT_UNDERSTOOD = "not_understood"
-"""The performative with which the runtime answers an unexpected message."""
 
 COMM_TYPES = tuple(comm.value for comm in ChannelKind)
 ACTIONS = ("read_messages", "write_messages")

@@ -14,6 +14,7 @@ import pytest
 from aseme_dsl.interop.machines.system import machines_text, read_machines
 from aseme_dsl.project.editing.import_machines import machines_of
 from aseme_dsl.source import Source
+from tests.interop.changing import changed, limited
 from tests.interop.machines.test_scxml import OVEN, PARALLEL, machine
 from tests.interop.machines.test_xstate import LIGHT
 
@@ -34,45 +35,27 @@ PIECES = {
 }
 
 
-def changed(text: str, kind: str, chance: random.Random) -> str:
-    """A text with a few characters, pieces or stretches changed."""
-    pieces = PIECES[kind].split(" ")
-    only_words = chance.randrange(2) == 0
-    for _ in range(chance.randint(1, 4)):
-        at = chance.randrange(len(text) + 1)
-        other = chance.randrange(len(text) + 1)
-        match 3 if only_words else chance.randrange(5):
-            case 0:
-                text = text[:at] + chance.choice(pieces) + text[at:]
-            case 1:
-                text = text[:at] + text[at + chance.randint(1, 30) :]
-            case 2:
-                text = text[:at] + text[other : other + 60] + text[at:]
-            case 3:
-                words = text.split('"')
-                if len(words) > 3:  # what stands between quotes
-                    words[chance.randrange(1, len(words), 2)] = words[chance.randrange(1, len(words), 2)]
-                text = '"'.join(words)
-            case _:
-                text = text[:at] + chr(chance.choice((0, 9, 34, 60, 127, 233, 0x2028, 0x1F600))) + text[at:]
-    return text
-
-
 @pytest.mark.parametrize("kind", SEEDS)
 def test_changed_files_end_in_a_project_or_a_message(kind: str) -> None:
     read = 0
     for number in range(CHANGED):
         chance = random.Random(f"{kind} {number}")
-        source = Source(f"m.{kind}", changed(chance.choice(SEEDS[kind]), kind, chance))
-        system, found = read_machines([source])
-        assert all(item.span is not None for item in found), source.text
-        if system is None:
-            assert found
-            continue
-        read += 1
-        made = machines_text(system)
-        assert all(row.place is not None for row in made.rows), source.text
-        if read <= COMPILED:
-            _, found = machines_of([source])
-            assert all(item.span is not None for item in found), source.text
+        source = Source(f"m.{kind}", changed(chance.choice(SEEDS[kind]), PIECES[kind].split(" "), chance))
+        with limited(f"{kind} {number}"):
+            read += _read(source, compile_it=read < COMPILED)
     assert read > 0
+
+
+def _read(source: Source, *, compile_it: bool) -> bool:
+    """Whether a file becomes a project; otherwise it is refused with a place."""
+    system, found = read_machines([source])
+    assert all(item.span is not None for item in found), source.text
+    if system is None:
+        assert found
+        return False
+    made = machines_text(system)
+    assert all(row.place is not None for row in made.rows), source.text
+    if compile_it:
+        _, found = machines_of([source])
+        assert all(item.span is not None for item in found), source.text
+    return True

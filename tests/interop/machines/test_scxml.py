@@ -114,8 +114,8 @@ def test_a_machine_plays() -> None:
             "exit 0.2 : / n = n + 1; n = n + 2",
         ),
         (
-            '<state id="a"><onexit><script>t = "a;b//c"; n = 2 // t = "d";\n/* n = 3; */ n++</script></onexit>'
-            "</state>",
+            '<state id="a"><onexit><script>t = "a;b//c"; n = 2 // t = "d";\n/* n = 3; */ n++</script>'
+            "</onexit></state>",
             'exit 0.2 : / t = "a;b//c"; n = 2; n = n + 1',
         ),
     ],
