@@ -5,8 +5,8 @@ from __future__ import annotations
 from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, ChannelKind, Function, Type
 from aseme_dsl.diagnostics.problems.names import Reserved
 from aseme_dsl.grammar.formulas.words import RESERVED
-from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD as NOT_UNDERSTOOD
-from aseme_dsl.runtime.message.acl import PERFORMATIVES as PERFORMATIVES
+from aseme_dsl.runtime.message.performatives import NOT_UNDERSTOOD as NOT_UNDERSTOOD
+from aseme_dsl.runtime.message.performatives import PERFORMATIVES as PERFORMATIVES
 from aseme_dsl.source import Source, Span
 
 NOWHERE = Span(Source("<built in>", ""), 0, 0)

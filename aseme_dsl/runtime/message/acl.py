@@ -11,34 +11,9 @@ from datetime import datetime
 
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import Identity, made_often
+from aseme_dsl.runtime.message.performatives import NOT_UNDERSTOOD as NOT_UNDERSTOOD
+from aseme_dsl.runtime.message.performatives import PERFORMATIVES as PERFORMATIVES
 
-PERFORMATIVES = (
-    "accept_proposal",
-    "agree",
-    "cancel",
-    "cfp",
-    "confirm",
-    "disconfirm",
-    "failure",
-    "inform",
-    "inform_if",
-    "inform_ref",
-    "not_understood",
-    "propagate",
-    "propose",
-    "proxy",
-    "query_if",
-    "query_ref",
-    "refuse",
-    "reject_proposal",
-    "request",
-    "request_when",
-    "request_whenever",
-    "subscribe",
-)
-"""FIPA's communicative acts, as a document writes them."""
-
-NOT_UNDERSTOOD = "not_understood"
 JSON = "json"
 """The language of a content, where it goes as text: a JSON object with a member for each of the message's."""
 
