@@ -194,3 +194,57 @@ srm reader {
 team T { s : sender  r : reader }
 """
     assert verdict(prove, text, "never r in Alert") == "REFUTED"
+
+
+PACED = """\
+system Paced
+srm robot {
+  liveness { robot = Look~ || (Wait . Act)~ }
+  activities { Look every 100ms  Wait waits }
+  control robot { enter Act : after(1s) }
+}
+team T { a : robot }
+"""
+
+
+def test_a_pause_between_two_runs_is_measured(prove) -> None:  # type: ignore[no-untyped-def]
+    taking = "assume Look takes 0ms..30ms "
+    again = "no a in Act before 1s"
+    assert verdict(prove, PACED, f"{taking} {again}") == "PROVED"
+    text = PACED.replace("Look~", "(Look . Send)~").replace("Wait waits", "Wait waits  Send waits")
+    text = text.replace("enter Act : after(1s)", "enter Act : after(1s)  leave Send : after(10ms)")
+    soon = "every a in Send leads to a in Look within 10ms"
+    assert verdict(prove, text, f"assume Look takes 0ms..30ms {soon}") == "PROVED"
+    twice = "no a in Send within 69ms after a in Send"
+    assert verdict(prove, text, f"assume Look takes 0ms..30ms {twice}") == "PROVED"
+    assert verdict(prove, text, f"assume Look takes 0ms..30ms {twice.replace('69', '75')}") == "REFUTED"
+    assert verdict(prove, text, "assume Look takes 0ms..31ms " + twice.replace("69", "68")) == "PROVED"
+    least = "every a in Send leads to a in Send within 130ms"
+    assert verdict(prove, text, f"assume Look takes 0ms..30ms {least}") != "UNDECIDED"
+    unpaced = text.replace("Look every 100ms  ", "")
+    assert verdict(prove, unpaced, f"assume Look takes 0ms..30ms {twice}") == "REFUTED"
+
+
+def test_what_is_assumed_of_activities_orders_their_ends(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Order
+srm one { liveness { one = A . B } }
+srm two { liveness { two = C . D } }
+team T { a : one  b : two }
+"""
+    taking = "assume A takes 0s..2s assume C takes 3s..4s "
+    assert verdict(prove, text, f"{taking} a in B before b in D") == "PROVED"
+    assert verdict(prove, text, f"{taking} b in D before a in B") == "REFUTED"
+    assert verdict(prove, text, "a in B before b in D") == "REFUTED"
+
+
+def test_an_activity_that_is_quick_enough_does_not_fail(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Quick
+srm one { liveness { one = A . B }  activities { A within 2s } }
+team T { a : one }
+property "it" { assume A takes 0s..MOST  A before B }
+"""
+    assert verdicts(prove(text.replace("MOST", "1999ms"), "failures"))["failures"] == "PROVED"
+    done = prove(text.replace("MOST", "2s"), "failures")
+    assert verdicts(done)["failures"] == "REFUTED", done.out

@@ -68,7 +68,10 @@ def team_of(seed: int) -> tuple[str, tuple[str, ...]]:
         lines.append(f"    {way} : {event}{act(name or '')}")
     sender = " . ".join(states)
     declared = [f"{name} waits" for name in states if name not in works]
-    declared += [f"{name} within {duration()}" for name in fails]
+    for name in works:
+        words = [f"every {duration()}"] if chance.random() < 0.5 else []
+        words += [f"within {duration()}"] if name in fails else []
+        declared += [f"{name} {' '.join(words)}"] if words else []
     read = []
     for before, name in zip(ends, (*ends[1:], None), strict=True):
         way = f"enter {name}" if name is not None else f"leave {before}"

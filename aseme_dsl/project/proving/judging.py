@@ -81,7 +81,7 @@ def asks_for_times(item: Expectation, found: Result | None) -> bool:
     if is_timed(item.rule):
         return True
     is_safe = isinstance(item.rule, Always | Never | Before | Until)
-    return is_safe and found is not None and found.passes and found.verdict is Verdict.UNDECIDED
+    return is_safe and found is not None and found.is_abstract
 
 
 class Judge:
@@ -157,16 +157,24 @@ class Judge:
             return self._result(name, Verdict.UNDECIDED, reason, item=item)
         return self._unbroken(name, item=item)
 
-    def _at(self, name: str, steps: Sequence[Step], item: Expectation) -> Result:
-        """A run that was found with times: it speaks against an expectation if it is played so."""
+    def failures(self) -> Result:
+        """The answer about failures, of a search with times."""
+        first = next((item for item in self._graph.sightings if item.kind == "failure"), None)
+        if first is None:
+            return self._unbroken("failures", is_built_in=True)
+        return self._at("failures", self._graph.way_with(first.at), None, first.text)
+
+    def _at(self, name: str, steps: Sequence[Step], item: Expectation | None, why: str = "") -> Result:
+        """A run that was found with times: it speaks against what was asked if it is played so."""
         fitting = (moments(steps, gap) for gap in _GAPS)
         when = next((some for some in fitting if some is not None), None)
         if when is None:
             reason = "abstract: no moments fit the run that was found"
-            return self._result(name, Verdict.UNDECIDED, reason, tuple(step.text for step in steps), item)
+            texts = tuple(step.text for step in steps)
+            return self._result(name, Verdict.UNDECIDED, reason, texts, item, item is None)
         timed = [*zip(when, steps, strict=True)]
         lines = tuple(f"at {readable(moment)}: {step.text}" for moment, step in timed) or ("at the start",)
-        found = self._result(name, Verdict.REFUTED, "", lines, item)
+        found = self._result(name, Verdict.REFUTED, why, lines, item, item is None)
         made = [(moment, step) for moment, step in timed if step.number >= 0]
         run = Run(f"{name} of {self._scope.what}", self._scope.team, end=max(when, default=0) + 1)
         at = [moment for moment, _ in made]
@@ -271,9 +279,9 @@ class Judge:
         else:
             verdict = Verdict.REFUTED
         lines = tuple(step.text for step in steps) or ("at the start",)
-        found = replace(self._result(name, verdict, reason, lines, item, item is None), passes=passes)
+        found = self._result(name, verdict, reason, lines, item, item is None)
         if verdict is not Verdict.REFUTED:
-            return found
+            return replace(found, is_abstract=True)
         run = Run(f"{name} of {self._scope.what}", self._scope.team, further, expects)
         return self._played(found, (*steps, *round_), run, item)
 
@@ -292,7 +300,7 @@ class Judge:
         if replay.problem:
             why = f"abstract: the run that was found is none of a team: {replay.problem}"
             reason = f"{found.reason}; {why}" if found.reason else why
-            return replace(found, verdict=Verdict.UNDECIDED, reason=reason)
+            return replace(found, verdict=Verdict.UNDECIDED, reason=reason, is_abstract=True)
         assert replay.played is not None
         scope, remark = self._scope, found.reason or "it is broken here"
         case = Case(run.title, scope.roles, replay.text, scope.team, replay.played.story, remark)

@@ -113,6 +113,14 @@ def _explored(
         def share(parts: int) -> Limits:
             return replace(limits, seconds=max(0.0, until - process_time()) / parts)
 
+        def with_times(item: Result, team: Scope) -> Result:
+            """The answer about failures, with times if it depends on them."""
+            if not (item.is_built_in and item.is_abstract and item.name == "failures"):
+                return item
+            judge = search_in(team, None, share(2), times=Times(horizon))
+            assert judge is not None
+            return judge.failures()
+
         found: dict[str, Result] = {}
         rest: list[Expectation] = []
         if own_script is not None:
@@ -135,7 +143,8 @@ def _explored(
         if rest or (has_more and is_whole):
             judge = search_in(scope, own_script, share(1 if is_whole or not has_more else 2))
             assert judge is not None
-            found |= {item.name: item for item in (judge.results() if is_whole else judge.expected())}
+            given = judge.results() if is_whole else judge.expected()
+            found |= {item.name: with_times(item, scope) for item in given}
         for item in () if script is None else _of_scope(script, scope).expectations:
             name = named(item)
             if script is not None and (not asked or name in asked) and asks_for_times(item, found.get(name)):
@@ -148,9 +157,10 @@ def _explored(
             parts: list[Result] = []
             reached: list[Reached] = []
             for number, group in enumerate(groups):
-                judge = search_in(replace(scope, team=group), None, share(len(groups) - number))
+                part = replace(scope, team=group)
+                judge = search_in(part, None, share(len(groups) - number))
                 assert judge is not None
-                parts += judge.results()
+                parts += [with_times(item, part) for item in judge.results()]
                 reached.append(judge.reached)
             yield from _together(parts, reached, scope)
 
@@ -212,8 +222,9 @@ def _searched(
         wanted = (0,) if about is not None else watch.numbers_of(asked)
     is_all = about is not None or 0 < len(asked) == len(wanted)
     if times is not None:
-        assert watch is not None
-        watching = Watching(watch.monitors, watch.dues, watch.begin_moment)
+        watching = Watching()
+        if watch is not None:
+            watching = Watching(watch.monitors, watch.dues, watch.begin_moment)
         graph = search_with_times(explored, eyes, watching, limits, times.horizon)
     else:
         graph = search(

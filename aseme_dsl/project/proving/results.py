@@ -62,8 +62,8 @@ class Result:
     is_built_in: bool = False
     case: Case | None = None
     """The counterexample as a scenario, if it is one."""
-    passes: bool = False
-    """Whether time passes in the counterexample, and was not measured."""
+    is_abstract: bool = False
+    """Whether a run was found that may be none of a team."""
 
     @property
     def text(self) -> str:

@@ -12,6 +12,8 @@ from dataclasses import replace
 from aseme_dsl.proofs.explore.surroundings import NOW
 from aseme_dsl.proofs.timed.stamp import standing
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.activity.executions import _Node
+from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.chart.board import NEVER, Board
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.history import History
@@ -49,6 +51,14 @@ def passing(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator
             if due > NOW:
                 yield Passing("timer", name, 0, _expire(board, name, due), due, (number,))
         yield from _messages(number, board, thresholds)
+
+
+def pauses(agent: Agent) -> Iterator[tuple[str, _Node, int]]:
+    """The states of an agent whose activity must not begin again yet, with its period (ns)."""
+    for label, node in agent.executions._nodes.items():
+        every = node.program.info.every
+        if every is not None and node.last_start is not None and NOW - node.last_start < every:
+            yield label, node, every
 
 
 def _expire(board: Board, name: str, due: int) -> Callable[[], None]:
@@ -184,4 +194,4 @@ def _old(board: Board, channel: str, item: Sample, age: int) -> Callable[[], Non
     return make
 
 
-__all__ = ["Passing", "asks_for_history", "next_age", "passing", "thresholds_of"]
+__all__ = ["Passing", "asks_for_history", "next_age", "passing", "pauses", "thresholds_of"]

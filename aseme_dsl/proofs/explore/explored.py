@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import partial
 
-from aseme_dsl.proofs.explore.ages import Passing, asks_for_history, passing, thresholds_of
+from aseme_dsl.proofs.explore.ages import Passing, asks_for_history, passing, pauses, thresholds_of
 from aseme_dsl.proofs.explore.coming import Coming
 from aseme_dsl.proofs.explore.deciding.acting import Acting, Free
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
@@ -23,7 +23,7 @@ from aseme_dsl.proofs.explore.on_the_way import Came, come, letter_of, sample_of
 from aseme_dsl.proofs.explore.relevant import Relevant
 from aseme_dsl.proofs.explore.surroundings import NOW, Still, Underway, Ways
 from aseme_dsl.proofs.explore.team_layout import layout_of
-from aseme_dsl.proofs.timed.stamp import Mark, Window, marked, stamp, standing, window
+from aseme_dsl.proofs.timed.stamp import Mark, Stamp, Window, marked, stamp, standing, window
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.activity.executions import _Node
@@ -125,9 +125,6 @@ class Explored:
         roles = dict.fromkeys(role for _, role in team)
         plans = [loaded.charts[role].PLAN for role in roles]
         self._modules = tuple((plan.name, module) for plan in plans for module in plan.modules)
-        self._paced = {
-            (plan.name, info.name) for plan in plans for info in plan.activities if info.every is not None
-        }
         self.values = Values(plans, loaded.messages, names)
         self.later = Later(self.choices, self.values)
         contents = Contents(self.choices, self.values, self.later, loaded.messages, told)
@@ -138,6 +135,7 @@ class Explored:
                 partial(acting.decide, role),
                 acting.draw,
                 partial(self._look_for, name),
+                with_times,
             )
             for name, role in team
         }
@@ -268,7 +266,8 @@ class Explored:
                 continue
             self.coming.forget(agent)
             nodes = agent.executions._nodes
-            for label in [label for label, node in nodes.items() if _is_idle(node)]:
+            paced = {label for label, *_ in pauses(agent)} if self._with_times else ()
+            for label in [label for label, node in nodes.items() if _is_idle(node) and label not in paced]:
                 del nodes[label]
             if agent.chart.started and not agent.over and not agent.down:
                 self._relevant[agent.role].forget(agent.chart, OPEN)
@@ -337,6 +336,12 @@ class Explored:
                     for item in passing(agent.chart, self._ages[agent.role])
                     if item.what != "state" or self.matters(agent.name, item.name)
                 ]
+        found += [
+            (f"pause {agent.name} {label}", node.last_start)
+            for agent in self.agents
+            for label, node, _ in pauses(agent)
+            if node.last_start is not None
+        ]
         for name, since in found:
             mark = marked(name, since)
             if mark is not None:
@@ -353,8 +358,17 @@ class Explored:
             self._touch(move.agent)
             move.do()
             self._settle()
+            if self._with_times:
+                self._begin_anew()
         finally:
             self.coming.end()
+
+    def _begin_anew(self) -> None:
+        """What has begun after a pause counts the next one from now."""
+        for execution in self.driver.running:
+            if isinstance(execution.started, Stamp) and execution.started.origin == self.moved:
+                agent = next(item for item in self.agents if item.name == execution.agent)
+                agent.executions._nodes[execution.label].last_start = execution.started
 
     def _look_for(self, agent: str, channel: str) -> None:
         self.coming.look_for(agent, channel)
@@ -394,12 +408,9 @@ class Explored:
                 yield Move(kind, text, partial(self._acting.act, execution), execution.agent, is_fair=False)
 
     def _lasting(self, execution: Execution) -> Window | None:
-        """When an activity ends, if that is assumed. The pause before it counts as a part of it."""
+        """When an activity ends, if that is assumed."""
         takes = self._assumed.takes.get(execution.activity)
-        if takes is None:
-            return None
-        is_paced = (self._roles[execution.agent], execution.activity) in self._paced
-        return window(execution.started, takes[0], None if is_paced else takes[1])
+        return None if takes is None else window(execution.started, *takes)
 
     def matters(self, agent: str, label: str) -> bool:
         """Whether a state of an agent matters to what is asked."""
@@ -463,6 +474,12 @@ class Explored:
         for agent in self.agents:
             if agent.over or agent.down:
                 continue
+            for label, node, every in pauses(agent) if self._with_times else ():
+                if node.held is None and node.last_start is not None:
+                    text = f"{agent.name}: {node.program.info.name} may begin again"
+                    do = partial(setattr, node, "last_start", standing(node.last_start, NOW - every))
+                    when = window(node.last_start, every, every)
+                    yield Move(("pause", agent.name, label), text, do, agent.name, passes=True, window=when)
             for item in passing(agent.chart, self._ages[agent.role]):
                 if item.what == "state" and not self.matters(agent.name, item.name):
                     continue

@@ -234,7 +234,7 @@ class _Retrace:
                 self._add(Crash(agent))
             case ("begin",):
                 self._ties.append(_Tie(self._step, 0, 0, is_less=False))
-            case ("input" | "time" | "timer" | "pace", *_):
+            case ("input" | "time" | "timer" | "pace" | "pause", *_):
                 pass  # what is decided in it says what comes; or time passes
             case _:
                 raise NotRetraced(f"no statement says `{move.text}`")

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from time import process_time
 
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
-from aseme_dsl.proofs.explore.search import Arrival, Eyes, Graph, Limits, Monitors, Step
+from aseme_dsl.proofs.explore.search import Arrival, Eyes, Graph, Limits, Monitors, Sighting, Step
 from aseme_dsl.proofs.timed.stamp import Mark, Window
 from aseme_dsl.proofs.timed.zone import Zone, at_most, begun, covers, kept, later, narrowed, shown
 from aseme_dsl.records import dataclass
@@ -40,16 +40,16 @@ class Watching:
     """What is watched. `dues` are what expectations wait for in the present state, and `begins` is called at
     each new moment."""
 
-    monitors: Monitors
-    dues: Callable[[], Sequence[Due]]
-    begins: Callable[[], None]
+    monitors: Monitors = Monitors()
+    dues: Callable[[], Sequence[Due]] = tuple
+    begins: Callable[[], None] = lambda: None
 
 
 def search_with_times(
     explored: Explored, eyes: Eyes, watching: Watching, limits: Limits, horizon: int | None
 ) -> Graph:
     """All states up to the first in which an expectation is broken, or as many as the limits allow; without
-    what comes after the `horizon`, if there is one."""
+    what comes after the `horizon`, if there is one. If nothing is watched, up to the first failure."""
     return _Search(explored, eyes, watching, limits, horizon).run()
 
 
@@ -72,6 +72,7 @@ class _Search:
     ) -> None:
         self._explored = explored
         self._eyes = eyes
+        self._wants_failures = watching.monitors.broken is tuple
         self._monitors = watching.monitors
         self._dues = watching.dues
         self._begins = watching.begins
@@ -95,7 +96,7 @@ class _Search:
         self._note(begun(Zone(), 0), None)
         place = 0
         while place < len(graph.parents):
-            if graph.broken:
+            if graph.broken or graph.sightings:
                 graph.cut = "what was asked for is refuted"
             elif len(graph.parents) >= self._limits.states:
                 graph.cut = f"{self._limits.states} states"
@@ -174,6 +175,7 @@ class _Search:
         graph.moves += 1
         explored.next_moment()
         self._begins()
+        met = set(self._monitors.met())
         try:
             explored.make(move)
         except Circling as problem:
@@ -181,11 +183,15 @@ class _Search:
             return
         for item in explored.windows:
             zone = _within(_from(zone, item), [item])
-        if zone is None:
+        if zone is None:  # at no moment
+            self._monitors.met().intersection_update(met)
             return
         text = "; ".join((move.text, *explored.choices.said))
         way = explored.choices.way()
         step = Step(number, way, text, move.passes, explored.moved, (*windows, *explored.windows))
+        if self._wants_failures:
+            seen = (Sighting(kind, text, (state, step)) for kind, text, _ in self._eyes.seen)
+            graph.sightings += [item for item in seen if item.kind == "failure"]
         self._note(begun(zone, explored.moved), (state, step))
 
     def _note(self, zone: Zone, before: Arrival) -> None:
@@ -201,7 +207,8 @@ class _Search:
             ),
             key=lambda mark: mark.name,
         )
-        origins = {mark.origin for mark in marks} | ({0} if self._horizon is not None else set())
+        is_first = self._horizon is not None or before is None
+        origins = {mark.origin for mark in marks} | ({0} if is_first else set())
         zone = kept(zone, sorted(origins))
         shows = [(mark.origin, mark.offset) for mark in marks]
         if self._horizon is not None:

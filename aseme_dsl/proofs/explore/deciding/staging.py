@@ -38,9 +38,10 @@ def staged(
     decide: Callable[[str, str], object],
     draw: Callable[[str], float],
     looked_for: Callable[[str], None],
+    is_paced: bool,
 ) -> type[Chart]:
-    """The chart of a role whose activities all run until they are ended, without modules. A pause between two
-    runs of one counts as part of the run before it.
+    """The chart of a role whose activities all run until they are ended, without modules. If it is not paced,
+    a pause between two runs of one counts as part of the run.
 
     What activities may write is open until it is read: `decide` is asked by the names of the agent and the
     variable. `draw` is asked for random numbers. `looked_for` is called with a channel when something looks
@@ -49,7 +50,13 @@ def staged(
     plan = replace(
         chart.PLAN,
         activities=tuple(
-            replace(info, simulated=False, takes=None, every=None, kind="thread")
+            replace(
+                info,
+                simulated=False,
+                takes=None,
+                every=info.every if is_paced else None,
+                kind="thread",
+            )
             for info in chart.PLAN.activities
         ),
         modules=(),
