@@ -34,9 +34,8 @@ from aseme_dsl.play.sight.storyteller import About, Storyteller
 from aseme_dsl.play.sight.words import Said, failing, few, leaf_names, went_wrong
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
-from aseme_dsl.runtime.conversation.losses import FAREWELLS
 from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD
-from aseme_dsl.runtime.monitor.rules import State, Verdict, View, ended, seen
+from aseme_dsl.runtime.monitor.rules import InOrder, State, Verdict, View, ended, seen
 from aseme_dsl.runtime.team.ending import Waiting
 from aseme_dsl.runtime.time.clock import readable
 from aseme_dsl.runtime.trace.records import Record
@@ -78,7 +77,15 @@ class _Happening:
     failed: str | None = None
 
 
-_REFUSALS = frozenset((*FAREWELLS, NOT_UNDERSTOOD))
+_INSTEAD = {
+    "accept_proposal": ("reject_proposal", "cancel"),
+    "agree": ("refuse", "failure", NOT_UNDERSTOOD),
+    "confirm": ("disconfirm", "refuse", "failure", NOT_UNDERSTOOD),
+    "inform": ("refuse", "failure", NOT_UNDERSTOOD),
+    "propose": ("refuse", NOT_UNDERSTOOD),
+}
+"""What is said instead of an answer."""
+_REFUSALS = frozenset(act for acts in _INSTEAD.values() for act in acts)
 _NOTHING = _Happening()
 _NONE: frozenset[str] = frozenset()
 
@@ -127,6 +134,16 @@ class Observer:
         """By condition: who sent or received the last message that only its filter has refused."""
         self._refusals: dict[tuple[str, bool], Said] = {}
         """What has last been said by an agent, or (True) to it, that ends or refuses something."""
+        self._unsent: dict[str, tuple[str, int, str]] = {}
+        """The last message that an agent could not send: what, when, and why."""
+        self.came: dict[int, int] = {}
+        """When the conditions of orders have occurred last (ns)."""
+        self._ordered = frozenset(
+            number
+            for item in script.expectations
+            if isinstance(item.rule, InOrder)
+            for number in item.rule.conditions
+        )
         self._held: frozenset[int] = frozenset()
         self._passing = _passing(script.conditions)
         self._aged = _aged(script.conditions)
@@ -168,6 +185,9 @@ class Observer:
                 self._arrived[record["agent"], str(agent), int(number)] = record["measured"]
             case "fault":
                 self.faults.append(record["reason"])
+                unsent, is_unsent, why = str(record["reason"]).partition(" is not sent: ")
+                if is_unsent:
+                    self._unsent[record["agent"]] = unsent, self._now, why
                 self._note(record["agent"], f"fault: {record['reason']}")
                 self._look(_Happening(is_fault=True))
             case "error":
@@ -185,6 +205,9 @@ class Observer:
             case "activity" if record["what"] in ("end", "crash") and self._teller is not None:
                 self._teller.end(record)
             case "lost" | "unexpected" | "unsent" | "refused" | "expired":
+                if record["kind"] == "unsent":
+                    unsent = f"{record['performative']} {record['message']}"
+                    self._unsent[record["agent"]] = unsent, self._now, str(record["reason"])
                 if record["kind"] == "unexpected":  # it has arrived
                     sender, number = record["input"]
                     if self._teller is not None:
@@ -455,12 +478,22 @@ class Observer:
                 known = self._known(agent, said.content)
                 parts = unmet(condition.condition, known)
                 yield f"{agent} {verb} {said.what} at {readable(said.moment)}, but {parts}" if parts else ""
-            elif condition.performative is not None and condition.performative not in _REFUSALS:
+            else:
+                yield from self._not_sent(condition)
+                since = self.reached.get(self.broken or 0, 0)
+                instead = _INSTEAD.get(condition.performative or "", ())
                 for (name, is_to), said in sorted(self._refusals.items(), key=lambda item: item[1].moment):
                     is_meant = condition.agents is None or name in condition.agents
-                    if is_meant and is_to == condition.is_received:
+                    is_instead = said.performative in instead and said.kind == condition.what
+                    if is_meant and is_instead and is_to == condition.is_received and said.moment >= since:
                         to = f" to {name}" if is_to else ""
                         yield f"{said.sender} sent {said.what}{to} at {readable(said.moment)}"
+
+    def _not_sent(self, condition: Says) -> Iterator[str]:
+        """How agents have failed to send what a condition speaks of."""
+        for name, (what, moment, reason) in self._unsent.items():
+            if what == f"{condition.performative} {condition.what}":
+                yield f"{name} could not send it at {readable(moment)}: {reason}"
 
     def _located(self, condition: InPlaces) -> Iterator[str]:
         """Where the agents are of which a condition speaks."""
@@ -482,6 +515,7 @@ class Observer:
     def _look(self, happening: _Happening) -> None:
         view = self._view(happening, self._now, self._now)
         self._show(view)
+        self.came.update(dict.fromkeys(view.occurs & self._ordered, self._now))
         for condition in view.occurs & self.waiting.keys():
             for call in self.waiting.pop(condition):
                 call(self._now)

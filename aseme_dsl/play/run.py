@@ -82,6 +82,8 @@ class Played:
     """When an expectation has come as far as it is (ns)."""
     question: Next | None = None
     """What to ask next about the broken expectation."""
+    came: Mapping[int, int] = field(default_factory=dict)
+    """When the conditions of orders have occurred last (ns)."""
     near: str = ""
     """Which message came that is not the awaited one, and why."""
 
@@ -184,6 +186,7 @@ def play(
         observer.assumed.broken,
         observer.reached,
         observer.question,
+        observer.came,
         observer.near,
     )
 

@@ -48,7 +48,7 @@ CASES = {
         (
             "`bob in Chase` is not so at 1.5 s: bob is in Rest",
             "1 s  bob  Wait returns; Wait -> Rest : else (guard.aseme:20)",
-            "not Chase : [is_near && limit > 50] (guard.aseme:19),"
+            "not to Chase, as not [is_near && limit > 50] (guard.aseme:19),"
             " with eyes.state.Ball.distance = 200.0, limit = 100;"
             " where is_near is eyes.state.Ball.distance < limit (guard.aseme:9)",
             "bob  is in Rest (guard.aseme:11) since 1 s: its activity has not returned",
@@ -320,3 +320,14 @@ def test_code_that_is_not_repeatable_is_said_so(here: Here, folder: Path) -> Non
     (folder / "pyproject.toml").unlink()
     done = here("test", "bell.aseme", "-j", "1")
     assert "bell.aseme:5:16: Ring is to be real, and there is no code of it" in done.out, done.out
+
+
+def test_what_came_too_early_and_what_could_not_be_sent(here: Here, folder: Path) -> None:
+    text = DOCK.replace("send refuse Load to client", "send refuse Load to one client")
+    (folder / "dock.aseme").write_text(
+        f'{text}scenario "s" {{ t1 : truck  c : crane  in order c in Decline, sent request Load  for 9s }}\n'
+        'scenario "t" { t1 : truck  c : crane  by 9s sent refuse Load by c }\n'
+    )
+    done = here("test", "dock.aseme", "-j", "1")
+    assert "`sent request Load` (part 2 of 2) has not come by 9 s: it came at 2 s, too early;" in done.out
+    assert "`sent refuse Load by c` has not come by 9 s: c could not send it at 3 s: there is no" in done.out

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.messages import STRING
+from aseme_dsl.amola.messages import DURATION, STRING, Message
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.statechart import Transition as Drawn
@@ -28,10 +28,20 @@ _MOST = 5
 
 
 class Guards:
-    """The conditions of the roles of a system, by their statecharts, and its activities."""
+    """The conditions of the roles of a system, by their statecharts, its activities and messages."""
 
-    def __init__(self, charts: Mapping[str, Statechart], activities: Iterable[Activity] = ()) -> None:
+    def __init__(
+        self,
+        charts: Mapping[str, Statechart],
+        activities: Iterable[Activity] = (),
+        messages: Iterable[Message] = (),
+    ) -> None:
         self._charts = charts
+        self.durations = {
+            item.name: frozenset(member.name for member in item.fields if member.type == DURATION)
+            for item in messages
+        }
+        """Which members of messages are durations."""
         self.declared = {item.name: without_column(str(item.span)) for item in activities}
         """Where the activities are declared."""
         self._plans: dict[str, Plan] = {}
@@ -124,7 +134,8 @@ class Guards:
                 text = cut(e.value_text(drawn.expression.guard))
                 told = "; ".join(explained(drawn.expression.guard, known, changed))
                 target = plan.called(plan.by_label[item.target])
-                yield f"not {target} : [{text}] ({without_column(item.at)}){f', {told}' if told else ''}"
+                read = f", {told}" if told else ""
+                yield f"not to {target}, as not [{text}] ({without_column(item.at)}){read}"
         if len(before) > _MOST:
             yield f"and {len(before) - _MOST} more did not hold"
 

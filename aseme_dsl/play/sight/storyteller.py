@@ -108,7 +108,7 @@ class Storyteller:
     def sent(self, said: Said, record: Record, is_given: bool) -> None:
         """A message was sent, by the scenario if it `is_given`."""
         agent, number, receivers = record["agent"], int(record["sequence"]), record.get("to", [])
-        item = replace(sending(said, receivers), number=number)
+        item = replace(sending(said, receivers, self._durations(said)), number=number)
         why = BY_SCENARIO if is_given else _CAUSES.get(str(record.get("cause")), "")
         self._add(f"sends {said.what}", replace(item, text=item.text + why, sent=item.sent + why))
         self._came[agent, number] = _Came(
@@ -128,6 +128,9 @@ class Storyteller:
         """The last agent message of each kind that was sent to an agent."""
         return {what: said for (name, what), said in self._mail.items() if name == agent}
 
+    def _durations(self, said: Said) -> frozenset[str]:
+        return self.guards.durations.get(said.kind, frozenset())
+
     def gone(self, record: Record) -> None:
         """An agent learns that the part of another one has ended."""
         text = f"the part of {record['peer']} has ended: {record.get('reason', 'lost')}"
@@ -140,7 +143,7 @@ class Storyteller:
     def received(self, moment: int, agent: str, said: Said, identity: Identity) -> None:
         """An agent has received a message of another one, and a step has taken note of it."""
         is_given = said.sender not in self._last
-        text = f"receives {said.what}{content_of(said.content)}"
+        text = f"receives {said.what}{content_of(said.content, self._durations(said))}"
         text += f" from {said.sender}" if said.sender != OUTSIDE else ""
         came = self._came.get(identity)
         text += BY_SCENARIO if is_given else "" if came is None else came.why

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from aseme_dsl.play.evaluate import Told
 from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.source import without_column
 
@@ -31,20 +32,24 @@ class Said:
     moment: int
 
 
-def content_of(message: Mapping[str, object]) -> str:
+def content_of(message: Mapping[str, object], durations: Collection[str] = ()) -> str:
     """` { n = 1 }`: the fields of a message that say something; nothing if none does."""
-    said = fields_of(message)
+    said = fields_of(message, durations)
     return f" {{ {said} }}" if said else ""
 
 
-def fields_of(message: Mapping[str, object]) -> str:
-    """`n = 1, text = pie`: the fields of a message that say something."""
-    said = ", ".join(
-        f"{name} = {value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)}"
-        for name, value in message.items()
-        if value not in ("", None, [], {})
+def fields_of(message: Mapping[str, object], durations: Collection[str] = ()) -> str:
+    """`n = 1, text = pie`: the fields of a message that say something; `durations` are some of them."""
+
+    def text(name: str, value: object) -> str:
+        if name in durations and isinstance(value, int):
+            return shown(value)
+        return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+
+    said = (
+        f"{name} = {text(name, value)}" for name, value in message.items() if value not in ("", None, [], {})
     )
-    return cut(said, _LONGEST)
+    return cut(", ".join(said), _LONGEST)
 
 
 def cut(text: str, longest: int = LONG) -> str:
@@ -92,10 +97,10 @@ def way(plan: Plan, source: str, target: str) -> str:
     return f"{plan.called(left)} -> {plan.called(entered)}"
 
 
-def sending(said: Said, receivers: Iterable[str]) -> Happened:
+def sending(said: Said, receivers: Iterable[str], durations: Collection[str]) -> Happened:
     """What people call the sending of a message."""
     to = tuple(name for name in receivers if name != said.sender)
-    sent = f"{said.what}{content_of(said.content)}"
+    sent = f"{said.what}{content_of(said.content, durations)}"
     text = f"sends {sent} to {few(to)}" if to else f"sends {sent}, which no other agent reads"
     return Happened(said.moment, said.sender, text, sent=sent, to=to)
 

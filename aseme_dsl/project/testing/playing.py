@@ -90,7 +90,8 @@ def play_scenarios(
     cases = [cases_of(scenario, seeds) for scenario in scenarios]
     labelled = with_labels(system, choice.labels)
     measured = None if seen is None else probed(labelled)
-    guards = Guards({chart.name: chart for chart in labelled.iacs}, labelled.activities)
+    charts = {chart.name: chart for chart in labelled.iacs}
+    guards = Guards(charts, labelled.activities, labelled.messages)
     with TemporaryDirectory(prefix="asemec-test-") as folder:
         package, _ = generate_version(system if measured is None else measured.system, Path(folder), choice)
         jobs = [

@@ -75,7 +75,11 @@ def _not_in_order(item: Expectation, script: Script, run: Played) -> str:
     stage = run.states[run.broken].stage
     texts = [_text(part, item, script) for part in item.parts]
     missing = f"{texts[stage]} (part {stage + 1} of {len(texts)}) has not come by {readable(run.end)}"
-    near = f": {run.near}" if run.near else ""
+    assert isinstance(item.rule, InOrder)
+    early = run.came.get(item.rule.conditions[stage])
+    told = [f"it came at {readable(early)}, too early"] if early is not None else []
+    near = "; ".join([*told, *([run.near] if run.near else [])])
+    near = f": {near}" if near else ""
     if not stage:
         return f"{missing}{near}"
     came = run.reached.get(run.broken, 0)
