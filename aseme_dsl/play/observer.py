@@ -26,18 +26,17 @@ from aseme_dsl.play.scenario import (
     all_parts,
 )
 from aseme_dsl.play.sight.alarms import Alarms
-from aseme_dsl.play.sight.guards import told, unmet
+from aseme_dsl.play.sight.guards import told
 from aseme_dsl.play.sight.insight import Surroundings
+from aseme_dsl.play.sight.instead import Instead, located
 from aseme_dsl.play.sight.standing import standing
-from aseme_dsl.play.sight.story import Happened, agents_text
+from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.play.sight.storyteller import About, Storyteller
 from aseme_dsl.play.sight.words import Said, failing, few, leaf_names, went_wrong
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
-from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD
 from aseme_dsl.runtime.monitor.rules import InOrder, State, Verdict, View, ended, seen
 from aseme_dsl.runtime.team.ending import Waiting
-from aseme_dsl.runtime.time.clock import readable
 from aseme_dsl.runtime.trace.records import Record
 
 if TYPE_CHECKING:
@@ -77,15 +76,6 @@ class _Happening:
     failed: str | None = None
 
 
-_INSTEAD = {
-    "accept_proposal": ("reject_proposal", "cancel"),
-    "agree": ("refuse", "failure", NOT_UNDERSTOOD),
-    "confirm": ("disconfirm", "refuse", "failure", NOT_UNDERSTOOD),
-    "inform": ("refuse", "failure", NOT_UNDERSTOOD),
-    "propose": ("refuse", NOT_UNDERSTOOD),
-}
-"""What is said instead of an answer."""
-_REFUSALS = frozenset(act for acts in _INSTEAD.values() for act in acts)
 _NOTHING = _Happening()
 _NONE: frozenset[str] = frozenset()
 
@@ -130,12 +120,7 @@ class Observer:
         self._agents = {name: Followed() for name, _ in script.team}
         self._said: dict[tuple[str, int], Said] = {}
         self._arrived: dict[tuple[str, str, int], int] = {}
-        self._near: dict[int, tuple[str, Said]] = {}
-        """By condition: who sent or received the last message that only its filter has refused."""
-        self._refusals: dict[tuple[str, bool], Said] = {}
-        """What has last been said by an agent, or (True) to it, that ends or refuses something."""
-        self._unsent: dict[str, tuple[str, int, str]] = {}
-        """The last message that an agent could not send: what, when, and why."""
+        self._instead = Instead()
         self.came: dict[int, int] = {}
         """When the conditions of orders have occurred last (ns)."""
         self._ordered = frozenset(
@@ -185,9 +170,7 @@ class Observer:
                 self._arrived[record["agent"], str(agent), int(number)] = record["measured"]
             case "fault":
                 self.faults.append(record["reason"])
-                unsent, is_unsent, why = str(record["reason"]).partition(" is not sent: ")
-                if is_unsent:
-                    self._unsent[record["agent"]] = unsent, self._now, why
+                self._instead.failed(record["agent"], str(record["reason"]), self._now)
                 self._note(record["agent"], f"fault: {record['reason']}")
                 self._look(_Happening(is_fault=True))
             case "error":
@@ -206,8 +189,7 @@ class Observer:
                 self._teller.end(record)
             case "lost" | "unexpected" | "unsent" | "refused" | "expired":
                 if record["kind"] == "unsent":
-                    unsent = f"{record['performative']} {record['message']}"
-                    self._unsent[record["agent"]] = unsent, self._now, str(record["reason"])
+                    self._instead.failed(record["agent"], went_wrong(record), self._now)
                 if record["kind"] == "unexpected":  # it has arrived
                     sender, number = record["input"]
                     if self._teller is not None:
@@ -373,8 +355,7 @@ class Observer:
             return
         self._said[agent, record["sequence"]] = said
         if record["kind"] != "radio_received" and sender in self._agents:
-            if said.performative in _REFUSALS:
-                self._refusals.update(((name, is_to), said) for name, is_to in _ends(said, record))
+            self._instead.sent(said, record.get("to", ()))
             if self._teller is not None:
                 is_given = agent not in self._agents or (agent, record["sequence"]) in self.given
                 self._teller.sent(said, record, is_given)
@@ -433,7 +414,8 @@ class Observer:
             return None
         rule, state = self.script.expectations[self.broken].rule, self.states[self.broken]
         found = question(self.script, rule, state, self._held, self._plan)
-        near = next((self._near[number] for number in self._asked() if number in self._near), None)
+        close = self._instead.near
+        near = next((close[number] for number in self._asked() if number in close), None)
         if found is None or found.is_why:
             return found
         if near is not None:  # that it came can be explained, with the values that it has
@@ -461,54 +443,15 @@ class Observer:
                 if said:
                     yield f"{condition.agent} has {', '.join(dict.fromkeys(said))}"
             elif isinstance(condition, InPlaces):
-                yield from self._located(condition)
+                yield from located(condition, self._plan, self._agents)
 
     def _refused(self) -> Iterator[str]:
-        """Which messages came instead of those that the broken expectation speaks of.
-
-        Their values are others, or their senders have refused.
-        """
+        """What came instead of the messages that the broken expectation speaks of."""
+        since = self.reached.get(self.broken or 0, 0)
         for number in self._asked():
             condition = self.script.conditions[number]
-            if not isinstance(condition, Says):
-                continue
-            if number in self._near and condition.condition is not None:
-                agent, said = self._near[number]
-                verb = "received" if condition.is_received else "sent"
-                known = self._known(agent, said.content)
-                parts = unmet(condition.condition, known)
-                yield f"{agent} {verb} {said.what} at {readable(said.moment)}, but {parts}" if parts else ""
-            else:
-                yield from self._not_sent(condition)
-                since = self.reached.get(self.broken or 0, 0)
-                instead = _INSTEAD.get(condition.performative or "", ())
-                for (name, is_to), said in sorted(self._refusals.items(), key=lambda item: item[1].moment):
-                    is_meant = condition.agents is None or name in condition.agents
-                    is_instead = said.performative in instead and said.kind == condition.what
-                    if is_meant and is_instead and is_to == condition.is_received and said.moment >= since:
-                        to = f" to {name}" if is_to else ""
-                        yield f"{said.sender} sent {said.what}{to} at {readable(said.moment)}"
-
-    def _not_sent(self, condition: Says) -> Iterator[str]:
-        """How agents have failed to send what a condition speaks of."""
-        for name, (what, moment, reason) in self._unsent.items():
-            if what == f"{condition.performative} {condition.what}":
-                yield f"{name} could not send it at {readable(moment)}: {reason}"
-
-    def _located(self, condition: InPlaces) -> Iterator[str]:
-        """Where the agents are of which a condition speaks."""
-        found: dict[str, list[str]] = {}
-        for name, labels in condition.places.items():
-            plan, followed = self._plan(name), self._agents[name]
-            beside = {
-                leaf
-                for leaf in followed.leaves
-                if leaf in plan.by_label and all(plan.are_concurrent(leaf, label) for label in labels)
-            }
-            leaves = [leaf for leaf in followed.leaves if leaf not in beside] or followed.leaves
-            found.setdefault(few(leaf_names(plan, leaves)) or "no state", []).append(name)
-        for inside, names in found.items():
-            yield f"{agents_text(names)} {'is' if len(names) == 1 else 'are'} in {inside}"
+            if isinstance(condition, Says):
+                yield from self._instead.told(number, condition, since, self._known)
 
     # ---- what is seen ------------------------------------------------------------------------
 
@@ -597,9 +540,9 @@ class Observer:
         if says.agents is not None and agent not in says.agents:
             return False
         if says.condition is None or value_of(says.condition, self._known(agent, said.content)) is True:
-            self._near.pop(number, None)
+            self._instead.near.pop(number, None)
             return True
-        self._near[number] = agent, said
+        self._instead.near[number] = agent, said
         return False
 
     def _show(self, view: View) -> None:
@@ -626,12 +569,6 @@ class Observer:
 
 _READ = e.VariableValue | e.Member | e.Age | e.Outcome
 """The parts of an expression whose values say why a condition does not hold."""
-
-
-def _ends(said: Said, record: Record) -> Iterator[tuple[str, bool]]:
-    """The sender of a message, and (True) its receivers."""
-    yield said.sender, False
-    yield from ((name, True) for name in record.get("to", ()))
 
 
 def _messages(says: Says, happening: _Happening) -> Iterable[tuple[str, Said]]:

@@ -48,10 +48,10 @@ failed   it walks  seed 1  3 s
    22 |   by 3s one in Walk
       |   ^^^^^^^^^^^^^^^^^
     0 s  one  enters Stand : else (good.aseme:9)
-                not Walk : [eyes.state.Seen.ball] (good.aseme:8), with eyes.state.Seen.ball = absent
+                not to Walk, as not [eyes.state.Seen.ball] (good.aseme:8), with eyes.state.Seen.ball = absent
     3 s  one  Stand returns; Stand -> Stand : else (good.aseme:11), else (good.aseme:9), the 3rd time
-                not end of robot : [eyes.state.Seen.home] (good.aseme:10), with eyes.state.Seen.home = absent
-                not Walk : [eyes.state.Seen.ball] (good.aseme:8), with eyes.state.Seen.ball = absent
+                not to end of robot, as not [eyes.state.Seen.home] (good.aseme:10), with eyes.state.Seen.home = absent
+                not to Walk, as not [eyes.state.Seen.ball] (good.aseme:8), with eyes.state.Seen.ball = absent
     then, at 3 s:
          one  is in Stand (good.aseme:5) since 3 s: its activity has not returned
   ask next: asemec whynot one Walk --at 3s TRACE (`asemec test --traces DIR` writes it)
