@@ -56,7 +56,7 @@ failed   it walks  seed 1  3 s
          one  is in Stand (good.aseme:5) since 3 s: its activity has not returned
   ask next: asemec whynot one Walk --at 3s TRACE (`asemec test --traces DIR` writes it)
 1 scenario: 1 failed
-"""
+"""  # noqa: E501
     )
 
 
