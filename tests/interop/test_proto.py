@@ -11,6 +11,7 @@ from aseme_dsl.amola.messages import BOOL, BYTES, DOUBLE, INT, STRING, Kind, Typ
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import render_text
+from aseme_dsl.project.editing.import_models import import_models
 from aseme_dsl.source import Source
 from tests.conftest import Snapshot
 
@@ -212,3 +213,16 @@ def test_without_grpcio_tools_the_extra_is_named(folder: Path, monkeypatch: pyte
     assert [item.code for item in found] == ["E007"]
     assert found[0].hint == 'pip install "aseme-dsl[proto]"'
     assert found[0].span is not None and found[0].span.text == '"msgs/moveit.proto"'
+
+
+@pytest.mark.parametrize("name", ["x" * 300 + ".proto", "a/" * 3000 + "b.proto", "a\nb.proto"])
+def test_an_import_that_no_file_can_be_called_is_not_found(name: str, tmp_path: Path) -> None:
+    text = f'syntax = "proto3";\nimport "{name}";\nmessage M {{ int32 x = 1; }}\n'
+    (tmp_path / "m.proto").write_text(text, "utf-8")
+    (tmp_path / "main.aseme").write_text('system S\nimport "m.proto"\ntopic t { state M }\n', "utf-8")
+    found = analyse(tmp_path / "main.aseme").diagnostics
+    assert found and all(
+        item.span is not None and item.span.source.path.endswith("m.proto") for item in found
+    )
+    (tmp_path / "a.sag").write_text("<a/>", "utf-8")
+    assert import_models([tmp_path / "a.sag", tmp_path / "m.proto"]).diagnostics

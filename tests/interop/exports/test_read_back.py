@@ -1,7 +1,7 @@
 """SCXML that is exported and read again is the same machine: states, transitions, data and what is done.
 
-A statechart goes out as a machine (see `interop/export/machine.py`), and that machine is compared. Identity is
-meant literally but for this: conditions and values are texts, the ids of delayed events stand for the events.
+A statechart goes out as a machine (see `interop/export/machine.py`), and that machine is compared. Identity
+is meant literally but for this: conditions and values are texts, and ids of delayed events mean the events.
 What the language cannot take over (an event with content, a choice of several assignments) is only known to
 be there. `test_round_trip` compares what the machines do.
 """
