@@ -54,6 +54,14 @@ def _check_regular(found: os.stat_result, path: str | os.PathLike[str]) -> None:
         raise OSError(errno.EINVAL, "not a regular file", os.fspath(path))
 
 
+def is_file(path: Path) -> bool:
+    """Whether there is a file of that name, which a document gives: one that is too long is that of none."""
+    try:
+        return path.is_file()
+    except OSError:
+        return False
+
+
 def read_bytes(path: str | os.PathLike[str], largest: int = LARGEST) -> bytes:
     """All of a regular file.
 

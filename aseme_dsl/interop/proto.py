@@ -151,14 +151,6 @@ def _read(path: Path) -> str:
         return ""
 
 
-def _is_file(path: Path) -> bool:
-    """Whether there is a file; a name that is too long is that of none."""
-    try:
-        return path.is_file()
-    except OSError:
-        return False
-
-
 def files_behind(path: Path) -> set[Path]:
     """The files that a .proto file imports, and those that these do, as far as they are there."""
     found: set[Path] = set()
@@ -167,7 +159,7 @@ def files_behind(path: Path) -> set[Path]:
         importer = waiting.pop()
         for item in _IMPORT.findall(_read(importer)):
             places = (folder / item for folder in path.parents)
-            place = next((other for other in places if _is_file(other)), path.parent / item)
+            place = next((other for other in places if outside.is_file(other)), path.parent / item)
             if not item.startswith(_WELL_KNOWN) and place not in found:
                 found.add(place)
                 waiting.append(place)
@@ -178,7 +170,7 @@ def _root(source: Source, path: Path, buffers: Mapping[Path, str]) -> Path:
     """The folder from which the file's imports are found, as protoc's `-I` would say."""
     wanted = [item for item in _IMPORT.findall(source.text) if not item.startswith(_WELL_KNOWN)]
     for folder in path.parents:
-        if all((folder / item) in buffers or _is_file(folder / item) for item in wanted):
+        if all((folder / item) in buffers or outside.is_file(folder / item) for item in wanted):
             return folder
     return path.parent
 

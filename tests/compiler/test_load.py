@@ -203,3 +203,10 @@ def test_a_name_of_the_library_is_taken() -> None:
     [found] = [item for item in analyse(Source("s.aseme", text)).diagnostics if item.code == "E201"]
     assert found.span is not None and found.span.text == "Order"
     assert found.hint == "rename this one: the other one belongs to the standard library"
+
+
+@pytest.mark.parametrize("target", ["x" * 300, '"' + "y" * 300 + '.aseme"', '"' + "z" * 300 + '.proto"'])
+def test_an_import_that_no_file_can_be_called_is_not_there(tmp_path: Path, target: str) -> None:
+    write(tmp_path, main=f"system S\nimport {target}\n")
+    found = only(load(tmp_path / "main.aseme"))
+    assert found.severity == "error" and found.span is not None

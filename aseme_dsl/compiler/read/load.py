@@ -203,7 +203,7 @@ def _target(item: tree.Import, importer: _Place) -> _Place | None:
     """The file that an import means; None for a name that the standard library does not have."""
     if isinstance(item.target, tree.Name):
         path = standard_library() / f"{item.target.text}.aseme"
-        if not path.is_file():
+        if not outside.is_file(path):
             return None
         # People know it by the import's name: where it is installed differs from machine to machine.
         return _Place(_key(str(path)), library_path(f"{item.target.text}.aseme"))
@@ -231,7 +231,7 @@ def _circle(stack: list[_Reading], place: _Place, item: tree.Import) -> Diagnost
 def _not_found(item: tree.Import, known: Iterable[str]) -> Diagnostic:
     name = item.target.text
     near = closest(name, known)
-    is_neighbour = (Path(item.span.source.path).parent / f"{name}.aseme").is_file()
+    is_neighbour = outside.is_file(Path(item.span.source.path).parent / f"{name}.aseme")
     fix = f'"{name}.aseme"' if is_neighbour else surely(name, known)
     problem = problems.NoLibrary(name, near, tuple(sorted(known)), is_neighbour)
     return Diagnostic(problem, item.target.span, fix=fix)
