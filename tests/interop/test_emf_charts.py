@@ -167,6 +167,15 @@ def test_what_is_not_a_statechart_is_refused_with_its_place(text: str, says: str
     assert problem.span is not None
 
 
+def test_a_hole_of_a_state_with_states_inside_is_one_of_when(tmp_path: Path) -> None:
+    """Monas leaves such a state before it is complete: so does the condition that is still to be written."""
+    inside = '<Children label="0.2.1" type="START"/><Children name="A" label="0.2.2" type="BASIC"/>'
+    states = f'<Children name="x" label="0.2" type="OR">{inside}</Children><Children label="0.3" type="END"/>'
+    ends = 'source="//@nodes.0/@Children.1" target="//@nodes.0/@Children.2"'
+    text = text_of(import_models([model(tmp_path, chart(states, f'<transitions TE="[late]" {ends}/>'))]))
+    assert "0.2 -> 0.3 : when [?]" in text
+
+
 def test_the_metadata_of_a_transition_is_listed(tmp_path: Path) -> None:
     moves = (
         '<transitions metadata="by hand" source="//@nodes.0/@Children.0" target="//@nodes.0/@Children.1"/>'

@@ -128,6 +128,7 @@ class RoleWriter:
         self.plan = plan
         self.chart = plan.chart
         self.meaning = meaning
+        self.with_holes = with_holes
         self.hole = "[?]" if with_holes else "[true]"
         self.lines: list[str] = []
         self.transitions: dict[int, int] = {}
@@ -154,18 +155,20 @@ class RoleWriter:
     def _line(self, number: int) -> Line:
         item = self.chart.transitions[number]
         read = self.plan.expressions[number]
-        if isinstance(read, str):
-            return Line(self.hole, True, f"KSE: {item.expression}", read)
         source = self.chart.by_label[item.source]
+        is_composite = source.type in _COMPOSITE
+        hole = f"when {self.hole}" if is_composite and self.with_holes else self.hole
+        if isinstance(read, str):
+            return Line(hole, True, f"KSE: {item.expression}", read)
         try:
-            text = self.meaning.text(read, may_wait=source.type in _COMPOSITE)
+            text = self.meaning.text(read, may_wait=is_composite)
         except Untranslatable as reason:
-            return Line(self.hole, True, f"KSE: {item.expression}", str(reason))
+            return Line(hole, True, f"KSE: {item.expression}", str(reason))
         if read.condition is not None or read.event:
             return Line(text)
         siblings = [self._says_when(other) for other in self.chart.outgoing[item.source]]
         if siblings.count(False) > 1:
-            return Line(f"{self.hole} {text}".strip(), True, "", "nothing says when it is taken")
+            return Line(f"{hole} {text}".strip(), True, "", "nothing says when it is taken")
         if source.type is StateType.CONDITION and len(siblings) > 1:
             return Line(f"else {text}".strip())
         return Line(text)
