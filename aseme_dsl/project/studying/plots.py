@@ -27,6 +27,11 @@ _SETTINGS: dict[RcKeyType, object] = {
     "grid.color": "#dddddd",
     "axes.axisbelow": True,
 }
+_DARK = b""" <style type="text/css">
+@media (prefers-color-scheme:dark){svg{filter:invert(.93) hue-rotate(180deg)}}
+ </style>
+"""
+"""In the dark all colours are turned round, but for their hues."""
 _BLUE, _GREY, _RED = "#2a6fb0", "#9a9a9a", "#b0402a"
 
 
@@ -234,4 +239,5 @@ def _svg(figure: Figure, creator: str = "asemec optimise") -> bytes:
     out = io.BytesIO()
     with rc_context(_SETTINGS):
         figure.savefig(out, format="svg", metadata={"Date": None, "Creator": creator})
-    return out.getvalue()
+    head, tag, rest = out.getvalue().partition(b" <defs>")
+    return head + _DARK + tag + rest
