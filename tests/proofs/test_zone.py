@@ -22,8 +22,8 @@ from aseme_dsl.proofs.timed.zone import (
 
 STEPS = 4
 """Moments lie this close: so many in a unit."""
-MOST = 5
-"""The last moment."""
+MOST = 9
+"""The last moment: three moves, each with at most three units before it."""
 
 Limit = tuple[int, int, int, bool]
 """At a move: the earlier move from which it is counted, the least and most time since then; whether the ends
