@@ -96,6 +96,8 @@ def _acts(item: Acts, types: Mapping[str, str]) -> Iterator[str]:
     for performative, message in item.takes:
         yield f"takes {performative} {message}"
     for name, value in item.sets.items():
+        if value is None:  # it is as absent as it was
+            continue
         yield f"sets {name} = {_value(value, types.get(name, ''))}"
     for channel, content in item.writes:
         yield f"writes {channel} {{ {_fills(content)} }}"

@@ -82,6 +82,11 @@ def prove(
     return tuple(item for item in found if not asked or item.name in asked)
 
 
+def prove_alone(scope: Scope, compiled: Compiled, limits: Limits) -> tuple[Result, ...]:
+    """All answers about one team, or about a protocol alone. Raises OperateError, LoadError: see `prove`."""
+    return tuple(_explored(scope, compiled, limits, (), []))
+
+
 def _explored(
     scope: Scope,
     compiled: Compiled,
@@ -293,4 +298,4 @@ def assumed_by(assumptions: Sequence[Assumption]) -> Assumed:
     return Assumed(loses, crashes, fails, times, delays[-1] if delays else None, takes)
 
 
-__all__ = ["NotThere", "assumed_by", "prove"]
+__all__ = ["NotThere", "assumed_by", "prove", "prove_alone"]

@@ -473,7 +473,14 @@ def _moments(count: int, ties: Sequence[_Tie]) -> tuple[int, ...]:
         found = _solved(count, ties, gap)
         if found is not None:
             return found
-    raise NotRetraced("its times exclude each other")
+    # What is due may change nothing when it comes: then it may come before.
+    needed = [tie for tie in ties if not tie.is_less]
+    if _solved(count, needed, _GAPS[-1]) is None:
+        raise NotRetraced("its times exclude each other")
+    for tie in dict.fromkeys(tie for tie in ties if tie.is_less):
+        if _solved(count, [*needed, tie], _GAPS[-1]) is not None:
+            needed.append(tie)
+    return next(found for gap in _GAPS if (found := _solved(count, needed, gap)) is not None)
 
 
 def _solved(count: int, ties: Sequence[_Tie], gap: int) -> tuple[int, ...] | None:
