@@ -106,6 +106,11 @@ LONG = [
     ("whether scenarios notice mistakes", ["-m", "benchmarks.mutants"], {}),
     ("whether mistakes are seen as differences", ["-m", "benchmarks.differences"], {}),
     (
+        "certificates of the library and the examples",
+        ["-m", "pytest", "-n", "auto", "tests/docs/test_certificates.py"],
+        {"CERTIFICATES": "1"},
+    ),
+    (
         "counterexamples of random protocols are played",
         ["-m", "pytest", "-n", "auto", "tests/cli/test_counterexamples.py"],
         {"REPLAYED_TALKS": "200"},

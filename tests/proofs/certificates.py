@@ -2,76 +2,121 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from aseme_dsl.project.building.project import compile_root
+from aseme_dsl.project.building.project import compile_root, inputs_of
 from aseme_dsl.project.proving.prove import prove, prove_alone
-from aseme_dsl.project.proving.results import Result
+from aseme_dsl.project.proving.results import Result, Verdict
 from aseme_dsl.project.proving.scopes import PREFIX, scope_of
 from aseme_dsl.proofs.explore.search import Limits
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
-from aseme_dsl.standard_library import standard_library
 
 ROOT = Path(__file__).parents[2]
+PAGE = ROOT / "docs/reference/certificates.md"
 FOREVER = 1e9
 """No search is cut by the time that it takes: answers are the same on every machine."""
+QUICK = ("propose", "resource", "examples/goalie", "examples/cell")
+"""What is proved again in every run of the tests; the others in the long lane."""
+_LONGEST = 160
+"""A reason is cut behind so many letters."""
 
 
 @dataclass(frozen=True, slots=True)
 class Case:
     """A protocol of the library, or an example, under what is assumed.
 
-    With `harsh`, data may be lost, and one of the agents that there are several of crashes, else the last
-    one. `states` is how far the search goes.
+    With `harsh`, data may be lost, and one agent of the last participant crashes. Each search ends with so
+    many `states`.
     """
 
-    what: str
+    name: str
     file: str
     protocol: str | None = None
     robots: int = 3
     harsh: bool = False
-    states: int = 4000
+    states: int = 1000
 
     @property
-    def under(self) -> str:
-        return "data may be lost, one agent crashes" if self.harsh else "any delay"
+    def title(self) -> str:
+        """`request`, or `request, with loss and a crash`."""
+        return f"{self.name}, with loss and a crash" if self.harsh else self.name
 
 
-LIBRARY = {
-    "protocols": (
-        *("request", "query", "request_when", "contract_net", "iterated_contract_net", "subscribe"),
-        *("auction", "dutch_auction", "propose", "brokering", "recruiting"),
-    ),
-    "resources": ("resource",),
-}
-EXAMPLES = ("auction", "cell", "goalie", "home", "hospital", "meetings", "patrol", "robocup", "warehouse")
+_PAIRS = ("request", "query", "request_when", "subscribe", "propose", "resource")
+_GROUPS = ("contract_net", "iterated_contract_net", "auction", "dutch_auction", "brokering", "recruiting")
+_EXAMPLES = ("auction", "cell", "goalie", "home", "hospital", "meetings", "patrol", "robocup", "warehouse")
 
 
 def cases() -> Iterator[Case]:
-    for file, protocols in LIBRARY.items():
-        for name in protocols:
-            for harsh in (False, True):
-                yield Case(name, file, name, harsh=harsh)
-    for name in EXAMPLES:
-        yield Case(name, f"examples/{name}")
+    """All cases, in the order of the page."""
+    for name in (*_PAIRS, *_GROUPS):
+        file = "resources" if name == "resource" else "protocols"
+        for harsh in (False, True):
+            yield Case(name, file, name, harsh=harsh, states=8000 if name in _PAIRS else 1000)
+    for name in _EXAMPLES:
+        yield Case(f"examples/{name}", f"examples/{name}")
 
 
 def answers(case: Case) -> tuple[Result, ...]:
     """What is proved in a case."""
     limits = Limits(case.states, FOREVER)
     if case.protocol is None:
-        return prove(compile_root(ROOT / case.file), (), case.robots, limits)
-    library = Source(f"{case.file}.aseme", f'system Certified\nimport {case.file}\n')
-    compiled = compile_root(library)
+        (root,) = inputs_of([str(ROOT / case.file)], bytes).roots
+        return prove(compile_root(root), (), case.robots, limits)
+    source = Source("certified.aseme", f"system Certified\nimport {case.file}\n")
+    compiled = compile_root(source)
     assert compiled.system is not None, compiled.diagnostics
     aip = next(item for item in compiled.system.aips if item.name == case.protocol)
-    scope = scope_of(library, aip, case.robots)
+    scope = scope_of(source, aip, case.robots)
     if case.harsh:
         assert isinstance(scope.root, Source)
         role = f"{PREFIX}{aip.participants[-1].name}"
         said = f'property "surroundings" {{ assume network loss 10%  assume at most 1 of {role} crash }}\n'
-        scope = replace(scope, root=Source(scope.root.path, scope.root.text + said))
+        scope = replace(scope, root=Source(source.path, scope.root.text + said))
     return prove_alone(scope, compiled, limits)
+
+
+def section(case: Case) -> str:
+    """What the page says of a case."""
+    lines = [f"### {case.title}", ""]
+    of = ""
+    for item in answers(case):
+        bounds = re.sub(r"[0-9]+ states$", "", item.bounds.text).rstrip("; ")
+        if of != f"{item.of}: {bounds}":
+            of = f"{item.of}: {bounds}"
+            lines += ["" if lines[-1] else None, f"{of[0].upper()}{of[1:]}", ""]  # type: ignore[list-item]
+            lines += ["| question | verdict | states | reason |", "| --- | --- | --- | --- |"]
+        states = "" if item.bounds.states is None else str(_size(item.bounds.states, case.states))
+        lines.append(f"| {_plain(item.name)} | {item.verdict} | {states} | {_plain(item.reason)} |")
+    return "\n".join(line for line in lines if line is not None) + "\n"
+
+
+def _size(states: int, limit: int) -> int:
+    """How many states there are; those of the last moves of a search that was cut make no difference."""
+    return min(states, limit)
+
+
+def _plain(text: str) -> str:
+    """A text in a table, not too long, without the places in files."""
+    text = re.sub(r" \([\w./-]+\.aseme:[0-9:]+\)", "", text)
+    text = text if len(text) <= _LONGEST else text[:_LONGEST].rsplit(" ", 1)[0] + " …"
+    return text.replace("|", "\\|").replace("<", "&lt;").replace("`", "'")
+
+
+def written(page: str) -> dict[str, str]:
+    """The sections of the page, by their titles."""
+    parts = re.split(r"(?m)^(?=### )", page)[1:]
+    return {
+        part.split("\n", 1)[0].removeprefix("### "): re.sub(r"(?ms)^## .*", "", part).rstrip()
+        for part in parts
+    }
+
+
+def counted(page: str) -> str:
+    """`81 proved, 20 refuted, 103 undecided`."""
+    counts = {verdict: len(re.findall(rf"\| {verdict} \|", page)) for verdict in Verdict}
+    return ", ".join(f"{counts[verdict]} {verdict.lower()}" for verdict in Verdict)
