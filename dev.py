@@ -111,6 +111,11 @@ LONG = [
         {"CERTIFICATES": "1"},
     ),
     (
+        "SPIN as a second opinion about random protocols",
+        ["-m", "pytest", "-n", "auto", "-rs", "tests/interop/exports/test_promela.py"],
+        {"SPIN_TALKS": "100"},
+    ),
+    (
         "counterexamples of random protocols are played",
         ["-m", "pytest", "-n", "auto", "tests/cli/test_counterexamples.py"],
         {"REPLAYED_TALKS": "200"},

@@ -22,16 +22,19 @@ from aseme_dsl.cli.shared import (
 )
 
 if TYPE_CHECKING:
+    from aseme_dsl.diagnostics import Diagnostic
     from aseme_dsl.interop.export.scxml import DataModel
+    from aseme_dsl.project.building.project import Compiled
 
-FORMATS = ("scxml", "xstate", "stct", "sismic", "mermaid", "plantuml", "bpmn")
+FORMATS = ("scxml", "xstate", "stct", "sismic", "mermaid", "plantuml", "bpmn", "promela")
 
 
 @click.command(
     short_help="Export statecharts to other tools.",
     help="Export the statecharts of a system as files of another tool. FORMAT is scxml (W3C SCXML), xstate"
     " (XState 5: JSON, and its guards and actions in TypeScript), stct (a model of KSE) or sismic (YAML with"
-    " Python). Or it is mermaid or plantuml (drawings), or bpmn (BPMN 2.0, a process). What the format cannot"
+    " Python). Or it is mermaid or plantuml (drawings), bpmn (BPMN 2.0, a process), or promela (for SPIN:"
+    " the team and each protocol, with properties and clauses as LTL). What the format cannot"
     f" express is an error with its place, and nothing is written. {TARGET_HELP}",
     epilog="Example: asemec export scxml team.aseme --chart player --datamodel python -o scxml",
 )
@@ -42,7 +45,8 @@ FORMATS = ("scxml", "xstate", "stct", "sismic", "mermaid", "plantuml", "bpmn")
     "charts",
     multiple=True,
     metavar="NAME",
-    help="Statechart to export: iac.ROLE, eac.PROTOCOL or a role. Repeatable.  [default: all roles]",
+    help="Statechart to export: iac.ROLE, eac.PROTOCOL or a role. Repeatable.  [default: all roles]"
+    " For promela: team, or a protocol.  [default: all]",
 )
 @click.option(
     "--datamodel",
@@ -79,7 +83,9 @@ def command(
     compiled = one_system(target)
     found = compiled.diagnostics
     files: tuple[tuple[str, str], ...] = ()
-    if compiled.system is not None:
+    if compiled.system is not None and format_ == "promela":
+        files, found = _models(compiled, charts)
+    elif compiled.system is not None:
         try:
             selected = chosen(compiled.system, charts)
         except NoSuchChart as problem:
@@ -98,3 +104,19 @@ def command(
         sys.stdout.buffer.write(files[0][1].encode())
         return 0
     return print_written(into_folder(compiled.system, Path(output), files, force=force), (), as_json, colour)
+
+
+def _models(
+    compiled: Compiled, names: tuple[str, ...]
+) -> tuple[tuple[tuple[str, str], ...], tuple[Diagnostic, ...]]:
+    """The models for SPIN, and what they cannot say."""
+    from aseme_dsl.project.playing.operate import OperateError
+    from aseme_dsl.project.proving.models import models_of
+    from aseme_dsl.runtime.version.loading import LoadError
+
+    try:
+        return models_of(compiled, names)
+    except LookupError as problem:
+        raise click.UsageError(f"{problem.args[0]}.") from problem
+    except (LoadError, OperateError) as problem:
+        raise click.ClickException(str(problem)) from problem

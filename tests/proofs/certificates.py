@@ -56,7 +56,7 @@ def cases() -> Iterator[Case]:
     for name in (*_PAIRS, *_GROUPS):
         file = "resources" if name == "resource" else "protocols"
         for harsh in (False, True):
-            yield Case(name, file, name, harsh=harsh, states=8000 if name in _PAIRS else 1000)
+            yield Case(name, file, name, harsh=harsh, states=3000 if name in _PAIRS else 1000)
     for name in _EXAMPLES:
         yield Case(f"examples/{name}", f"examples/{name}")
 

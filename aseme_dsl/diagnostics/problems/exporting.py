@@ -79,4 +79,17 @@ class NotExpressible(Problem):
         return f"{self.format} cannot express this of `{self.chart}`: {self.feature.value}"
 
 
-__all__ = ["Foreign", "NotExpressible"]
+class NotInModel(Problem):
+    """What a model for SPIN of a team or protocol (`of`) cannot say: `what`."""
+
+    code = "E323"
+    of: str
+    what: str
+    hint = "see the table of constructs and formats in the documentation of `asemec export`"
+
+    @property
+    def message(self) -> str:
+        return f"promela cannot express this of {self.of}: {self.what}"
+
+
+__all__ = ["Foreign", "NotExpressible", "NotInModel"]

@@ -84,7 +84,7 @@ def prove(
 
 def prove_alone(scope: Scope, compiled: Compiled, limits: Limits) -> tuple[Result, ...]:
     """All answers about one team, or about a protocol alone. Raises OperateError, LoadError: see `prove`."""
-    return tuple(_explored(scope, compiled, limits, (), []))
+    return tuple(_explored(scope, compiled, limits, (), [], None))
 
 
 def _explored(
@@ -111,7 +111,7 @@ def _explored(
         loaded = loaded_for(package, compiled.configuration.folder.resolve())
         plans = {role: loaded.charts[role].PLAN for _, role in scope.team}
         groups = groups_of(scope.team, plans)
-        own_script = None if script is None else _of_scope(script, scope)
+        own_script = None if script is None else of_scope(script, scope)
         search_in = partial(_searched, system=own.system, loaded=loaded, assumed=assumed, asked=asked)
         until = process_time() + limits.seconds
 
@@ -150,7 +150,7 @@ def _explored(
             assert judge is not None
             given = judge.results() if is_whole else judge.expected()
             found |= {item.name: with_times(item, scope) for item in given}
-        for item in () if script is None else _of_scope(script, scope).expectations:
+        for item in () if script is None else of_scope(script, scope).expectations:
             name = named(item)
             if script is not None and (not asked or name in asked) and asks_for_times(item, found.get(name)):
                 one = replace(script, expectations=(item,))
@@ -261,7 +261,7 @@ def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iter
                 )
 
 
-def _of_scope(script: Script, scope: Scope) -> Script:
+def of_scope(script: Script, scope: Scope) -> Script:
     """What is watched: of a protocol alone its clauses, of the team everything."""
 
     def belongs(item: Expectation) -> bool:
@@ -298,4 +298,4 @@ def assumed_by(assumptions: Sequence[Assumption]) -> Assumed:
     return Assumed(loses, crashes, fails, times, delays[-1] if delays else None, takes)
 
 
-__all__ = ["NotThere", "assumed_by", "prove", "prove_alone"]
+__all__ = ["NotThere", "assumed_by", "of_scope", "prove", "prove_alone"]

@@ -1,0 +1,106 @@
+"""`asemec export promela`: what it says and refuses, and SPIN as a second opinion about `asemec prove`.
+
+SPIN and a C compiler are asked where they are installed: a few random protocols each time, more in the long
+lane. They are left out, with the reason, where they are not.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.cli import main
+from tests.cli.test_prove import BUY, CENTRES, MEET
+from tests.proofs.random_talks import talk_of
+
+TALKS = range(int(os.environ.get("SPIN_TALKS", "1")))
+MISSING = [tool for tool in ("spin", "gcc") if shutil.which(tool) is None]
+needs_spin = pytest.mark.skipif(bool(MISSING), reason=f"not installed: {', '.join(MISSING)}")
+SLOW = 300
+"""So many seconds a tool may take on a busy machine."""
+
+
+def _exported(folder: Path, text: str, *options: str) -> int:
+    (folder / "a.aseme").write_text(text)
+    return main(["export", "promela", str(folder / "a.aseme"), "-o", str(folder / "out"), *options])
+
+
+def _spin(model: Path, *checked: str) -> bool | None:
+    """Whether SPIN finds an error; None if it did not come to an end."""
+    for command in (["spin", "-a", model.name], ["gcc", "-w", "-O0", "-o", "pan", "pan.c"]):
+        made = subprocess.run(command, cwd=model.parent, capture_output=True, text=True, timeout=SLOW)
+        assert made.returncode == 0, made.stdout + made.stderr
+    try:
+        done = subprocess.run(
+            ["./pan", "-m100000", *checked], cwd=model.parent, capture_output=True, text=True, timeout=20
+        )
+    except subprocess.TimeoutExpired:
+        return None
+    errors = re.search(r"errors: ([0-9]+)", done.stdout)
+    assert errors is not None, done.stdout
+    return errors[1] != "0"
+
+
+def test_a_protocol_becomes_processes_and_its_clause_a_formula(tmp_path: Path) -> None:
+    assert _exported(tmp_path, BUY) == 0
+    text = (tmp_path / "out/buy.pml").read_text()
+    assert text.count("active proctype") == 2
+    assert "ltl p1 { [] ((seen_buyer_Pay_0_2_4_3) -> (seen_seller_Look_0_2_2)) }" in text
+
+
+SEVERAL = BUY.replace("participant seller {", "participant seller [1..*] {")
+TIMER = BUY.replace("else / send", "else / start_timer(t, 1s); send")
+NUMBER = BUY.replace("var there : bool = false", "var there : int").replace("[there]", "[there > 1]")
+IN_TIME = "every Look@seller leads to Close@seller within 3s"
+
+
+@pytest.mark.parametrize(
+    ("text", "what", "place"),
+    [
+        (CENTRES, "a role that does not play exactly one participant", "a.aseme:4:5"),
+        (MEET, "a protocol that not exactly one agent begins", "a.aseme:4:5"),
+        (SEVERAL, "several agents play", "a.aseme:4:"),
+        (TIMER, "the action start_timer", "a.aseme:25:"),
+        (NUMBER, "this condition", "a.aseme:24:"),
+        (BUY.replace("clause Look", f"clause {IN_TIME}\n  clause Look"), "of this kind", "a.aseme:16:"),
+    ],
+)
+def test_what_it_cannot_say_is_refused_with_its_place(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, what: str, place: str
+) -> None:
+    assert _exported(tmp_path, text) == 1
+    said = capsys.readouterr().err
+    assert "error[E323]" in said and what in said and place in said, said
+    assert not (tmp_path / "out").exists()
+
+
+@needs_spin
+def test_spin_proves_a_clause_and_refutes_a_broken_one(tmp_path: Path) -> None:
+    _exported(tmp_path, BUY)
+    assert _spin(tmp_path / "out/buy.pml", "-a") is False
+    _exported(
+        tmp_path, BUY.replace("Look@seller before Pay@buyer", "Pay@buyer before Look@seller"), "--force"
+    )
+    assert _spin(tmp_path / "out/buy.pml", "-a") is True
+
+
+@needs_spin
+@pytest.mark.parametrize("seed", TALKS)
+def test_spin_and_prove_find_the_same_deadlocks(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int
+) -> None:
+    text = talk_of(random.Random(seed))
+    assert _exported(tmp_path, text) == 0
+    found = _spin(tmp_path / "out/talk.pml")
+    capsys.readouterr()
+    main(["prove", str(tmp_path / "a.aseme"), "deadlock", "--states", "3000"])
+    said = capsys.readouterr().out
+    if found is None or said.startswith("UNDECIDED"):
+        pytest.skip("too large for one of them")
+    assert said.startswith("REFUTED" if found else "PROVED"), text
