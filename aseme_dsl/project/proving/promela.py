@@ -262,10 +262,10 @@ class _Model:
                     yield "      skip }"
                     continue
                 opens = (message.performative, message.kind) in info.opens
-                wanted = f"!{agent}_over" if opens or not info.opens else f"{agent}_joined && !{agent}_over"
                 mail = self._mail(agent, message, other)
                 yield "      if"
-                yield f"      :: {wanted} && {mail} < {_MOST} -> {mail}++; {agent}_joined = true"
+                joins = f"; {agent}_joined = true" if opens else ""  # others wait until it takes part
+                yield f"      :: !{agent}_over && {mail} < {_MOST} -> {mail}++{joins}"
                 yield "      :: else"
                 yield "      fi"
                 yield f"      {agent}_settles() }}"
