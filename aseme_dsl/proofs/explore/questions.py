@@ -98,12 +98,17 @@ def _waits(explored: Explored, graph: Graph, state: int, place: int, region: int
     label = agent.chart.LEAVES[region][graph.places[state][place][region]]
     plan = agent.plan
     leaf = plan.by_label[label]
-    if leaf.type in ("AND", "END") or any(
-        item.waits for item in plan.activities if item.name == leaf.activity
+    is_over = leaf.type == "END" and leaf.parent == agent.chart.REGIONS[region]
+    if (
+        leaf.type == "AND"
+        or is_over
+        or any(item.waits for item in plan.activities if item.name == leaf.activity)
     ):
         return None
     found = {other.name: waits_of(other) for other in explored.agents}
-    mine = next((item for item, _ in found[agent.name] if item.state == label), None)
+    # What waits behind a part that has ended is the part.
+    own = (label, leaf.parent) if leaf.type == "END" else (label,)
+    mine = next((item for item, _ in found[agent.name] if item.state in own), None)
     if mine is None or mine.free:
         return None
     raised = {other.name: raised_by(other.plan) for other in explored.agents}

@@ -19,7 +19,7 @@ from aseme_dsl.cli import main
 from tests.cli.test_prove import BUY, CENTRES, MEET
 from tests.proofs.random_talks import talk_of
 
-TALKS = sorted({33, *range(int(os.environ.get("SPIN_TALKS", "1")))})
+TALKS = sorted({33, 45, *range(int(os.environ.get("SPIN_TALKS", "1")))})
 MISSING = [tool for tool in ("spin", "gcc") if shutil.which(tool) is None]
 needs_spin = pytest.mark.skipif(bool(MISSING), reason=f"not installed: {', '.join(MISSING)}")
 SLOW = 300
