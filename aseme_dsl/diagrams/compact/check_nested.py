@@ -20,7 +20,7 @@ from aseme_dsl.diagrams.look.labels import printable, text_width
 _NEAR = 3.0
 """A line that ends so near to a border ends there, in px."""
 
-_BESIDE = 24.0
+_BESIDE = 40.0
 """So far from its line a text may stand, in px."""
 
 _STRAIGHT = 0.94
