@@ -421,8 +421,10 @@ class Observer:
         if near is not None:  # that it came can be explained, with the values that it has
             agent, said = near
             return Next(agent, found.what, True, said.moment) if agent == said.sender else found
-        taken = {} if self._teller is None else self._teller.taken[found.agent]
-        return replace(found, at=turned_away(self._plan(found.agent), found.what, taken))
+        if self._teller is None:
+            return found
+        plan = self._plan(found.agent)
+        return replace(found, at=turned_away(plan, found.what, self._teller.taken(found.agent, plan)))
 
     def _asked(self) -> Iterator[int]:
         """The conditions that decide on the broken expectation, with all their parts."""
@@ -447,7 +449,7 @@ class Observer:
 
     def _refused(self) -> Iterator[str]:
         """What came instead of the messages that the broken expectation speaks of."""
-        since = self.reached.get(self.broken or 0, 0)
+        since = 0 if self.broken is None else self.reached.get(self.broken, 0)
         for number in self._asked():
             condition = self.script.conditions[number]
             if isinstance(condition, Says):

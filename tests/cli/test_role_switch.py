@@ -54,3 +54,32 @@ def test_why_asks_the_role_that_an_agent_had_then(here: Here, folder: Path) -> N
     refused = here("whynot", "b", "Save", "--at", "950ms", "t.jsonl").err
     assert "player has no state, transition or message Save" in refused, refused
     assert "it ran another model that has it" in refused
+
+
+TOLD = """system Two
+import runtime
+srm goalie {
+  liveness { goalie = Guard . (Dive | Jump | Wait) . Save~ }
+  activities {
+    Guard takes 200ms simulated  Dive takes 1s simulated  Jump takes 1s simulated
+    Wait takes 100ms simulated  Save takes 100ms simulated
+  }
+  control goalie {
+    enter Dive : [false]  enter Jump : [false]  enter Wait : else
+    enter Save~ : / runtime.signal.SelectPlan.plan = "player"; write_messages.runtime.signal.SelectPlan
+  }
+}
+srm player {
+  liveness { player = Chase . Dive }
+  activities { Chase takes 300ms simulated }
+  control player { enter Dive : [false] }
+}
+team Two { b : goalie }
+scenario "s" { b : goalie  by 3s b in Dive }
+"""
+
+
+def test_a_story_tells_the_transitions_of_two_roles_apart(here: Here, folder: Path) -> None:
+    (folder / "two.aseme").write_text(TOLD)
+    done = here("test", "two.aseme", "-j", "1")
+    assert "b  enters Chase (two.aseme:15)\n" in done.out, done.out

@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import field, replace
+from typing import TypeVar
 
 from aseme_dsl.play.evaluate import Known
 from aseme_dsl.play.scenario import Cut
@@ -29,7 +30,7 @@ _MOST_KEPT = 500
 _MOST_TAKEN = 20
 """Of a step with more transitions, the story shows so many of the last ones."""
 _MOST_UNREAD = 1000
-"""Of so many messages it is known who has not received them."""
+"""Of so many messages it is known who sent them, and who has not received them."""
 
 OUTSIDE = "input"
 """The sender of what a scenario gives without one."""
@@ -46,6 +47,7 @@ _ENDS = "end of an activity: "
 """With this the keys of the ends of activities begin."""
 
 Identity = tuple[str, int]
+_T = TypeVar("_T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,8 +87,8 @@ class Storyteller:
         """Who has not received yet what was sent lately."""
         self._came: dict[Identity, _Came] = {}
         """What was sent lately, and which losses agents have learned."""
-        self.taken: dict[str, dict[int, int]] = {name: {} for name in agents}
-        """When an agent has taken a transition last (ns), by its number."""
+        self._taken: dict[tuple[str, str], dict[int, int]] = {}
+        """When an agent in a role has taken a transition last (ns), by its number."""
         self._mail: dict[tuple[str, str], Said] = {}
         """The last message of a kind that was sent to an agent."""
         self._names: dict[tuple[str, str], str] = {}
@@ -111,18 +113,13 @@ class Storyteller:
         item = replace(sending(said, receivers, self._durations(said)), number=number)
         why = BY_SCENARIO if is_given else _CAUSES.get(str(record.get("cause")), "")
         self._add(f"sends {said.what}", replace(item, text=item.text + why, sent=item.sent + why))
-        self._came[agent, number] = _Came(
-            ("received", said.performative, said.kind), f"{said.what} from {agent}", why
-        )
-        if len(self._came) > _MOST_UNREAD:
-            del self._came[next(iter(self._came))]
+        came = _Came(("received", said.performative, said.kind), f"{said.what} from {agent}", why)
+        _keep(self._came, (agent, number), came)
         for sender, answered in record.get("answers", ()):
             self.arrived(agent, (str(sender), int(answered)))
         if said.performative is not None:
             self._mail.update(((name, said.what), said) for name in receivers)
-        self._unread[agent, number] = self._last.keys() & set(receivers)
-        if len(self._unread) > _MOST_UNREAD:
-            del self._unread[next(iter(self._unread))]
+        _keep(self._unread, (agent, number), self._last.keys() & set(receivers))
 
     def came(self, agent: str) -> Mapping[str, Said]:
         """The last agent message of each kind that was sent to an agent."""
@@ -134,7 +131,11 @@ class Storyteller:
     def gone(self, record: Record) -> None:
         """An agent learns that the part of another one has ended."""
         text = f"the part of {record['peer']} has ended: {record.get('reason', 'lost')}"
-        self._came[record["agent"], int(record["sequence"])] = _Came(("lost", record["played"]), text)
+        _keep(self._came, (record["agent"], int(record["sequence"])), _Came(("lost", record["played"]), text))
+
+    def taken(self, agent: str, plan: Plan) -> Mapping[int, int]:
+        """When an agent has taken each transition of a role last (ns), by their numbers."""
+        return self._taken.get((agent, plan.name), {})
 
     def arrived(self, agent: str, identity: Identity) -> None:
         """An agent has received a message."""
@@ -155,7 +156,8 @@ class Storyteller:
         """An agent has made a step; what stands together in it is one line. `after` are the active leaves."""
         moment, agent = record["time"], record["agent"]
         ways = [way["transitions"] for way in record["taken"][-_MOST_TAKEN:]]
-        self.taken[agent].update((number, moment) for way in ways for number in way)
+        last = self._taken.setdefault((agent, plan.name), {})
+        last.update((number, moment) for way in ways for number in way)
         now, before = known(), self._values.get(agent, {})
         changes = [frozenset(_changed(plan, way)) for way in ways]
         for chain in _chains(plan, ways):
@@ -188,7 +190,8 @@ class Storyteller:
                 label=first.target,
                 details=tuple(dict.fromkeys(details)),
             )
-            self._add(" ".join(str(number) for place in chain for number in ways[place]), told)
+            numbers = (str(number) for place in chain for number in ways[place])
+            self._add(" ".join((plan.name, *numbers)), told)
         names = self.guards.variables(plan)
         self._values[agent] = {name: now.variable(name) for name in names} if names else {}
 
@@ -318,6 +321,13 @@ class Storyteller:
             return item
         but = f"; not received by {', '.join(missing)}"
         return replace(item, text=item.text + but, sent=item.sent + but)
+
+
+def _keep(found: dict[Identity, _T], identity: Identity, item: _T) -> None:
+    """Add something, and forget the oldest where there is much."""
+    found[identity] = item
+    if len(found) > _MOST_UNREAD:
+        del found[next(iter(found))]
 
 
 def _chains(plan: Plan, ways: Sequence[Sequence[int]]) -> list[list[int]]:
