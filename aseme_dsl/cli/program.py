@@ -48,6 +48,7 @@ COMMANDS = (
     "switch",
     "swap",
     "key",
+    "certificates",
     "trace",
     "match",
     "optimise",

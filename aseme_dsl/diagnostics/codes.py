@@ -39,6 +39,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E035": ("error", "unreadable trace"),
     "E036": ("error", "malformed network description"),
     "E037": ("error", "simulated network in real time"),
+    "E038": ("error", "missing or unusable certificate"),
     "W001": ("warning", "empty file"),
     "W002": ("warning", "obsolete generated file with manual edits"),
     "W003": ("warning", "diagram not drawn"),

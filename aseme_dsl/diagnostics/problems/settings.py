@@ -216,6 +216,26 @@ class NoEffectWithoutHosts(Problem):
         return f"`{self.key}` has no effect without `hosts`"
 
 
+# ---- E038: certificates ------------------------------------------------------------------------
+
+
+class CertificateUnusable(Problem):
+    """`reason`: what is wrong with a certificate or a key, or with the place of its file."""
+
+    code = "E038"
+    reason: str
+
+    @property
+    def message(self) -> str:
+        return self.reason
+
+
+class NoCertificateFiles(Problem):
+    code = "E038"
+    message = "there is no [tool.asemec.deploy.tls], which names the files of the certificates"
+    hint = "add it with `authority`, `certificate` and `key`"
+
+
 # ---- W010 to W014: comments to asemec ----------------------------------------------------------
 
 

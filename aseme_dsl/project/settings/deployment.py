@@ -56,7 +56,7 @@ class Deployment:
 
 def keys_of(deployment: Deployment | None, robot: str) -> Path | None:
     """The file of the operators' keys that a robot accepts."""
-    return None if deployment is None or deployment.control is None else _of(deployment.control, robot)
+    return None if deployment is None or deployment.control is None else file_of(deployment.control, robot)
 
 
 def network_of(deployment: Deployment | None, robot: str, team: Iterable[str] = ()) -> Network:
@@ -79,7 +79,7 @@ def network_of(deployment: Deployment | None, robot: str, team: Iterable[str] = 
     others = [f"{protocol}/{_with_port(host)}" for name, host in deployment.hosts.items() if name != robot]
     tls = None
     if secure is not None and secure.authority and secure.certificate and secure.key:
-        tls = Tls(_of(secure.authority, robot), _of(secure.certificate, robot), _of(secure.key, robot))
+        tls = Tls(*(file_of(path, robot) for path in (secure.authority, secure.certificate, secure.key)))
     if not (listen or others or deployment.connect or interface):
         tls = None
     return Network(
@@ -88,7 +88,7 @@ def network_of(deployment: Deployment | None, robot: str, team: Iterable[str] = 
         interface,
         LEASE_MS if deployment.lease is None else max(1, deployment.lease // 1_000_000),
         tls,
-        Access(_of(deployment.access, robot)) if deployment.access is not None else None,
+        Access(file_of(deployment.access, robot)) if deployment.access is not None else None,
         robot,
         tuple(team),
         deployment.control is not None,
@@ -124,10 +124,16 @@ def misfits(deployment: Deployment, agents: Iterable[str], path: str) -> Iterato
                 yield AgentWithoutHost(path, robot)
 
 
+def host_of(host: str) -> str:
+    """The address or the name in an entry of `hosts`, without its port and brackets."""
+    return _with_port(host).rpartition(":")[0].strip("[]")
+
+
 def _with_port(host: str) -> str:
     bracketed = host.rpartition("]")[2] if "]" in host else host
     return host if ":" in bracketed else f"{host}:{PORT}"
 
 
-def _of(path: Path, robot: str) -> Path:
+def file_of(path: Path, robot: str) -> Path:
+    """The file of a robot: ROBOT in its name stands for the robot's name."""
     return path.with_name(path.name.replace(ROBOT, robot))

@@ -41,6 +41,7 @@ OPTIONAL = {
     "grpcio-tools": ("proto", "imports .proto files, with the real protoc that it carries"),
     "pygls": ("editor", "the language server, for editors"),
     "eclipse-zenoh": ("zenoh", "robots in several processes and on several machines"),
+    "cryptography": ("certificates", "makes the certificates of a team"),
     "spade": ("spade", "agents as SPADE agents, on an XMPP server"),
     "greenlet": ("spade", "what SPADE's database needs"),
     "mango-agents": ("mango", "agents as mango agents, which talk over TCP"),
