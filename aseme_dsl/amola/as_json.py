@@ -19,7 +19,7 @@ from aseme_dsl.amola.expression import Literal, action_text, duration_text, even
 from aseme_dsl.amola.liveness import canonical
 from aseme_dsl.amola.messages import DURATION, Bounds, Kind, Parameter
 from aseme_dsl.amola.sag import Sag
-from aseme_dsl.amola.srm import Activity, Module, Srm, Subscription
+from aseme_dsl.amola.srm import Activity, Guarantee, Module, Sent, Srm, Subscription
 from aseme_dsl.amola.statechart import State, Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
@@ -343,7 +343,24 @@ def _activity(item: Activity, folder: PurePath | None) -> Json:
         found["simulated"] = True
     if item.waits:
         found["waits"] = True
+    if item.guarantees:
+        found["guarantees"] = [_guarantee(one, folder) for one in item.guarantees]
     return {**found, "span": _span(item.span, folder)}
+
+
+def _guarantee(item: Guarantee, folder: PurePath | None) -> Json:
+    found: Json = {"never": _sent(item.said)}
+    if item.earlier is not None:
+        found |= {"within": _duration(item.within), "after": _sent(item.earlier)}
+    return {**found, "span": _span(item.span, folder)}
+
+
+def _sent(item: Sent) -> Json:
+    return {
+        "channels": [str(channel) for channel in item.channels],
+        "name": item.called,
+        "condition": None if item.condition is None else value_text(item.condition),
+    }
 
 
 def _module(item: Module, folder: PurePath | None) -> Json:

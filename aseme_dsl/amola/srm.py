@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from aseme_dsl.amola.aip import DeclaredVariable, NamedFormula, Plays
+from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.messages import Channel, Parameter
 from aseme_dsl.display import Displayed
 from aseme_dsl.records import dataclass
@@ -21,6 +22,33 @@ class Subscription:
     reach: str
     history: int
     host: str | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Sent:
+    """A message of this type that an activity publishes on one of the channels. Conditions call it `called`.
+
+    The condition knows messages as parameters (`ParameterValue`); None is always true.
+    """
+
+    message: str
+    channels: tuple[Channel, ...]
+    called: str
+    condition: Value | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Guarantee:
+    """What an activity guarantees: that it never publishes `said`.
+
+    With `earlier`, that it does not within so many ns after that; both conditions know both messages.
+    """
+
+    said: Sent
+    within: int | None
+    earlier: Sent | None
     span: Span
 
 
@@ -52,6 +80,7 @@ class Activity:
     reads_variables: tuple[str, ...] = ()
     simulated: bool = False
     waits: bool = False
+    guarantees: tuple[Guarantee, ...] = ()
 
     @property
     def has_code(self) -> bool:

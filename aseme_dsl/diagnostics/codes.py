@@ -101,6 +101,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E228": ("error", "invalid alias of an import"),
     "E229": ("error", "unknown name in a scenario or property"),
     "E230": ("error", "unsuitable statement of a scenario or property"),
+    "E231": ("error", "unsuitable guarantee of an activity"),
     "W110": ("warning", "unsupported item in a foreign file"),
     "W111": ("warning", "foreign module without a frequency"),
     "W200": ("warning", "name similar to a declared name"),

@@ -161,8 +161,8 @@ def _value(value: e.Value, known: Known) -> object:
             return constant
         case e.EnumConstant(constant=constant):
             return constant
-        case e.ParameterValue(name=name):
-            return known.inputs[name]
+        case e.ParameterValue(name=name, path=path, type=kind):
+            return _member(known.inputs[name], path, kind) if path else known.inputs[name]
         case e.VariableValue(name=name, path=path, type=kind):
             return _member(known.variable(name), path, kind)
         case e.Bound(path=path, type=kind):

@@ -11,9 +11,11 @@ from aseme_dsl.play.assumptions import Assumptions
 from aseme_dsl.play.conversations import Clauses
 from aseme_dsl.play.evaluate import Known, Told, ages, asked, counted, timers, value_of
 from aseme_dsl.play.followed import Followed, answer, around, entered_by
+from aseme_dsl.play.promises import Promises
 from aseme_dsl.play.scenario import (
     AllOf,
     AnyOf,
+    Breached,
     Condition,
     Failed,
     Faulty,
@@ -73,6 +75,8 @@ class _Happening:
     is_fault: bool = False
     untaken: tuple[str, str | None, str] | None = None
     """Who does not take an agent message, with its performative and type."""
+    breached: frozenset[int] = frozenset()
+    """The conditions about guarantees that are broken."""
     failed: str | None = None
 
 
@@ -115,6 +119,7 @@ class Observer:
         """Called with the moment at which a condition occurs for the first time, in the midst of a step."""
         self.assumed = Assumptions(script.assumptions)
         self._alarms = Alarms(self.look)
+        self._promises = Promises(script.conditions)
         self._clauses = Clauses(script.expectations, script.conditions, self._alarms)
         self._inputs = inputs
         self._agents = {name: Followed() for name, _ in script.team}
@@ -359,7 +364,9 @@ class Observer:
             if self._teller is not None:
                 is_given = agent not in self._agents or (agent, record["sequence"]) in self.given
                 self._teller.sent(said, record, is_given)
-            self._look(_Happening(sent=said))
+            by = None if (agent, record["sequence"]) in self.given else record.get("activity")
+            breached = self._promises.see(sender, by, what, said.content, self._now)
+            self._look(_Happening(sent=said, breached=breached))
 
     def _plan(self, agent: str) -> Plan:
         return self._around.insight(agent).plan
@@ -446,6 +453,8 @@ class Observer:
                     yield f"{condition.agent} has {', '.join(dict.fromkeys(said))}"
             elif isinstance(condition, InPlaces):
                 yield from located(condition, self._plan, self._agents)
+            elif isinstance(condition, Breached) and number in self._promises.said:
+                yield self._promises.said[number]
 
     def _refused(self) -> Iterator[str]:
         """What came instead of the messages that the broken expectation speaks of."""
@@ -505,6 +514,8 @@ class Observer:
             case Untaken(kind=kind, performative=performative, agents=agents):
                 agent, act, what = happening.untaken or ("", None, "")
                 is_held = what == kind and performative in (None, act) and (agents is None or agent in agents)
+            case Breached():
+                is_held = number in happening.breached
             case Faulty():
                 is_held = happening.is_fault
             case Failed(agents=agents):
@@ -584,7 +595,7 @@ def _passing(conditions: Sequence[Condition]) -> frozenset[int]:
     found: set[int] = set()
     for number, condition in enumerate(conditions):
         is_part = isinstance(condition, AllOf | AnyOf) and not found.isdisjoint(condition.parts)
-        if is_part or isinstance(condition, Says | Untaken | Faulty | Failed):
+        if is_part or isinstance(condition, Says | Untaken | Breached | Faulty | Failed):
             found.add(number)
     return frozenset(found)
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from aseme_dsl.amola.expression import Value
+from aseme_dsl.amola.srm import Guarantee
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.monitor.rules import Rule
 from aseme_dsl.runtime.team.network import Network
@@ -61,6 +62,16 @@ class Untaken:
 
 
 @dataclass(frozen=True, slots=True)
+class Breached:
+    """An activity publishes what it guarantees not to publish."""
+
+    activity: str
+    guarantee: Guarantee
+    agents: frozenset[str]
+    """Those that perform it."""
+
+
+@dataclass(frozen=True, slots=True)
 class Faulty:
     """A fault was recorded."""
 
@@ -93,7 +104,7 @@ class NotSo:
     part: int
 
 
-Condition = InPlaces | Says | Untaken | Holds | Faulty | Failed | AllOf | AnyOf | NotSo
+Condition = InPlaces | Says | Untaken | Holds | Breached | Faulty | Failed | AllOf | AnyOf | NotSo
 
 
 def parts_of(condition: Condition) -> tuple[int, ...]:
@@ -179,12 +190,17 @@ class FailuresAssumed:
 Assumption = PaceAssumed | DurationAssumed | CrashesAssumed | NetworkAssumed | FailuresAssumed
 
 
+GUARANTEE = "guarantee of "
+"""How `of` begins in what an activity guarantees."""
+
+
 @dataclass(frozen=True, slots=True)
 class Expectation:
     """A rule, with its place. It is vacuous if one of the `witnesses` was met in no run.
 
-    `of` says of which property or clause it is, if it is not of the scenario itself. With a `protocol` it is
-    about each conversation of that. `parts` are the places of the conditions of the rule, in their order.
+    `of` says of which property, clause or guarantee it is, if it is not of the scenario itself. With a
+    `protocol` it is about each conversation of that. `parts` are the places of the conditions of the rule, in
+    their order.
     """
 
     rule: Rule
@@ -396,11 +412,13 @@ class Scenario:
 
 
 __all__ = [
+    "GUARANTEE",
     "Act",
     "Acting",
     "AllOf",
     "AnyOf",
     "Assumption",
+    "Breached",
     "Computes",
     "Condition",
     "Content",

@@ -37,10 +37,11 @@
 (defconst aseme-clauses
   '("AND" "BASIC" "CONDITION" "END" "OR" "START" "above" "abstract" "activity" "after" "and" "around" "as"
     "async" "at" "before" "below" "busy" "by" "delay" "depends" "else" "ends" "every" "except" "expires"
-    "external" "for" "from" "human" "ignores" "includes" "leads" "legacy" "list" "lost" "most" "not" "of"
-    "on" "one" "or" "persist" "process" "queued" "radio" "raise" "read_messages" "reads" "realises"
-    "repeatedly" "reply_by" "send" "simulated" "srm" "step" "system" "takes" "thread" "three" "to" "two"
-    "under" "uses" "waits" "weight" "when" "with" "within" "write_messages" "writes")
+    "external" "for" "from" "guarantees" "human" "ignores" "includes" "leads" "legacy" "list" "lost"
+    "most" "never" "no" "not" "of" "on" "one" "or" "persist" "process" "queued" "radio" "raise"
+    "read_messages" "reads" "realises" "repeatedly" "reply_by" "send" "sent" "simulated" "srm" "step"
+    "system" "takes" "thread" "three" "to" "two" "under" "uses" "waits" "weight" "when" "with" "within"
+    "write_messages" "writes")
   "Words with which a clause begins, and those of expressions.")
 
 (defconst aseme-blocks

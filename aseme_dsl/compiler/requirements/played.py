@@ -173,6 +173,7 @@ class _Lowering:
             self._always(name, item)
         for protocol in self.places.blocks.aips:
             self._clauses(protocol)
+        self._guarantees()
         if not may_fail:
             self._add_failures(statements)
         return play.Script(
@@ -240,6 +241,17 @@ class _Lowering:
         else:
             within = None if item.within is None else item.within.nanoseconds
             self._expect(rules.LeadsTo(one, two, within), item.span, None, (one,))
+
+    def _guarantees(self) -> None:
+        """What the activities guarantee that some agent performs."""
+        known = self.check.known
+        for activity in known.activities.values():
+            roles = known.performed.get(activity.name, frozenset())
+            agents = frozenset(agent for agent, role in self.team.items() if role in roles)
+            for item in activity.guarantees if agents else ():
+                number = self._number(play.Breached(activity.name, item, agents))
+                of = f"{play.GUARANTEE}{activity.name}"
+                self.expectations.append(play.Expectation(rules.Never(number), item.span, of=of))
 
     def _add_failures(self, statements: Iterable[nodes.Statement]) -> None:
         """No agent may fail but those that are to."""

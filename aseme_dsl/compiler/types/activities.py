@@ -7,13 +7,14 @@ from dataclasses import replace
 from typing import Literal
 
 from aseme_dsl.amola.messages import Channel, ChannelKind, Parameter
-from aseme_dsl.amola.srm import Activity, Subscription
+from aseme_dsl.amola.srm import Activity, Guarantee, Subscription
 from aseme_dsl.compiler.names.checker import Checker
 from aseme_dsl.compiler.names.paths import channel_of
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.read.library import providers
 from aseme_dsl.compiler.read.names import unknown
+from aseme_dsl.compiler.types.guarantees import read_guarantees
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.diagnostics.problems import activities as problems
 from aseme_dsl.diagnostics.problems.absences import NoKindOfActivity
@@ -59,6 +60,7 @@ def type_activity(
         tuple(dict.fromkeys(variables_read)),
         written.simulated is not None,
         written.waits is not None,
+        tuple(read_guarantees(checker, written, writes)),
     )
     if written.waits is not None:
         for word in _beside_waits(written):
@@ -81,6 +83,7 @@ def _beside_waits(written: tree.Activity) -> Iterator[str]:
         "reads": written.reads,
         "writes": written.writes,
         "ends": written.ends,
+        "guarantees": written.guarantees,
     }
     return (word for word, clause in clauses.items() if clause)
 
@@ -195,6 +198,7 @@ _CLAUSES = {
     "within": "within",
     "ends": "ends",
     "parameters": "parameters",
+    "guarantees": "guarantees",
 }
 
 
@@ -275,6 +279,8 @@ def _items(value: object) -> tuple[object, ...]:
 
 
 def _plain(item: object) -> object:
+    if isinstance(item, Guarantee):
+        return " ".join(item.span.text.split())
     if isinstance(item, Subscription):
         return (item.channel, item.topic, item.reach, item.history, item.host)
     return item

@@ -40,6 +40,7 @@ def read_modules(
         for word, place in (
             ("within", item.activity.within),
             ("ends", item.activity.ends[0] if item.activity.ends else None),
+            ("guarantees", item.activity.guarantees[0] if item.activity.guarantees else None),
         ):
             if place is not None:
                 diagnostics.append(Diagnostic(problems.ModuleEnds(name.text, word), place.span))

@@ -243,7 +243,7 @@ class ModuleEnds(Problem):
 
     @property
     def message(self) -> str:
-        return f"the module `{self.module}` does not end: it has no `{self.clause}`"
+        return f"the module `{self.module}` is no activity: it has no `{self.clause}`"
 
     hint = "leave it out"
 
@@ -304,6 +304,51 @@ class WaitsBeside(Problem):
         if self.word in ("takes", "within"):
             return "remove one of both; for a time limit write `after(…)` on a transition that leaves it"
         return f"remove `waits` or `{self.word}`"
+
+
+class GuaranteeOfOther(Problem):
+    """`near` is a message of the activity with a similar name."""
+
+    code = "E231"
+    activity: str
+    message_name: str
+    near: str | None
+
+    @property
+    def message(self) -> str:
+        return f"`{self.activity}` guarantees something of `{self.message_name}`, which it does not write"
+
+    @property
+    def hint(self) -> str:
+        return did_you_mean(self.near) if self.near else "name a message that stands behind its `writes`"
+
+
+class GuaranteeReadsMore(Problem):
+    code = "E231"
+    read: str
+
+    @property
+    def message(self) -> str:
+        return f"a guarantee speaks only of the messages that it names, not of `{self.read}`"
+
+    hint = "compare their members with each other and with constants"
+
+
+class GuaranteeNamesTwice(Problem):
+    code = "E231"
+    name: str
+
+    @property
+    def message(self) -> str:
+        return f"both messages are called `{self.name}`"
+
+    hint = "give one of them another name"
+
+
+class GuaranteeWithoutTime(Problem):
+    code = "E231"
+    message = "a guarantee for no time says nothing"
+    hint = "write how long it holds: `within 500ms`"
 
 
 class ModuleWaits(Problem):

@@ -352,7 +352,7 @@ class _Reader:
         self.piece(leaf.value, depth, level=level)
 
     def tokens(self, words: Sequence[Token], pieces: Sequence[Piece]) -> None:
-        pieces[0].blanks = 1
+        pieces[0].blanks = 0 if self.last == "[" else 1
         for word, piece in zip(words, pieces, strict=True):
             self.piece(word, piece.depth, piece.blanks, piece.level, piece.text)
 

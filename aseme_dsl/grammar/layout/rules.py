@@ -78,6 +78,7 @@ _ACTIVITY = {
     "Reads": 3,
     "Writes": 3,
     "Ends": 4,
+    "Guarantees": 3,
 }
 _MODULE = {**_ACTIVITY, "ModuleCode": 3}
 _GOAL = {"Depends": 1, "Requirements": 2}
@@ -157,6 +158,8 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "Read": Part(),
         "Writes": Part(),
         "Ends": Part(),
+        "Guarantees": Part(breaks=frozenset(("within", "after"))),
+        "Sent": Part(),
         "Functionality": Braces(),
         "FunctionalityText": Line({"text": 1}),
         # formulas.tx, expressions.tx
@@ -185,7 +188,9 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
 )
 
 FORMULAS = frozenset(("FormulaToken", "ProcessToken", "TermToken"))
-EXPRESSIONS = frozenset(("ExpressionToken", "ControlToken", "SettingToken", "BindingToken", "BusyToken"))
+EXPRESSIONS = frozenset(
+    ("ExpressionToken", "ControlToken", "SettingToken", "BindingToken", "BusyToken", "SentToken")
+)
 """The terminals whose lists have operators of their own (spacing.py)."""
 
 DROPPED = frozenset(("Separator",))

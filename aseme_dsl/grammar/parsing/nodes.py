@@ -382,6 +382,19 @@ class Writes(Node):
     paths: list[Leaf]
 
 
+class Guarantees(Node):
+    word: Leaf
+    said: Sent
+    limit: Leaf | None
+    earlier: Sent | None
+
+
+class Sent(Node):
+    message: Leaf
+    called: Leaf
+    tokens: list[Leaf]
+
+
 class Modules(Node):
     modules: list[ModulesEntry]
 
@@ -523,7 +536,9 @@ if TYPE_CHECKING:
     )
     LivenessEntry: TypeAlias = Formula | Leaf
     ActivitiesEntry: TypeAlias = Activity | Leaf
-    ActivityClause: TypeAlias = Every | Takes | Simulated | Waits | Within | As | Uses | Reads | Writes | Ends
+    ActivityClause: TypeAlias = (
+        Every | Takes | Simulated | Waits | Within | As | Uses | Reads | Writes | Ends | Guarantees
+    )
     ModulesEntry: TypeAlias = Module | Leaf
     FunctionalityEntry: TypeAlias = FunctionalityText | Leaf
     ChartEntry: TypeAlias = ChartNode | LabelledWay | StandingWay | Var | Let | Activities | Modules | Leaf

@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 822481446
+CHECKSUM = 2761542453
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -100,7 +100,7 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'Path': (
         'match',
         {},
-        ('pattern', '(?x)\n  [A-Za-z_][A-Za-z0-9_]*\n  (?: \\s*\\. (?: [ \\t]*[A-Za-z_][A-Za-z0-9_]*\\b\n            | [ \\t]*[\\r\\n]\\s*[A-Za-z_][A-Za-z0-9_]*\\b (?!\\s+(?:every|takes|simulated|waits|within|as|uses|reads|writes|ends)\\b) ) )*\n  \\b\n'),
+        ('pattern', '(?x)\n  [A-Za-z_][A-Za-z0-9_]*\n  (?: \\s*\\. (?: [ \\t]*[A-Za-z_][A-Za-z0-9_]*\\b\n            | [ \\t]*[\\r\\n]\\s*[A-Za-z_][A-Za-z0-9_]*\\b (?!\\s+(?:every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)\\b) ) )*\n  \\b\n'),
     ),
     'Text': (
         'match',
@@ -934,12 +934,25 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'ActivityName': (
         'match',
         {},
-        ('pattern', '(?!(?:every|takes|simulated|as|uses|reads|writes)\\b|(?:within|ends|waits)\\b(?!\\s+(?:every|takes|simulated|as|uses|reads|writes)\\b))[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*\\{|\\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{)'),
+        ('pattern', '(?!(?:every|takes|simulated|as|uses|reads|writes)\\b|(?:within|ends|waits|guarantees)\\b(?!\\s+(?:every|takes|simulated|as|uses|reads|writes)\\b))[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*\\{|\\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{)'),
     ),
     'ActivityClause': (
         'abstract',
         {},
-        ('choice', 'Every', 'Takes', 'Simulated', 'Waits', 'Within', 'As', 'Uses', 'Reads', 'Writes', 'Ends'),
+        (
+            'choice',
+            'Every',
+            'Takes',
+            'Simulated',
+            'Waits',
+            'Within',
+            'As',
+            'Uses',
+            'Reads',
+            'Writes',
+            'Ends',
+            'Guarantees',
+        ),
     ),
     'Every': (
         'common',
@@ -1020,6 +1033,53 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
         'common',
         {'paths': 'many'},
         ('series', ('word', 'writes'), ('+=', 'paths', 'Path', ('sign', ','))),
+    ),
+    'Guarantees': (
+        'common',
+        {'word': 'one', 'said': 'one', 'limit': 'one', 'earlier': 'one'},
+        (
+            'series',
+            ('word', 'guarantees'),
+            (
+                'choice',
+                ('series', ('=', 'word', ('word', 'never')), ('=', 'said', 'Sent')),
+                (
+                    'series',
+                    ('=', 'word', ('word', 'no')),
+                    ('=', 'said', 'Sent'),
+                    ('word', 'within'),
+                    ('=', 'limit', 'Duration'),
+                    ('word', 'after'),
+                    ('=', 'earlier', 'Sent'),
+                ),
+            ),
+        ),
+    ),
+    'Sent': (
+        'common',
+        {'message': 'one', 'called': 'one', 'tokens': 'many'},
+        (
+            'series',
+            ('word', 'sent'),
+            ('=', 'message', 'SentType'),
+            ('=', 'called', 'SentName'),
+            ('?', ('series', ('sign', '['), ('+=', 'tokens', 'SentToken'), ('sign', ']'))),
+        ),
+    ),
+    'SentType': (
+        'match',
+        {},
+        ('pattern', '[A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\\b'),
+    ),
+    'SentName': (
+        'match',
+        {},
+        ('pattern', '(?!(?:within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)\\b)[a-z_][A-Za-z0-9_]*\\b'),
+    ),
+    'SentToken': (
+        'match',
+        {},
+        ('pattern', '(?x)\n    "(?:[^"\\\\\\n]|\\\\.)*"\n  | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n  | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\\b\n  | && | \\|\\| | [<>=!]=\n  | [^\\s{}\\[\\]"\\w]\n'),
     ),
     'JunkActivity': (
         'match',

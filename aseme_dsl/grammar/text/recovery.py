@@ -80,8 +80,12 @@ BLOCKS: dict[str, Block] = {
     ),
     "JunkSrm": _block("includes plays capability var let liveness activities modules functionality control"),
     "JunkFormula": _block("", _FORMULA, around="JunkSrm"),
-    "JunkActivity": _names("every takes simulated waits within as uses reads writes ends", around="JunkSrm"),
-    "JunkModule": _names("every takes simulated waits within as uses reads writes ends", around="JunkSrm"),
+    "JunkActivity": _names(
+        "every takes simulated waits within as uses reads writes ends guarantees", around="JunkSrm"
+    ),
+    "JunkModule": _names(
+        "every takes simulated waits within as uses reads writes ends guarantees", around="JunkSrm"
+    ),
     "JunkFunctionality": _block("technology permissions environment algorithm", around="JunkSrm"),
     "JunkChart": _block("state var let activities modules", _LABELS, clauses="activity"),
     "JunkAgents": _names("with"),

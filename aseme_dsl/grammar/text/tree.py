@@ -728,6 +728,26 @@ class ActivityParameter:
 
 
 @dataclass(frozen=True, slots=True)
+class Sent:
+    """`sent Assignment b [b.center != a.center]`: a message, of this type or on this channel."""
+
+    message: Path
+    called: Name
+    condition: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Guarantee:
+    """`guarantees never sent …`, or `guarantees no sent … within 1400ms after sent …` (`earlier`)."""
+
+    said: Sent
+    within: Duration | None
+    earlier: Sent | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Activity:
     """`Vision every 33ms takes 5ms as process uses camera reads … writes …`; clauses in any order.
 
@@ -748,6 +768,7 @@ class Activity:
     parameters: tuple[ActivityParameter, ...] = ()
     simulated: Span | None = None
     waits: Span | None = None
+    guarantees: tuple[Guarantee, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

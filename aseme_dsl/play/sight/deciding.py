@@ -9,6 +9,7 @@ from typing import assert_never
 from aseme_dsl.play.scenario import (
     AllOf,
     AnyOf,
+    Breached,
     Condition,
     Expectation,
     Failed,
@@ -77,7 +78,7 @@ def _about(conditions: Sequence[Condition], number: int) -> frozenset[str] | Non
     match condition:
         case InPlaces(places=places):
             return frozenset(places)
-        case Says(agents=agents) | Untaken(agents=agents) | Failed(agents=agents):
+        case Says(agents=agents) | Untaken(agents=agents) | Failed(agents=agents) | Breached(agents=agents):
             return agents
         case Holds(agent=agent):
             return frozenset((agent,))
@@ -139,6 +140,8 @@ def _own_part(
         case Untaken(agents=agents) if kind is AnyOf:
             is_mine = agents is None or agent in agents
             own = replace(condition, agents=frozenset((agent,))) if is_mine else None
+        case Breached(agents=agents) if kind is AnyOf:
+            own = replace(condition, agents=frozenset((agent,))) if agent in agents else None
         case Failed(agents=agents) if kind is AnyOf:
             own = Failed(frozenset((agent,))) if agent in agents else None
         case Faulty() if kind is AnyOf:
@@ -165,7 +168,7 @@ def _is_mixed(conditions: list[Condition], number: int, kind: type[AnyOf] | type
     """Whether a condition cannot be divided into parts that are about one agent each."""
     condition = conditions[number]
     match condition:
-        case Says() | Untaken() | Failed() | Faulty() | InPlaces(least=1) if kind is AnyOf:
+        case Says() | Untaken() | Breached() | Failed() | Faulty() | InPlaces(least=1) if kind is AnyOf:
             return False
         case NotSo(part=part):
             return _is_mixed(conditions, part, AllOf if kind is AnyOf else AnyOf)

@@ -10,6 +10,7 @@ from aseme_dsl.play.asking.sending import places, sent_of
 from aseme_dsl.play.scenario import (
     AllOf,
     AnyOf,
+    Breached,
     Failed,
     Faulty,
     Holds,
@@ -76,6 +77,8 @@ def about(script: Script, rule: Rule, state: State, plans: Plans, since: int | N
             case Says():
                 messages.add(condition.what)
                 agents |= condition.agents or _who_say(script, condition, plans)
+            case Breached(guarantee=guarantee):
+                messages.update(map(str, guarantee.said.channels))
             case _:
                 pass
         if not isinstance(condition, Says | AllOf | AnyOf | NotSo):
@@ -143,6 +146,12 @@ def _asked(script: Script, number: int, is_why: bool, held: frozenset[int], plan
                     text = _sends(plans(name), condition)
                     if text is not None and _is_known(plans(name), text):
                         return Next(name, text, is_why)
+            return None
+        case Breached(agents=agents):
+            for name in sorted(agents):
+                for channel in condition.guarantee.said.channels:
+                    if _is_known(plans(name), str(channel)):
+                        return Next(name, str(channel), is_why)
             return None
         case Holds() | Untaken() | Faulty() | Failed():
             return None

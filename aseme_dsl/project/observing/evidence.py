@@ -9,6 +9,7 @@ from aseme_dsl.amola import expression as e
 from aseme_dsl.play.scenario import (
     AllOf,
     AnyOf,
+    Breached,
     Condition,
     Expectation,
     Failed,
@@ -84,6 +85,9 @@ def needs_of(script: Script, item: Expectation, channels: Iterable[str]) -> Need
                 has_channels = has_channels or not is_mail
                 if value is not None:
                     inside = inside or _inside(value)
+            case Breached(agents=agents):
+                senders.update(agents)
+                has_channels = True
             case Faulty() | Failed() | Untaken():
                 has_faults = True
             case AllOf() | AnyOf() | NotSo():

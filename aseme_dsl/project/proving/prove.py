@@ -13,6 +13,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.phases import inspect_files, watched_of
 from aseme_dsl.diagnostics import Severity
 from aseme_dsl.play.scenario import (
+    GUARANTEE,
     Assumption,
     CrashesAssumed,
     DurationAssumed,
@@ -254,6 +255,8 @@ def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iter
             yield Result(span.text, scope.what, Verdict.UNDECIDED, Bounds(scope.agents), reason, (), span)
             return
         for item in watched.scripts[0].expectations:
+            if item.of.startswith(GUARANTEE):
+                continue
             if named(item) not in {other.name for other in found}:
                 reason = "it speaks of agents that are left out: raise --robots"
                 yield Result(
@@ -265,6 +268,8 @@ def of_scope(script: Script, scope: Scope) -> Script:
     """What is watched: of a protocol alone its clauses, of the team everything."""
 
     def belongs(item: Expectation) -> bool:
+        if item.of.startswith(GUARANTEE):
+            return False  # it is assumed
         if not item.of.startswith("clause"):
             return scope.protocol is None
         return item.of.split()[-1] == scope.protocol if scope.protocol is not None else True

@@ -10,7 +10,7 @@ from aseme_dsl import outside
 from aseme_dsl.compiler.phases import inspect_files, scenarios_of
 from aseme_dsl.diagnostics import Severity, has_errors
 from aseme_dsl.play.run import NotPlayable, Played, play
-from aseme_dsl.play.scenario import Expectation, Scenario
+from aseme_dsl.play.scenario import GUARANTEE, Expectation, Scenario
 from aseme_dsl.project.building.project import compile_root, options_of
 from aseme_dsl.project.proving.counterexample import Run, scenario_of
 from aseme_dsl.proofs.explore.explored import Explored
@@ -66,7 +66,7 @@ def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation |
     if scenario.refused is not None:
         return replace(found, problem=f"{scenario.refused.reason}: `{_line(scenario.refused.span)}`")
     (script,) = scenario.scripts
-    kept = tuple(item for item in script.expectations if _is(item, of))
+    kept = tuple(item for item in script.expectations if _is(item, of) or item.of.startswith(GUARANTEE))
     try:
         run = play(
             loaded,
@@ -83,6 +83,9 @@ def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation |
     if run.broken is None:
         failed = "; ".join(f"{name} fails: {why}" for name, why in run.failures.items())
         return replace(found, problem=failed or "in it, all is as it should be")
+    broken = kept[run.broken]
+    if broken.of.startswith(GUARANTEE):
+        return replace(found, problem=f"it breaks `{_line(broken.span)}`")
     if run.assumption is not None:
         return replace(found, problem=f"it breaks `{_line(run.assumption[0].span)}`")
     return replace(found, scenario=scenario, played=run)

@@ -21,6 +21,7 @@ from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import (
     AllOf,
     AnyOf,
+    Breached,
     Condition,
     Expectation,
     Failed,
@@ -158,7 +159,7 @@ def asked_by(script: Script) -> Asked | None:
                 channels.update(_channel(part) for part in e.walk(value))
             case AllOf() | AnyOf() | NotSo():
                 pass
-            case Says() | Untaken() | Faulty() | Failed():
+            case Says() | Untaken() | Breached() | Faulty() | Failed():
                 return None
             case _:
                 assert_never(item)

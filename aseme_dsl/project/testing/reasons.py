@@ -6,7 +6,7 @@ import re
 from typing import assert_never
 
 from aseme_dsl.play.run import Played
-from aseme_dsl.play.scenario import Condition, Expectation, Failed, Faulty, InPlaces, Script
+from aseme_dsl.play.scenario import Breached, Condition, Expectation, Failed, Faulty, InPlaces, Script
 from aseme_dsl.runtime.chart.board import NEVER
 from aseme_dsl.runtime.monitor.rules import (
     AfterFirst,
@@ -40,6 +40,8 @@ def broken(item: Expectation, script: Script, run: Played) -> str:
             return f"{name} has failed at {end}: {why}"
         case Never(condition=condition) if isinstance(script.conditions[condition], Faulty):
             return f"a fault at {end}: {run.faults[-1]}"
+        case Never(condition=condition) if isinstance(script.conditions[condition], Breached):
+            return run.read
         case Never(condition=condition) if _is_count(script.conditions[condition]):
             return f"too many at once at {end}{so}"
         case InOrder(conditions=(_, _, *_)):

@@ -101,8 +101,8 @@ def script_in(
 
 
 def may_say_something(sources: Mapping[str, str]) -> bool:
-    """Whether texts may have properties or clauses in them, by their words."""
-    return any(word in text for text in sources.values() for word in ("property", "clause"))
+    """Whether texts may have properties, clauses or guarantees in them, by their words."""
+    return any(word in text for text in sources.values() for word in ("property", "clause", "guarantees"))
 
 
 class Watch:

@@ -6,13 +6,13 @@ endif
 scriptencoding utf-8
 " A declaration that begins a line stands in nothing else: what is before it need not be read.
 syntax sync match asemeDeclarationHere grouphere NONE /\v^%(language|system|import|let|enum|message|topic|function|sag|suc|aip|abstract|srm|statechart|team|scenario|property)>/
-syntax match asemeReference_1402 /\v[^ \t0-9A-Za-z_{}]/
-syntax match asemeReference_1401 /\v\w+/
-syntax match asemeNumber_1400 /\v[0-9]+%(\.[0-9]+)*\w*/
-syntax match asemeText_1399 /\v\"[^"\n]*/ contains=@Spell
-syntax match asemeText_1398 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
-syntax region asemePunctuation_1403 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
-syntax cluster asemeStrayTrue contains=asemeText_1398,asemeText_1399,asemeNumber_1400,asemeReference_1401,asemeReference_1402,asemePunctuation_1403,asemeComment
+syntax match asemeReference_1546 /\v[^ \t0-9A-Za-z_{}]/
+syntax match asemeReference_1545 /\v\w+/
+syntax match asemeNumber_1544 /\v[0-9]+%(\.[0-9]+)*\w*/
+syntax match asemeText_1543 /\v\"[^"\n]*/ contains=@Spell
+syntax match asemeText_1542 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
+syntax region asemePunctuation_1547 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
+syntax cluster asemeStrayTrue contains=asemeText_1542,asemeText_1543,asemeNumber_1544,asemeReference_1545,asemeReference_1546,asemePunctuation_1547,asemeComment
 syntax match asemeReference_43 /\v[^ \t0-9A-Za-z_{}]/ contained
 syntax match asemeReference_42 /\v\w+/ contained
 syntax match asemeNumber_41 /\v[0-9]+%(\.[0-9]+)*\w*/ contained
@@ -20,447 +20,551 @@ syntax match asemeText_40 /\v\"[^"\n]*/ contained contains=@Spell
 syntax match asemeText_39 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
 syntax region asemePunctuation_44 matchgroup=asemePunctuation start=/{/ end=/}/ contained contains=@asemeStrayFalse transparent
 syntax cluster asemeStrayFalse contains=asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_12,asemeDeclaration_83,asemeDeclaration_95,asemeDeclaration_121,asemeDeclaration_155,asemeDeclaration_196,asemeDeclaration_222,asemeDeclaration_255,asemeDeclaration_746,asemeDeclaration_1129,asemeDeclaration_1132,asemeDeclaration_1283,asemeDeclaration_1356,asemeDeclaration_1385,asemeDeclaration_1396,asemeText_1398,asemeText_1399,asemeNumber_1400,asemeReference_1401,asemeReference_1402,asemePunctuation_1403,asemeComment
-syntax match asemeDeclaration_1396 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_1395,asemeComment_1397 skipwhite skipempty
-syntax region asemeComment_1397 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1395,asemeComment_1397 skipwhite skipempty
-syntax match asemeComment_1397 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1395,asemeComment_1397 skipwhite skipempty
-syntax match asemeText_1395 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1394 skipwhite skipempty
-syntax cluster asemePropertyInFile contains=asemePunctuation_1392,asemeText_1393
-syntax match asemeText_1393 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1394 skipwhite skipempty
-syntax region asemeComment_1394 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1394 skipwhite skipempty
-syntax match asemeComment_1394 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1394 skipwhite skipempty
-syntax region asemePunctuation_1392 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
-syntax cluster asemeBodyOfProperty contains=asemePunctuation_1375,asemeText_1387,asemeNumber_1388,asemeReference_1389,asemeOperator_1390,asemePunctuation_1391,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemePunctuation_1391 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_1390 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_1389 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_1388 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_1387 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_1385 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_1384,asemeComment_1386 skipwhite skipempty
-syntax region asemeComment_1386 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1384,asemeComment_1386 skipwhite skipempty
-syntax match asemeComment_1386 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1384,asemeComment_1386 skipwhite skipempty
-syntax match asemeText_1384 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1383 skipwhite skipempty
-syntax cluster asemeScenarioInFile contains=asemePunctuation_1381,asemeText_1382
-syntax match asemeText_1382 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1383 skipwhite skipempty
-syntax region asemeComment_1383 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1383 skipwhite skipempty
-syntax match asemeComment_1383 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1383 skipwhite skipempty
-syntax region asemePunctuation_1381 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
-syntax cluster asemeBodyOfScenario contains=asemePunctuation_1375,asemeText_1376,asemeNumber_1377,asemeReference_1378,asemeOperator_1379,asemePunctuation_1380,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemePunctuation_1380 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_1379 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_1378 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_1377 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_1376 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_1375 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
-syntax cluster asemeBodyOfBraced contains=asemePunctuation_1369,asemeText_1370,asemeNumber_1371,asemeReference_1372,asemeOperator_1373,asemePunctuation_1374,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemePunctuation_1374 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_1373 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_1372 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_1371 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_1370 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_1369 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
-syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_1363,asemeText_1364,asemeNumber_1365,asemeReference_1366,asemeOperator_1367,asemePunctuation_1368,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemePunctuation_1368 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_1367 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_1366 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_1365 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_1364 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_1363 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
-syntax cluster asemeBodyOfBraced3 contains=asemeText_1358,asemeNumber_1359,asemeReference_1360,asemeOperator_1361,asemePunctuation_1362,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemePunctuation_1362 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_1361 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_1360 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_1359 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_1358 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_1356 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_1355,asemeComment_1357 skipwhite skipempty
-syntax region asemeComment_1357 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1355,asemeComment_1357 skipwhite skipempty
-syntax match asemeComment_1357 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1355,asemeComment_1357 skipwhite skipempty
-syntax match asemeBlock_1355 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_1354 skipwhite skipempty
-syntax cluster asemeTeamInFile contains=asemePunctuation_1352,asemeBlock_1353
-syntax match asemeBlock_1353 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_1354 skipwhite skipempty
-syntax region asemeComment_1354 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_1354 skipwhite skipempty
-syntax match asemeComment_1354 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_1354 skipwhite skipempty
-syntax region asemePunctuation_1352 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
-syntax cluster asemeBodyOfTeam contains=asemeName_1351,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemeName_1351 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1326 skipwhite skipempty
-syntax cluster asemeAgentsInBodyOfTeam contains=asemeClause_1323,asemePunctuation_1333,asemePunctuation_1338,asemePunctuation_1344,asemePunctuation_1347,asemePunctuation_1349,asemeOperator_1350
-syntax match asemeOperator_1350 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemePunctuation_1349 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1326 skipwhite skipempty
-syntax match asemePunctuation_1347 /\v\:/ contained nextgroup=asemeReference_1346,asemeComment_1348 skipwhite skipempty
-syntax region asemeComment_1348 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1346,asemeComment_1348 skipwhite skipempty
-syntax match asemeComment_1348 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1346,asemeComment_1348 skipwhite skipempty
-syntax match asemeReference_1346 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1326 skipwhite skipempty
-syntax match asemePunctuation_1344 /\v\,/ contained nextgroup=asemeName_1341,asemeName_1343,asemeComment_1345 skipwhite skipempty
-syntax region asemeComment_1345 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1341,asemeName_1343,asemeComment_1345 skipwhite skipempty
-syntax match asemeComment_1345 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1341,asemeName_1343,asemeComment_1345 skipwhite skipempty
-syntax match asemeName_1343 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1326 skipwhite skipempty
-syntax match asemeName_1341 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1340,asemeComment_1342 skipwhite skipempty
-syntax region asemeComment_1342 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1340,asemeComment_1342 skipwhite skipempty
-syntax match asemeComment_1342 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1340,asemeComment_1342 skipwhite skipempty
-syntax match asemeOperator_1340 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemePunctuation_1338 /\v\.\./ contained nextgroup=asemeNumber_1336,asemeComment_1339 skipwhite skipempty
-syntax region asemeComment_1339 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1336,asemeComment_1339 skipwhite skipempty
-syntax match asemeComment_1339 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1336,asemeComment_1339 skipwhite skipempty
-syntax match asemeNumber_1336 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1335,asemeComment_1337 skipwhite skipempty
-syntax region asemeComment_1337 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1335,asemeComment_1337 skipwhite skipempty
-syntax match asemeComment_1337 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1335,asemeComment_1337 skipwhite skipempty
-syntax match asemePunctuation_1335 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1326 skipwhite skipempty
-syntax match asemePunctuation_1333 /\v\[/ contained nextgroup=asemeNumber_1331,asemeComment_1334 skipwhite skipempty
-syntax region asemeComment_1334 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1331,asemeComment_1334 skipwhite skipempty
-syntax match asemeComment_1334 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1331,asemeComment_1334 skipwhite skipempty
-syntax match asemeNumber_1331 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1329,asemeComment_1332 skipwhite skipempty
-syntax region asemeComment_1332 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1329,asemeComment_1332 skipwhite skipempty
-syntax match asemeComment_1332 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1329,asemeComment_1332 skipwhite skipempty
-syntax match asemePunctuation_1329 /\v\.\./ contained nextgroup=asemeNumber_1327,asemeComment_1330 skipwhite skipempty
-syntax region asemeComment_1330 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1327,asemeComment_1330 skipwhite skipempty
-syntax match asemeComment_1330 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1327,asemeComment_1330 skipwhite skipempty
-syntax match asemeNumber_1327 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1325,asemeComment_1328 skipwhite skipempty
-syntax region asemeComment_1328 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1325,asemeComment_1328 skipwhite skipempty
-syntax match asemeComment_1328 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1325,asemeComment_1328 skipwhite skipempty
-syntax match asemePunctuation_1325 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1326 skipwhite skipempty
-syntax region asemeComment_1326 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1326 skipwhite skipempty
-syntax match asemeComment_1326 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1326 skipwhite skipempty
-syntax match asemeClause_1323 /\vwith%(<|>)/ contained nextgroup=asemeName_1321,asemeComment_1324 skipwhite skipempty
-syntax region asemeComment_1324 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1321,asemeComment_1324 skipwhite skipempty
-syntax match asemeComment_1324 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1321,asemeComment_1324 skipwhite skipempty
-syntax match asemeName_1321 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1320,asemeComment_1322 skipwhite skipempty
-syntax region asemeComment_1322 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1320,asemeComment_1322 skipwhite skipempty
-syntax match asemeComment_1322 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1320,asemeComment_1322 skipwhite skipempty
-syntax match asemeOperator_1320 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeDeclaration_1283 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_1282,asemeComment_1284 skipwhite skipempty
-syntax region asemeComment_1284 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1282,asemeComment_1284 skipwhite skipempty
-syntax match asemeComment_1284 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1282,asemeComment_1284 skipwhite skipempty
-syntax match asemeBlock_1282 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_1281 skipwhite skipempty
-syntax cluster asemeStatechartInFile contains=asemePunctuation_1279,asemeBlock_1280
-syntax match asemeBlock_1280 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_1281 skipwhite skipempty
-syntax region asemeComment_1281 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_1281 skipwhite skipempty
-syntax match asemeComment_1281 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_1281 skipwhite skipempty
-syntax region asemePunctuation_1279 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfStatechart
-syntax cluster asemeBodyOfStatechart contains=asemeDeclaration_1156,asemeNumber_1163,asemeDeclaration_1203,asemeDeclaration_1268,asemeDeclaration_1273,asemeDeclaration_1275,asemeDeclaration_1277,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemeDeclaration_1277 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1278 skipwhite skipempty
-syntax region asemeComment_1278 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1278 skipwhite skipempty
-syntax match asemeComment_1278 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1278 skipwhite skipempty
-syntax cluster asemeModulesInBodyOfStatechart contains=asemePunctuation_1093
-syntax match asemeDeclaration_1275 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1276 skipwhite skipempty
-syntax region asemeComment_1276 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1276 skipwhite skipempty
-syntax match asemeComment_1276 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1276 skipwhite skipempty
-syntax cluster asemeActivitiesInBodyOfStatechart contains=asemePunctuation_1040
-syntax match asemeDeclaration_1273 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_1271,asemeComment_1274 skipwhite skipempty
-syntax region asemeComment_1274 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1271,asemeComment_1274 skipwhite skipempty
-syntax match asemeComment_1274 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1271,asemeComment_1274 skipwhite skipempty
-syntax match asemeName_1271 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1270,asemeComment_1272 skipwhite skipempty
-syntax region asemeComment_1272 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1270,asemeComment_1272 skipwhite skipempty
-syntax match asemeComment_1272 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1270,asemeComment_1272 skipwhite skipempty
-syntax match asemeOperator_1270 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_45 skipwhite skipempty
-syntax match asemeDeclaration_1268 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_1267,asemeComment_1269 skipwhite skipempty
-syntax region asemeComment_1269 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1267,asemeComment_1269 skipwhite skipempty
-syntax match asemeComment_1269 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1267,asemeComment_1269 skipwhite skipempty
-syntax match asemeName_1267 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax cluster asemeVarInBodyOfStatechart contains=asemeClause_1208,asemeClause_1210,asemePunctuation_1214,asemeNumber_1219,asemePunctuation_1224,asemePunctuation_1227,asemePunctuation_1229,asemeOperator_1265,asemeName_1266
-syntax match asemeName_1266 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemeOperator_1265 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemePunctuation_1229 /\v\]/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemePunctuation_1227 /\v\.\./ contained nextgroup=asemeNumber_1226,asemeComment_1228 skipwhite skipempty
-syntax region asemeComment_1228 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1226,asemeComment_1228 skipwhite skipempty
-syntax match asemeComment_1228 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1226,asemeComment_1228 skipwhite skipempty
-syntax match asemeNumber_1226 /\v\-?\_s*[0-9]+%(\.[0-9]+)?%(%(\w|\.[0-9]))@!/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemePunctuation_1224 /\v\:/ contained nextgroup=asemeClause_1221,asemeBuiltIn_1222,asemeType_1223,asemeComment_1225 skipwhite skipempty
-syntax region asemeComment_1225 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_1221,asemeBuiltIn_1222,asemeType_1223,asemeComment_1225 skipwhite skipempty
-syntax match asemeComment_1225 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_1221,asemeBuiltIn_1222,asemeType_1223,asemeComment_1225 skipwhite skipempty
-syntax match asemeType_1223 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemeBuiltIn_1222 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemeClause_1221 /\vlist%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemeNumber_1219 /\v\-?\_s*[0-9]+%(\.[0-9]+)?%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1217,asemeComment_1220 skipwhite skipempty
-syntax region asemeComment_1220 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1217,asemeComment_1220 skipwhite skipempty
-syntax match asemeComment_1220 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1217,asemeComment_1220 skipwhite skipempty
-syntax match asemePunctuation_1217 /\v\.\./ contained nextgroup=asemeNumber_1216,asemeComment_1218 skipwhite skipempty
-syntax region asemeComment_1218 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1216,asemeComment_1218 skipwhite skipempty
-syntax match asemeComment_1218 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1216,asemeComment_1218 skipwhite skipempty
-syntax match asemeNumber_1216 /\v\-?\_s*[0-9]+%(\.[0-9]+)?%(%(\w|\.[0-9]))@!/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemePunctuation_1214 /\v\[/ contained nextgroup=asemeNumber_1212,asemeComment_1215 skipwhite skipempty
-syntax region asemeComment_1215 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1212,asemeComment_1215 skipwhite skipempty
-syntax match asemeComment_1215 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1212,asemeComment_1215 skipwhite skipempty
-syntax match asemeNumber_1212 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1211,asemeComment_1213 skipwhite skipempty
-syntax region asemeComment_1213 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1211,asemeComment_1213 skipwhite skipempty
-syntax match asemeComment_1213 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1211,asemeComment_1213 skipwhite skipempty
-syntax match asemePunctuation_1211 /\v\]/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemeClause_1210 /\vlist%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemeClause_1208 /\vof%(<|>)/ contained nextgroup=asemeBuiltIn_1205,asemeType_1207,asemeComment_1209 skipwhite skipempty
-syntax region asemeComment_1209 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_1205,asemeType_1207,asemeComment_1209 skipwhite skipempty
-syntax match asemeComment_1209 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_1205,asemeType_1207,asemeComment_1209 skipwhite skipempty
-syntax match asemeType_1207 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemeBuiltIn_1205 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax region asemeComment_1206 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemeComment_1206 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1206 skipwhite skipempty
-syntax match asemeDeclaration_1203 /\v%(%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=%(on|exit)%(<|>)/ contained nextgroup=asemeNumber_1201,asemeComment_1204 skipwhite skipempty
-syntax region asemeComment_1204 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1201,asemeComment_1204 skipwhite skipempty
-syntax match asemeComment_1204 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1201,asemeComment_1204 skipwhite skipempty
-syntax match asemeNumber_1201 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_1200,asemeComment_1202 skipwhite skipempty
-syntax region asemeComment_1202 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1200,asemeComment_1202 skipwhite skipempty
-syntax match asemeComment_1202 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1200,asemeComment_1202 skipwhite skipempty
-syntax match asemePunctuation_1200 /\v\:/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeNumber_1163 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_1161,asemeComment_1164 skipwhite skipempty
-syntax region asemeComment_1164 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1161,asemeComment_1164 skipwhite skipempty
-syntax match asemeComment_1164 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1161,asemeComment_1164 skipwhite skipempty
-syntax match asemeOperator_1161 /\v\-\>/ contained nextgroup=asemeNumber_1159,asemeComment_1162 skipwhite skipempty
-syntax region asemeComment_1162 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1159,asemeComment_1162 skipwhite skipempty
-syntax match asemeComment_1162 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1159,asemeComment_1162 skipwhite skipempty
-syntax match asemeNumber_1159 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_1158,asemeComment_1160 skipwhite skipempty
-syntax region asemeComment_1160 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1158,asemeComment_1160 skipwhite skipempty
-syntax match asemeComment_1160 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1158,asemeComment_1160 skipwhite skipempty
-syntax match asemePunctuation_1158 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_684 skipwhite skipempty
-syntax match asemeDeclaration_1156 /\v%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=state%(<|>)/ contained nextgroup=asemeNumber_1154,asemeComment_1157 skipwhite skipempty
-syntax region asemeComment_1157 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1154,asemeComment_1157 skipwhite skipempty
-syntax match asemeComment_1157 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1154,asemeComment_1157 skipwhite skipempty
-syntax match asemeNumber_1154 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_1152,asemeComment_1155 skipwhite skipempty
-syntax region asemeComment_1155 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1152,asemeComment_1155 skipwhite skipempty
-syntax match asemeComment_1155 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1152,asemeComment_1155 skipwhite skipempty
-syntax match asemeChoice_1152 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_1150,asemeText_1151,@asemeChartNodeInBodyOfStatechart,asemeComment_1153 skipwhite skipempty
-syntax region asemeComment_1153 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1150,asemeText_1151,@asemeChartNodeInBodyOfStatechart,asemeComment_1153 skipwhite skipempty
-syntax match asemeComment_1153 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1150,asemeText_1151,@asemeChartNodeInBodyOfStatechart,asemeComment_1153 skipwhite skipempty
-syntax match asemeText_1151 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax match asemeName_1150 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax cluster asemeChartNodeInBodyOfStatechart contains=asemeClause_1136,asemeChoice_1140,asemeNumber_1146,asemeName_1148,asemeText_1149
-syntax match asemeText_1149 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax match asemeName_1148 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax match asemeNumber_1146 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_1144,asemeComment_1147 skipwhite skipempty
-syntax region asemeComment_1147 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1144,asemeComment_1147 skipwhite skipempty
-syntax match asemeComment_1147 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1144,asemeComment_1147 skipwhite skipempty
-syntax match asemeChoice_1144 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_1142,asemeText_1143,@asemeChartNodeInBodyOfStatechart,asemeComment_1145 skipwhite skipempty
-syntax region asemeComment_1145 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1142,asemeText_1143,@asemeChartNodeInBodyOfStatechart,asemeComment_1145 skipwhite skipempty
-syntax match asemeComment_1145 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1142,asemeText_1143,@asemeChartNodeInBodyOfStatechart,asemeComment_1145 skipwhite skipempty
-syntax match asemeText_1143 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax match asemeName_1142 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax match asemeChoice_1140 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_1138,asemeText_1139,@asemeChartNodeInBodyOfStatechart,asemeComment_1141 skipwhite skipempty
-syntax region asemeComment_1141 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1138,asemeText_1139,@asemeChartNodeInBodyOfStatechart,asemeComment_1141 skipwhite skipempty
-syntax match asemeComment_1141 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1138,asemeText_1139,@asemeChartNodeInBodyOfStatechart,asemeComment_1141 skipwhite skipempty
-syntax match asemeText_1139 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax match asemeName_1138 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax match asemeClause_1136 /\vactivity%(<|>)/ contained nextgroup=asemeReference_1134,asemeComment_1137 skipwhite skipempty
-syntax region asemeComment_1137 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1134,asemeComment_1137 skipwhite skipempty
-syntax match asemeComment_1137 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1134,asemeComment_1137 skipwhite skipempty
-syntax match asemeReference_1134 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax region asemeComment_1135 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax match asemeComment_1135 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1135 skipwhite skipempty
-syntax match asemeDeclaration_1132 /\v%(srm%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=srm%(<|>)/ nextgroup=asemeBlock_1131,asemeComment_1133 skipwhite skipempty
-syntax region asemeComment_1133 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1131,asemeComment_1133 skipwhite skipempty
-syntax match asemeComment_1133 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1131,asemeComment_1133 skipwhite skipempty
-syntax match asemeBlock_1131 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_749 skipwhite skipempty
-syntax match asemeDeclaration_1129 /\v%(abstract%(<|>)%(\_s*%(srm%(<|>)|%($|\/\/|\/\*)))@=)@=abstract%(<|>)/ nextgroup=asemeClause_1127,asemeComment_1130 skipwhite skipempty
-syntax region asemeComment_1130 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_1127,asemeComment_1130 skipwhite skipempty
-syntax match asemeComment_1130 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_1127,asemeComment_1130 skipwhite skipempty
-syntax match asemeClause_1127 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_1126,asemeComment_1128 skipwhite skipempty
-syntax region asemeComment_1128 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1126,asemeComment_1128 skipwhite skipempty
-syntax match asemeComment_1128 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1126,asemeComment_1128 skipwhite skipempty
-syntax match asemeBlock_1126 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_749 skipwhite skipempty
-syntax cluster asemeSrmInFile contains=asemeClause_750,asemePunctuation_1124,asemeBlock_1125
-syntax match asemeBlock_1125 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_749 skipwhite skipempty
-syntax region asemePunctuation_1124 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfSrm
-syntax cluster asemeBodyOfSrm contains=asemeDeclaration_758,asemeDeclaration_862,asemeDeclaration_878,asemeDeclaration_943,asemeDeclaration_948,asemeDeclaration_972,asemeDeclaration_1041,asemeDeclaration_1094,asemeDeclaration_1103,asemeDeclaration_1122,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemeDeclaration_1122 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_1120,asemeComment_1123 skipwhite skipempty
-syntax region asemeComment_1123 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1120,asemeComment_1123 skipwhite skipempty
-syntax match asemeComment_1123 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1120,asemeComment_1123 skipwhite skipempty
-syntax match asemeBlock_1120 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_1117,asemeOperator_1119,@asemeControlInBodyOfSrm,asemeComment_1121 skipwhite skipempty
-syntax region asemeComment_1121 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1117,asemeOperator_1119,@asemeControlInBodyOfSrm,asemeComment_1121 skipwhite skipempty
-syntax match asemeComment_1121 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1117,asemeOperator_1119,@asemeControlInBodyOfSrm,asemeComment_1121 skipwhite skipempty
-syntax match asemeOperator_1119 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1106 skipwhite skipempty
-syntax match asemeOperator_1117 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_1116,@asemeControlInBodyOfSrm,asemeComment_1118 skipwhite skipempty
-syntax region asemeComment_1118 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1116,@asemeControlInBodyOfSrm,asemeComment_1118 skipwhite skipempty
-syntax match asemeComment_1118 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1116,@asemeControlInBodyOfSrm,asemeComment_1118 skipwhite skipempty
-syntax match asemeOperator_1116 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1106 skipwhite skipempty
-syntax cluster asemeControlInBodyOfSrm contains=asemeOperator_1107,asemePunctuation_726,asemeOperator_1109,asemeBlock_1114
-syntax match asemeBlock_1114 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*%(\_s*\.)@=)?%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_1111,asemeOperator_1113,@asemeControlInBodyOfSrm,asemeComment_1115 skipwhite skipempty
-syntax region asemeComment_1115 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1111,asemeOperator_1113,@asemeControlInBodyOfSrm,asemeComment_1115 skipwhite skipempty
-syntax match asemeComment_1115 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1111,asemeOperator_1113,@asemeControlInBodyOfSrm,asemeComment_1115 skipwhite skipempty
-syntax match asemeOperator_1113 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1106 skipwhite skipempty
-syntax match asemeOperator_1111 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_1110,@asemeControlInBodyOfSrm,asemeComment_1112 skipwhite skipempty
-syntax region asemeComment_1112 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1110,@asemeControlInBodyOfSrm,asemeComment_1112 skipwhite skipempty
-syntax match asemeComment_1112 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1110,@asemeControlInBodyOfSrm,asemeComment_1112 skipwhite skipempty
-syntax match asemeOperator_1110 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1106 skipwhite skipempty
-syntax match asemeOperator_1109 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1106 skipwhite skipempty
-syntax match asemeOperator_1107 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_1105,@asemeControlInBodyOfSrm,asemeComment_1108 skipwhite skipempty
-syntax region asemeComment_1108 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1105,@asemeControlInBodyOfSrm,asemeComment_1108 skipwhite skipempty
-syntax match asemeComment_1108 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1105,@asemeControlInBodyOfSrm,asemeComment_1108 skipwhite skipempty
-syntax match asemeOperator_1105 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1106 skipwhite skipempty
-syntax region asemeComment_1106 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_1106 skipwhite skipempty
-syntax match asemeComment_1106 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_1106 skipwhite skipempty
-syntax match asemeDeclaration_1103 /\v%(functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=functionality%(<|>)/ contained nextgroup=asemeBlock_1102,asemeComment_1104 skipwhite skipempty
-syntax region asemeComment_1104 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1102,asemeComment_1104 skipwhite skipempty
-syntax match asemeComment_1104 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1102,asemeComment_1104 skipwhite skipempty
-syntax match asemeBlock_1102 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_1101 skipwhite skipempty
-syntax cluster asemeFunctionalityInBodyOfSrm contains=asemePunctuation_1099,asemeBlock_1100
-syntax match asemeBlock_1100 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*%(\_s*\.)@=)?%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_1101 skipwhite skipempty
-syntax region asemeComment_1101 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_1101 skipwhite skipempty
-syntax match asemeComment_1101 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_1101 skipwhite skipempty
-syntax region asemePunctuation_1099 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfFunctionality
-syntax cluster asemeBodyOfFunctionality contains=asemeDeclaration_1097,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemeDeclaration_1097 /\v%(%(technology|permissions|environment|algorithm)%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=%(technology|permissions|environment|algorithm)%(<|>)/ contained nextgroup=asemeText_1096,asemeComment_1098 skipwhite skipempty
-syntax region asemeComment_1098 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1096,asemeComment_1098 skipwhite skipempty
-syntax match asemeComment_1098 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1096,asemeComment_1098 skipwhite skipempty
-syntax match asemeText_1096 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_1094 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfSrm,asemeComment_1095 skipwhite skipempty
-syntax region asemeComment_1095 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_1095 skipwhite skipempty
-syntax match asemeComment_1095 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_1095 skipwhite skipempty
-syntax cluster asemeModulesInBodyOfSrm contains=asemePunctuation_1093
-syntax region asemePunctuation_1093 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfModules
-syntax cluster asemeBodyOfModules contains=asemeName_1092,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemeName_1092 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax cluster asemeModuleInBodyOfModules contains=asemeClause_1048,asemeClause_1051,asemeClause_1054,asemeClause_1057,asemeClause_1060,asemeClause_1063,asemeChoice_1066,asemeClause_1069,asemeClause_1072,asemeClause_1075,asemeClause_1077,asemeChoice_1078,asemeChoice_1079,asemePunctuation_1086,asemeOperator_1089,asemeReference_1091
-syntax match asemeReference_1091 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@!%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeOperator_1089 /\v\=%(\=)@!/ contained nextgroup=asemeText_1088,asemeComment_1090 skipwhite skipempty
-syntax region asemeComment_1090 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1088,asemeComment_1090 skipwhite skipempty
-syntax match asemeComment_1090 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1088,asemeComment_1090 skipwhite skipempty
-syntax match asemeText_1088 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemePunctuation_1086 /\v\,/ contained nextgroup=asemeChoice_1081,asemeReference_1083,asemeReference_1084,asemeReference_1085,asemeComment_1087 skipwhite skipempty
-syntax region asemeComment_1087 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1081,asemeReference_1083,asemeReference_1084,asemeReference_1085,asemeComment_1087 skipwhite skipempty
-syntax match asemeComment_1087 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1081,asemeReference_1083,asemeReference_1084,asemeReference_1085,asemeComment_1087 skipwhite skipempty
-syntax match asemeReference_1085 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeReference_1084 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeReference_1083 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeChoice_1081 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_1080,asemeComment_1082 skipwhite skipempty
-syntax region asemeComment_1082 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1080,asemeComment_1082 skipwhite skipempty
-syntax match asemeComment_1082 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1080,asemeComment_1082 skipwhite skipempty
-syntax match asemeReference_1080 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeChoice_1079 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeChoice_1078 /\vwaits%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeClause_1077 /\vsimulated%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeClause_1075 /\vends%(<|>)/ contained nextgroup=asemeReference_1074,asemeComment_1076 skipwhite skipempty
-syntax region asemeComment_1076 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1074,asemeComment_1076 skipwhite skipempty
-syntax match asemeComment_1076 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1074,asemeComment_1076 skipwhite skipempty
-syntax match asemeReference_1074 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeClause_1072 /\vwrites%(<|>)/ contained nextgroup=asemeReference_1071,asemeComment_1073 skipwhite skipempty
-syntax region asemeComment_1073 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1071,asemeComment_1073 skipwhite skipempty
-syntax match asemeComment_1073 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1071,asemeComment_1073 skipwhite skipempty
-syntax match asemeReference_1071 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeClause_1069 /\vfor%(<|>)/ contained nextgroup=asemeNumber_1068,asemeComment_1070 skipwhite skipempty
-syntax region asemeComment_1070 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1068,asemeComment_1070 skipwhite skipempty
-syntax match asemeComment_1070 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1068,asemeComment_1070 skipwhite skipempty
-syntax match asemeNumber_1068 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeChoice_1066 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_1065,asemeComment_1067 skipwhite skipempty
-syntax region asemeComment_1067 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1065,asemeComment_1067 skipwhite skipempty
-syntax match asemeComment_1067 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1065,asemeComment_1067 skipwhite skipempty
-syntax match asemeReference_1065 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeClause_1063 /\vuses%(<|>)/ contained nextgroup=asemeReference_1062,asemeComment_1064 skipwhite skipempty
-syntax region asemeComment_1064 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1062,asemeComment_1064 skipwhite skipempty
-syntax match asemeComment_1064 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1062,asemeComment_1064 skipwhite skipempty
-syntax match asemeReference_1062 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeClause_1060 /\vas%(<|>)/ contained nextgroup=asemeChoice_1059,asemeComment_1061 skipwhite skipempty
-syntax region asemeComment_1061 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1059,asemeComment_1061 skipwhite skipempty
-syntax match asemeComment_1061 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1059,asemeComment_1061 skipwhite skipempty
-syntax match asemeChoice_1059 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeClause_1057 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_1056,asemeComment_1058 skipwhite skipempty
-syntax region asemeComment_1058 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1056,asemeComment_1058 skipwhite skipempty
-syntax match asemeComment_1058 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1056,asemeComment_1058 skipwhite skipempty
-syntax match asemeNumber_1056 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeClause_1054 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_1053,asemeComment_1055 skipwhite skipempty
-syntax region asemeComment_1055 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1053,asemeComment_1055 skipwhite skipempty
-syntax match asemeComment_1055 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1053,asemeComment_1055 skipwhite skipempty
-syntax match asemeNumber_1053 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeClause_1051 /\vevery%(<|>)/ contained nextgroup=asemeNumber_1050,asemeComment_1052 skipwhite skipempty
-syntax region asemeComment_1052 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1050,asemeComment_1052 skipwhite skipempty
-syntax match asemeComment_1052 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1050,asemeComment_1052 skipwhite skipempty
-syntax match asemeNumber_1050 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeClause_1048 /\vreads%(<|>)/ contained nextgroup=asemeChoice_1045,asemeReference_1047,asemeComment_1049 skipwhite skipempty
-syntax region asemeComment_1049 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1045,asemeReference_1047,asemeComment_1049 skipwhite skipempty
-syntax match asemeComment_1049 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1045,asemeReference_1047,asemeComment_1049 skipwhite skipempty
-syntax match asemeReference_1047 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeChoice_1045 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_1043,asemeComment_1046 skipwhite skipempty
-syntax region asemeComment_1046 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1043,asemeComment_1046 skipwhite skipempty
-syntax match asemeComment_1046 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1043,asemeComment_1046 skipwhite skipempty
-syntax match asemeReference_1043 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax region asemeComment_1044 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeComment_1044 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_1044 skipwhite skipempty
-syntax match asemeDeclaration_1041 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_1042 skipwhite skipempty
-syntax region asemeComment_1042 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_1042 skipwhite skipempty
-syntax match asemeComment_1042 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_1042 skipwhite skipempty
-syntax cluster asemeActivitiesInBodyOfSrm contains=asemePunctuation_1040
-syntax region asemePunctuation_1040 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfActivities
-syntax cluster asemeBodyOfActivities contains=asemeName_1039,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
-syntax match asemeName_1039 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax cluster asemeActivityInBodyOfActivities contains=asemeClause_979,asemeClause_982,asemeClause_985,asemeClause_988,asemeClause_991,asemeClause_994,asemeChoice_997,asemeClause_1000,asemeClause_1003,asemeClause_1006,asemeClause_1008,asemeChoice_1009,asemeChoice_1010,asemePunctuation_1017,asemePunctuation_1031,asemePunctuation_1035,asemePunctuation_1037,asemeReference_1038
-syntax match asemeReference_1038 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@!%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemePunctuation_1037 /\v\)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemePunctuation_1035 /\v\:/ contained nextgroup=asemeBuiltIn_1033,asemeType_1034,asemeComment_1036 skipwhite skipempty
-syntax region asemeComment_1036 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_1033,asemeType_1034,asemeComment_1036 skipwhite skipempty
-syntax match asemeComment_1036 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_1033,asemeType_1034,asemeComment_1036 skipwhite skipempty
-syntax match asemeType_1034 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeBuiltIn_1033 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemePunctuation_1031 /\v\,/ contained nextgroup=asemeName_1023,asemeChoice_1026,asemeReference_1028,asemeReference_1029,asemeReference_1030,asemeComment_1032 skipwhite skipempty
-syntax region asemeComment_1032 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1023,asemeChoice_1026,asemeReference_1028,asemeReference_1029,asemeReference_1030,asemeComment_1032 skipwhite skipempty
-syntax match asemeComment_1032 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1023,asemeChoice_1026,asemeReference_1028,asemeReference_1029,asemeReference_1030,asemeComment_1032 skipwhite skipempty
-syntax match asemeReference_1030 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeReference_1029 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeReference_1028 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeChoice_1026 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_1025,asemeComment_1027 skipwhite skipempty
-syntax region asemeComment_1027 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1025,asemeComment_1027 skipwhite skipempty
-syntax match asemeComment_1027 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1025,asemeComment_1027 skipwhite skipempty
-syntax match asemeReference_1025 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeName_1023 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_1021,asemeComment_1024 skipwhite skipempty
-syntax region asemeComment_1024 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1021,asemeComment_1024 skipwhite skipempty
-syntax match asemeComment_1024 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1021,asemeComment_1024 skipwhite skipempty
-syntax match asemePunctuation_1021 /\v\:/ contained nextgroup=asemeBuiltIn_1019,asemeType_1020,asemeComment_1022 skipwhite skipempty
-syntax region asemeComment_1022 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_1019,asemeType_1020,asemeComment_1022 skipwhite skipempty
-syntax match asemeComment_1022 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_1019,asemeType_1020,asemeComment_1022 skipwhite skipempty
-syntax match asemeType_1020 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeBuiltIn_1019 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemePunctuation_1017 /\v\(/ contained nextgroup=asemeName_1015,asemeComment_1018 skipwhite skipempty
-syntax region asemeComment_1018 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1015,asemeComment_1018 skipwhite skipempty
-syntax match asemeComment_1018 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1015,asemeComment_1018 skipwhite skipempty
-syntax match asemeName_1015 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_1013,asemeComment_1016 skipwhite skipempty
-syntax region asemeComment_1016 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1013,asemeComment_1016 skipwhite skipempty
-syntax match asemeComment_1016 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1013,asemeComment_1016 skipwhite skipempty
-syntax match asemePunctuation_1013 /\v\:/ contained nextgroup=asemeBuiltIn_1011,asemeType_1012,asemeComment_1014 skipwhite skipempty
-syntax region asemeComment_1014 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_1011,asemeType_1012,asemeComment_1014 skipwhite skipempty
-syntax match asemeComment_1014 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_1011,asemeType_1012,asemeComment_1014 skipwhite skipempty
-syntax match asemeType_1012 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeBuiltIn_1011 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeChoice_1010 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeChoice_1009 /\vwaits%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeClause_1008 /\vsimulated%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeClause_1006 /\vends%(<|>)/ contained nextgroup=asemeReference_1005,asemeComment_1007 skipwhite skipempty
-syntax region asemeComment_1007 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1005,asemeComment_1007 skipwhite skipempty
-syntax match asemeComment_1007 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1005,asemeComment_1007 skipwhite skipempty
-syntax match asemeReference_1005 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeClause_1003 /\vwrites%(<|>)/ contained nextgroup=asemeReference_1002,asemeComment_1004 skipwhite skipempty
-syntax region asemeComment_1004 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1002,asemeComment_1004 skipwhite skipempty
-syntax match asemeComment_1004 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1002,asemeComment_1004 skipwhite skipempty
-syntax match asemeReference_1002 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeClause_1000 /\vfor%(<|>)/ contained nextgroup=asemeNumber_999,asemeComment_1001 skipwhite skipempty
-syntax region asemeComment_1001 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_999,asemeComment_1001 skipwhite skipempty
-syntax match asemeComment_1001 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_999,asemeComment_1001 skipwhite skipempty
-syntax match asemeNumber_999 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeChoice_997 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_996,asemeComment_998 skipwhite skipempty
-syntax region asemeComment_998 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_996,asemeComment_998 skipwhite skipempty
-syntax match asemeComment_998 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_996,asemeComment_998 skipwhite skipempty
-syntax match asemeReference_996 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeClause_994 /\vuses%(<|>)/ contained nextgroup=asemeReference_993,asemeComment_995 skipwhite skipempty
+syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_12,asemeDeclaration_83,asemeDeclaration_95,asemeDeclaration_121,asemeDeclaration_155,asemeDeclaration_196,asemeDeclaration_222,asemeDeclaration_255,asemeDeclaration_746,asemeDeclaration_1273,asemeDeclaration_1276,asemeDeclaration_1427,asemeDeclaration_1500,asemeDeclaration_1529,asemeDeclaration_1540,asemeText_1542,asemeText_1543,asemeNumber_1544,asemeReference_1545,asemeReference_1546,asemePunctuation_1547,asemeComment
+syntax match asemeDeclaration_1540 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_1539,asemeComment_1541 skipwhite skipempty
+syntax region asemeComment_1541 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1539,asemeComment_1541 skipwhite skipempty
+syntax match asemeComment_1541 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1539,asemeComment_1541 skipwhite skipempty
+syntax match asemeText_1539 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1538 skipwhite skipempty
+syntax cluster asemePropertyInFile contains=asemePunctuation_1536,asemeText_1537
+syntax match asemeText_1537 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1538 skipwhite skipempty
+syntax region asemeComment_1538 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1538 skipwhite skipempty
+syntax match asemeComment_1538 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_1538 skipwhite skipempty
+syntax region asemePunctuation_1536 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
+syntax cluster asemeBodyOfProperty contains=asemePunctuation_1519,asemeText_1531,asemeNumber_1532,asemeReference_1533,asemeOperator_1534,asemePunctuation_1535,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemePunctuation_1535 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_1534 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_1533 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_1532 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_1531 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_1529 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_1528,asemeComment_1530 skipwhite skipempty
+syntax region asemeComment_1530 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1528,asemeComment_1530 skipwhite skipempty
+syntax match asemeComment_1530 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1528,asemeComment_1530 skipwhite skipempty
+syntax match asemeText_1528 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1527 skipwhite skipempty
+syntax cluster asemeScenarioInFile contains=asemePunctuation_1525,asemeText_1526
+syntax match asemeText_1526 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1527 skipwhite skipempty
+syntax region asemeComment_1527 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1527 skipwhite skipempty
+syntax match asemeComment_1527 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_1527 skipwhite skipempty
+syntax region asemePunctuation_1525 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
+syntax cluster asemeBodyOfScenario contains=asemePunctuation_1519,asemeText_1520,asemeNumber_1521,asemeReference_1522,asemeOperator_1523,asemePunctuation_1524,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemePunctuation_1524 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_1523 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_1522 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_1521 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_1520 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_1519 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
+syntax cluster asemeBodyOfBraced contains=asemePunctuation_1513,asemeText_1514,asemeNumber_1515,asemeReference_1516,asemeOperator_1517,asemePunctuation_1518,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemePunctuation_1518 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_1517 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_1516 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_1515 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_1514 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_1513 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
+syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_1507,asemeText_1508,asemeNumber_1509,asemeReference_1510,asemeOperator_1511,asemePunctuation_1512,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemePunctuation_1512 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_1511 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_1510 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_1509 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_1508 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_1507 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
+syntax cluster asemeBodyOfBraced3 contains=asemeText_1502,asemeNumber_1503,asemeReference_1504,asemeOperator_1505,asemePunctuation_1506,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemePunctuation_1506 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_1505 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_1504 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_1503 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_1502 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_1500 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_1499,asemeComment_1501 skipwhite skipempty
+syntax region asemeComment_1501 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1499,asemeComment_1501 skipwhite skipempty
+syntax match asemeComment_1501 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1499,asemeComment_1501 skipwhite skipempty
+syntax match asemeBlock_1499 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_1498 skipwhite skipempty
+syntax cluster asemeTeamInFile contains=asemePunctuation_1496,asemeBlock_1497
+syntax match asemeBlock_1497 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_1498 skipwhite skipempty
+syntax region asemeComment_1498 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_1498 skipwhite skipempty
+syntax match asemeComment_1498 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_1498 skipwhite skipempty
+syntax region asemePunctuation_1496 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
+syntax cluster asemeBodyOfTeam contains=asemeName_1495,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemeName_1495 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1470 skipwhite skipempty
+syntax cluster asemeAgentsInBodyOfTeam contains=asemeClause_1467,asemePunctuation_1477,asemePunctuation_1482,asemePunctuation_1488,asemePunctuation_1491,asemePunctuation_1493,asemeOperator_1494
+syntax match asemeOperator_1494 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemePunctuation_1493 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1470 skipwhite skipempty
+syntax match asemePunctuation_1491 /\v\:/ contained nextgroup=asemeReference_1490,asemeComment_1492 skipwhite skipempty
+syntax region asemeComment_1492 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1490,asemeComment_1492 skipwhite skipempty
+syntax match asemeComment_1492 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1490,asemeComment_1492 skipwhite skipempty
+syntax match asemeReference_1490 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1470 skipwhite skipempty
+syntax match asemePunctuation_1488 /\v\,/ contained nextgroup=asemeName_1485,asemeName_1487,asemeComment_1489 skipwhite skipempty
+syntax region asemeComment_1489 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1485,asemeName_1487,asemeComment_1489 skipwhite skipempty
+syntax match asemeComment_1489 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1485,asemeName_1487,asemeComment_1489 skipwhite skipempty
+syntax match asemeName_1487 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1470 skipwhite skipempty
+syntax match asemeName_1485 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1484,asemeComment_1486 skipwhite skipempty
+syntax region asemeComment_1486 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1484,asemeComment_1486 skipwhite skipempty
+syntax match asemeComment_1486 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1484,asemeComment_1486 skipwhite skipempty
+syntax match asemeOperator_1484 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemePunctuation_1482 /\v\.\./ contained nextgroup=asemeNumber_1480,asemeComment_1483 skipwhite skipempty
+syntax region asemeComment_1483 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1480,asemeComment_1483 skipwhite skipempty
+syntax match asemeComment_1483 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1480,asemeComment_1483 skipwhite skipempty
+syntax match asemeNumber_1480 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1479,asemeComment_1481 skipwhite skipempty
+syntax region asemeComment_1481 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1479,asemeComment_1481 skipwhite skipempty
+syntax match asemeComment_1481 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1479,asemeComment_1481 skipwhite skipempty
+syntax match asemePunctuation_1479 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1470 skipwhite skipempty
+syntax match asemePunctuation_1477 /\v\[/ contained nextgroup=asemeNumber_1475,asemeComment_1478 skipwhite skipempty
+syntax region asemeComment_1478 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1475,asemeComment_1478 skipwhite skipempty
+syntax match asemeComment_1478 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1475,asemeComment_1478 skipwhite skipempty
+syntax match asemeNumber_1475 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1473,asemeComment_1476 skipwhite skipempty
+syntax region asemeComment_1476 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1473,asemeComment_1476 skipwhite skipempty
+syntax match asemeComment_1476 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1473,asemeComment_1476 skipwhite skipempty
+syntax match asemePunctuation_1473 /\v\.\./ contained nextgroup=asemeNumber_1471,asemeComment_1474 skipwhite skipempty
+syntax region asemeComment_1474 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1471,asemeComment_1474 skipwhite skipempty
+syntax match asemeComment_1474 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1471,asemeComment_1474 skipwhite skipempty
+syntax match asemeNumber_1471 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1469,asemeComment_1472 skipwhite skipempty
+syntax region asemeComment_1472 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1469,asemeComment_1472 skipwhite skipempty
+syntax match asemeComment_1472 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1469,asemeComment_1472 skipwhite skipempty
+syntax match asemePunctuation_1469 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1470 skipwhite skipempty
+syntax region asemeComment_1470 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1470 skipwhite skipempty
+syntax match asemeComment_1470 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_1470 skipwhite skipempty
+syntax match asemeClause_1467 /\vwith%(<|>)/ contained nextgroup=asemeName_1465,asemeComment_1468 skipwhite skipempty
+syntax region asemeComment_1468 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1465,asemeComment_1468 skipwhite skipempty
+syntax match asemeComment_1468 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1465,asemeComment_1468 skipwhite skipempty
+syntax match asemeName_1465 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1464,asemeComment_1466 skipwhite skipempty
+syntax region asemeComment_1466 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1464,asemeComment_1466 skipwhite skipempty
+syntax match asemeComment_1466 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1464,asemeComment_1466 skipwhite skipempty
+syntax match asemeOperator_1464 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeDeclaration_1427 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_1426,asemeComment_1428 skipwhite skipempty
+syntax region asemeComment_1428 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1426,asemeComment_1428 skipwhite skipempty
+syntax match asemeComment_1428 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1426,asemeComment_1428 skipwhite skipempty
+syntax match asemeBlock_1426 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_1425 skipwhite skipempty
+syntax cluster asemeStatechartInFile contains=asemePunctuation_1423,asemeBlock_1424
+syntax match asemeBlock_1424 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_1425 skipwhite skipempty
+syntax region asemeComment_1425 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_1425 skipwhite skipempty
+syntax match asemeComment_1425 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_1425 skipwhite skipempty
+syntax region asemePunctuation_1423 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfStatechart
+syntax cluster asemeBodyOfStatechart contains=asemeDeclaration_1300,asemeNumber_1307,asemeDeclaration_1347,asemeDeclaration_1412,asemeDeclaration_1417,asemeDeclaration_1419,asemeDeclaration_1421,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemeDeclaration_1421 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1422 skipwhite skipempty
+syntax region asemeComment_1422 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1422 skipwhite skipempty
+syntax match asemeComment_1422 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_1422 skipwhite skipempty
+syntax cluster asemeModulesInBodyOfStatechart contains=asemePunctuation_1237
+syntax match asemeDeclaration_1419 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1420 skipwhite skipempty
+syntax region asemeComment_1420 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1420 skipwhite skipempty
+syntax match asemeComment_1420 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_1420 skipwhite skipempty
+syntax cluster asemeActivitiesInBodyOfStatechart contains=asemePunctuation_1112
+syntax match asemeDeclaration_1417 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_1415,asemeComment_1418 skipwhite skipempty
+syntax region asemeComment_1418 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1415,asemeComment_1418 skipwhite skipempty
+syntax match asemeComment_1418 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1415,asemeComment_1418 skipwhite skipempty
+syntax match asemeName_1415 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_1414,asemeComment_1416 skipwhite skipempty
+syntax region asemeComment_1416 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1414,asemeComment_1416 skipwhite skipempty
+syntax match asemeComment_1416 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1414,asemeComment_1416 skipwhite skipempty
+syntax match asemeOperator_1414 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_45 skipwhite skipempty
+syntax match asemeDeclaration_1412 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_1411,asemeComment_1413 skipwhite skipempty
+syntax region asemeComment_1413 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1411,asemeComment_1413 skipwhite skipempty
+syntax match asemeComment_1413 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1411,asemeComment_1413 skipwhite skipempty
+syntax match asemeName_1411 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax cluster asemeVarInBodyOfStatechart contains=asemeClause_1352,asemeClause_1354,asemePunctuation_1358,asemeNumber_1363,asemePunctuation_1368,asemePunctuation_1371,asemePunctuation_1373,asemeOperator_1409,asemeName_1410
+syntax match asemeName_1410 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemeOperator_1409 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemePunctuation_1373 /\v\]/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemePunctuation_1371 /\v\.\./ contained nextgroup=asemeNumber_1370,asemeComment_1372 skipwhite skipempty
+syntax region asemeComment_1372 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1370,asemeComment_1372 skipwhite skipempty
+syntax match asemeComment_1372 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1370,asemeComment_1372 skipwhite skipempty
+syntax match asemeNumber_1370 /\v\-?\_s*[0-9]+%(\.[0-9]+)?%(%(\w|\.[0-9]))@!/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemePunctuation_1368 /\v\:/ contained nextgroup=asemeClause_1365,asemeBuiltIn_1366,asemeType_1367,asemeComment_1369 skipwhite skipempty
+syntax region asemeComment_1369 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_1365,asemeBuiltIn_1366,asemeType_1367,asemeComment_1369 skipwhite skipempty
+syntax match asemeComment_1369 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_1365,asemeBuiltIn_1366,asemeType_1367,asemeComment_1369 skipwhite skipempty
+syntax match asemeType_1367 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemeBuiltIn_1366 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemeClause_1365 /\vlist%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemeNumber_1363 /\v\-?\_s*[0-9]+%(\.[0-9]+)?%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1361,asemeComment_1364 skipwhite skipempty
+syntax region asemeComment_1364 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1361,asemeComment_1364 skipwhite skipempty
+syntax match asemeComment_1364 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1361,asemeComment_1364 skipwhite skipempty
+syntax match asemePunctuation_1361 /\v\.\./ contained nextgroup=asemeNumber_1360,asemeComment_1362 skipwhite skipempty
+syntax region asemeComment_1362 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1360,asemeComment_1362 skipwhite skipempty
+syntax match asemeComment_1362 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1360,asemeComment_1362 skipwhite skipempty
+syntax match asemeNumber_1360 /\v\-?\_s*[0-9]+%(\.[0-9]+)?%(%(\w|\.[0-9]))@!/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemePunctuation_1358 /\v\[/ contained nextgroup=asemeNumber_1356,asemeComment_1359 skipwhite skipempty
+syntax region asemeComment_1359 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1356,asemeComment_1359 skipwhite skipempty
+syntax match asemeComment_1359 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1356,asemeComment_1359 skipwhite skipempty
+syntax match asemeNumber_1356 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_1355,asemeComment_1357 skipwhite skipempty
+syntax region asemeComment_1357 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1355,asemeComment_1357 skipwhite skipempty
+syntax match asemeComment_1357 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1355,asemeComment_1357 skipwhite skipempty
+syntax match asemePunctuation_1355 /\v\]/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemeClause_1354 /\vlist%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemeClause_1352 /\vof%(<|>)/ contained nextgroup=asemeBuiltIn_1349,asemeType_1351,asemeComment_1353 skipwhite skipempty
+syntax region asemeComment_1353 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_1349,asemeType_1351,asemeComment_1353 skipwhite skipempty
+syntax match asemeComment_1353 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_1349,asemeType_1351,asemeComment_1353 skipwhite skipempty
+syntax match asemeType_1351 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemeBuiltIn_1349 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax region asemeComment_1350 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemeComment_1350 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_1350 skipwhite skipempty
+syntax match asemeDeclaration_1347 /\v%(%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=%(on|exit)%(<|>)/ contained nextgroup=asemeNumber_1345,asemeComment_1348 skipwhite skipempty
+syntax region asemeComment_1348 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1345,asemeComment_1348 skipwhite skipempty
+syntax match asemeComment_1348 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1345,asemeComment_1348 skipwhite skipempty
+syntax match asemeNumber_1345 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_1344,asemeComment_1346 skipwhite skipempty
+syntax region asemeComment_1346 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1344,asemeComment_1346 skipwhite skipempty
+syntax match asemeComment_1346 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1344,asemeComment_1346 skipwhite skipempty
+syntax match asemePunctuation_1344 /\v\:/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeNumber_1307 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_1305,asemeComment_1308 skipwhite skipempty
+syntax region asemeComment_1308 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1305,asemeComment_1308 skipwhite skipempty
+syntax match asemeComment_1308 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1305,asemeComment_1308 skipwhite skipempty
+syntax match asemeOperator_1305 /\v\-\>/ contained nextgroup=asemeNumber_1303,asemeComment_1306 skipwhite skipempty
+syntax region asemeComment_1306 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1303,asemeComment_1306 skipwhite skipempty
+syntax match asemeComment_1306 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1303,asemeComment_1306 skipwhite skipempty
+syntax match asemeNumber_1303 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_1302,asemeComment_1304 skipwhite skipempty
+syntax region asemeComment_1304 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1302,asemeComment_1304 skipwhite skipempty
+syntax match asemeComment_1304 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1302,asemeComment_1304 skipwhite skipempty
+syntax match asemePunctuation_1302 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_684 skipwhite skipempty
+syntax match asemeDeclaration_1300 /\v%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=state%(<|>)/ contained nextgroup=asemeNumber_1298,asemeComment_1301 skipwhite skipempty
+syntax region asemeComment_1301 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1298,asemeComment_1301 skipwhite skipempty
+syntax match asemeComment_1301 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1298,asemeComment_1301 skipwhite skipempty
+syntax match asemeNumber_1298 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_1296,asemeComment_1299 skipwhite skipempty
+syntax region asemeComment_1299 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1296,asemeComment_1299 skipwhite skipempty
+syntax match asemeComment_1299 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1296,asemeComment_1299 skipwhite skipempty
+syntax match asemeChoice_1296 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_1294,asemeText_1295,@asemeChartNodeInBodyOfStatechart,asemeComment_1297 skipwhite skipempty
+syntax region asemeComment_1297 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1294,asemeText_1295,@asemeChartNodeInBodyOfStatechart,asemeComment_1297 skipwhite skipempty
+syntax match asemeComment_1297 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1294,asemeText_1295,@asemeChartNodeInBodyOfStatechart,asemeComment_1297 skipwhite skipempty
+syntax match asemeText_1295 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax match asemeName_1294 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax cluster asemeChartNodeInBodyOfStatechart contains=asemeClause_1280,asemeChoice_1284,asemeNumber_1290,asemeName_1292,asemeText_1293
+syntax match asemeText_1293 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax match asemeName_1292 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|%(on|exit)%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax match asemeNumber_1290 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_1288,asemeComment_1291 skipwhite skipempty
+syntax region asemeComment_1291 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1288,asemeComment_1291 skipwhite skipempty
+syntax match asemeComment_1291 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1288,asemeComment_1291 skipwhite skipempty
+syntax match asemeChoice_1288 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_1286,asemeText_1287,@asemeChartNodeInBodyOfStatechart,asemeComment_1289 skipwhite skipempty
+syntax region asemeComment_1289 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1286,asemeText_1287,@asemeChartNodeInBodyOfStatechart,asemeComment_1289 skipwhite skipempty
+syntax match asemeComment_1289 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1286,asemeText_1287,@asemeChartNodeInBodyOfStatechart,asemeComment_1289 skipwhite skipempty
+syntax match asemeText_1287 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax match asemeName_1286 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax match asemeChoice_1284 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_1282,asemeText_1283,@asemeChartNodeInBodyOfStatechart,asemeComment_1285 skipwhite skipempty
+syntax region asemeComment_1285 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1282,asemeText_1283,@asemeChartNodeInBodyOfStatechart,asemeComment_1285 skipwhite skipempty
+syntax match asemeComment_1285 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1282,asemeText_1283,@asemeChartNodeInBodyOfStatechart,asemeComment_1285 skipwhite skipempty
+syntax match asemeText_1283 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax match asemeName_1282 /\v%(%(%(state|activity|activities|modules|var|let)%(<|>)|%(on|exit)\_s+[0-9]))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax match asemeClause_1280 /\vactivity%(<|>)/ contained nextgroup=asemeReference_1278,asemeComment_1281 skipwhite skipempty
+syntax region asemeComment_1281 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1278,asemeComment_1281 skipwhite skipempty
+syntax match asemeComment_1281 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1278,asemeComment_1281 skipwhite skipempty
+syntax match asemeReference_1278 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax region asemeComment_1279 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax match asemeComment_1279 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_1279 skipwhite skipempty
+syntax match asemeDeclaration_1276 /\v%(srm%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=srm%(<|>)/ nextgroup=asemeBlock_1275,asemeComment_1277 skipwhite skipempty
+syntax region asemeComment_1277 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1275,asemeComment_1277 skipwhite skipempty
+syntax match asemeComment_1277 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1275,asemeComment_1277 skipwhite skipempty
+syntax match asemeBlock_1275 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_749 skipwhite skipempty
+syntax match asemeDeclaration_1273 /\v%(abstract%(<|>)%(\_s*%(srm%(<|>)|%($|\/\/|\/\*)))@=)@=abstract%(<|>)/ nextgroup=asemeClause_1271,asemeComment_1274 skipwhite skipempty
+syntax region asemeComment_1274 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_1271,asemeComment_1274 skipwhite skipempty
+syntax match asemeComment_1274 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_1271,asemeComment_1274 skipwhite skipempty
+syntax match asemeClause_1271 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_1270,asemeComment_1272 skipwhite skipempty
+syntax region asemeComment_1272 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1270,asemeComment_1272 skipwhite skipempty
+syntax match asemeComment_1272 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1270,asemeComment_1272 skipwhite skipempty
+syntax match asemeBlock_1270 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_749 skipwhite skipempty
+syntax cluster asemeSrmInFile contains=asemeClause_750,asemePunctuation_1268,asemeBlock_1269
+syntax match asemeBlock_1269 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_749 skipwhite skipempty
+syntax region asemePunctuation_1268 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfSrm
+syntax cluster asemeBodyOfSrm contains=asemeDeclaration_758,asemeDeclaration_862,asemeDeclaration_878,asemeDeclaration_943,asemeDeclaration_948,asemeDeclaration_972,asemeDeclaration_1113,asemeDeclaration_1238,asemeDeclaration_1247,asemeDeclaration_1266,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemeDeclaration_1266 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_1264,asemeComment_1267 skipwhite skipempty
+syntax region asemeComment_1267 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1264,asemeComment_1267 skipwhite skipempty
+syntax match asemeComment_1267 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1264,asemeComment_1267 skipwhite skipempty
+syntax match asemeBlock_1264 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_1261,asemeOperator_1263,@asemeControlInBodyOfSrm,asemeComment_1265 skipwhite skipempty
+syntax region asemeComment_1265 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1261,asemeOperator_1263,@asemeControlInBodyOfSrm,asemeComment_1265 skipwhite skipempty
+syntax match asemeComment_1265 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1261,asemeOperator_1263,@asemeControlInBodyOfSrm,asemeComment_1265 skipwhite skipempty
+syntax match asemeOperator_1263 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1250 skipwhite skipempty
+syntax match asemeOperator_1261 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_1260,@asemeControlInBodyOfSrm,asemeComment_1262 skipwhite skipempty
+syntax region asemeComment_1262 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1260,@asemeControlInBodyOfSrm,asemeComment_1262 skipwhite skipempty
+syntax match asemeComment_1262 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1260,@asemeControlInBodyOfSrm,asemeComment_1262 skipwhite skipempty
+syntax match asemeOperator_1260 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1250 skipwhite skipempty
+syntax cluster asemeControlInBodyOfSrm contains=asemeOperator_1251,asemePunctuation_726,asemeOperator_1253,asemeBlock_1258
+syntax match asemeBlock_1258 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*%(\_s*\.)@=)?%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_1255,asemeOperator_1257,@asemeControlInBodyOfSrm,asemeComment_1259 skipwhite skipempty
+syntax region asemeComment_1259 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1255,asemeOperator_1257,@asemeControlInBodyOfSrm,asemeComment_1259 skipwhite skipempty
+syntax match asemeComment_1259 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1255,asemeOperator_1257,@asemeControlInBodyOfSrm,asemeComment_1259 skipwhite skipempty
+syntax match asemeOperator_1257 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1250 skipwhite skipempty
+syntax match asemeOperator_1255 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_1254,@asemeControlInBodyOfSrm,asemeComment_1256 skipwhite skipempty
+syntax region asemeComment_1256 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1254,@asemeControlInBodyOfSrm,asemeComment_1256 skipwhite skipempty
+syntax match asemeComment_1256 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1254,@asemeControlInBodyOfSrm,asemeComment_1256 skipwhite skipempty
+syntax match asemeOperator_1254 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1250 skipwhite skipempty
+syntax match asemeOperator_1253 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1250 skipwhite skipempty
+syntax match asemeOperator_1251 /\vreactive%(<|>)/ contained nextgroup=asemeOperator_1249,@asemeControlInBodyOfSrm,asemeComment_1252 skipwhite skipempty
+syntax region asemeComment_1252 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_1249,@asemeControlInBodyOfSrm,asemeComment_1252 skipwhite skipempty
+syntax match asemeComment_1252 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_1249,@asemeControlInBodyOfSrm,asemeComment_1252 skipwhite skipempty
+syntax match asemeOperator_1249 /\vfirst%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_1250 skipwhite skipempty
+syntax region asemeComment_1250 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_1250 skipwhite skipempty
+syntax match asemeComment_1250 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_1250 skipwhite skipempty
+syntax match asemeDeclaration_1247 /\v%(functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=functionality%(<|>)/ contained nextgroup=asemeBlock_1246,asemeComment_1248 skipwhite skipempty
+syntax region asemeComment_1248 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_1246,asemeComment_1248 skipwhite skipempty
+syntax match asemeComment_1248 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_1246,asemeComment_1248 skipwhite skipempty
+syntax match asemeBlock_1246 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_1245 skipwhite skipempty
+syntax cluster asemeFunctionalityInBodyOfSrm contains=asemePunctuation_1243,asemeBlock_1244
+syntax match asemeBlock_1244 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*%(\_s*\.)@=)?%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_1245 skipwhite skipempty
+syntax region asemeComment_1245 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_1245 skipwhite skipempty
+syntax match asemeComment_1245 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_1245 skipwhite skipempty
+syntax region asemePunctuation_1243 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfFunctionality
+syntax cluster asemeBodyOfFunctionality contains=asemeDeclaration_1241,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemeDeclaration_1241 /\v%(%(technology|permissions|environment|algorithm)%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=%(technology|permissions|environment|algorithm)%(<|>)/ contained nextgroup=asemeText_1240,asemeComment_1242 skipwhite skipempty
+syntax region asemeComment_1242 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1240,asemeComment_1242 skipwhite skipempty
+syntax match asemeComment_1242 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1240,asemeComment_1242 skipwhite skipempty
+syntax match asemeText_1240 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_1238 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfSrm,asemeComment_1239 skipwhite skipempty
+syntax region asemeComment_1239 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_1239 skipwhite skipempty
+syntax match asemeComment_1239 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_1239 skipwhite skipempty
+syntax cluster asemeModulesInBodyOfSrm contains=asemePunctuation_1237
+syntax region asemePunctuation_1237 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfModules
+syntax cluster asemeBodyOfModules contains=asemeName_1236,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemeName_1236 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits|guarantees)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits|guarantees)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax cluster asemeModuleInBodyOfModules contains=asemeClause_1125,asemeClause_1132,asemeClause_1139,asemeClause_1146,asemeClause_1152,asemeClause_1157,asemeClause_1160,asemeClause_1163,asemeClause_1166,asemeClause_1169,asemeChoice_1172,asemeClause_1175,asemeClause_1178,asemeClause_1181,asemeClause_1183,asemeChoice_1184,asemeChoice_1185,asemeClause_1186,asemePunctuation_1193,asemeOperator_1196,asemePunctuation_1233,asemePunctuation_1234,asemeReference_1235
+syntax match asemeReference_1235 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits|guarantees)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@!%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemePunctuation_1234 /\v\]/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemePunctuation_1233 /\v\[/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeOperator_1196 /\v\=%(\=)@!/ contained nextgroup=asemeText_1195,asemeComment_1197 skipwhite skipempty
+syntax region asemeComment_1197 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_1195,asemeComment_1197 skipwhite skipempty
+syntax match asemeComment_1197 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_1195,asemeComment_1197 skipwhite skipempty
+syntax match asemeText_1195 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemePunctuation_1193 /\v\,/ contained nextgroup=asemeChoice_1188,asemeReference_1190,asemeReference_1191,asemeReference_1192,asemeComment_1194 skipwhite skipempty
+syntax region asemeComment_1194 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1188,asemeReference_1190,asemeReference_1191,asemeReference_1192,asemeComment_1194 skipwhite skipempty
+syntax match asemeComment_1194 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1188,asemeReference_1190,asemeReference_1191,asemeReference_1192,asemeComment_1194 skipwhite skipempty
+syntax match asemeReference_1192 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeReference_1191 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeReference_1190 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeChoice_1188 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_1187,asemeComment_1189 skipwhite skipempty
+syntax region asemeComment_1189 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1187,asemeComment_1189 skipwhite skipempty
+syntax match asemeComment_1189 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1187,asemeComment_1189 skipwhite skipempty
+syntax match asemeReference_1187 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1186 /\vguarantees%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeChoice_1185 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeChoice_1184 /\vwaits%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1183 /\vsimulated%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1181 /\vends%(<|>)/ contained nextgroup=asemeReference_1180,asemeComment_1182 skipwhite skipempty
+syntax region asemeComment_1182 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1180,asemeComment_1182 skipwhite skipempty
+syntax match asemeComment_1182 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1180,asemeComment_1182 skipwhite skipempty
+syntax match asemeReference_1180 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1178 /\vwrites%(<|>)/ contained nextgroup=asemeReference_1177,asemeComment_1179 skipwhite skipempty
+syntax region asemeComment_1179 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1177,asemeComment_1179 skipwhite skipempty
+syntax match asemeComment_1179 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1177,asemeComment_1179 skipwhite skipempty
+syntax match asemeReference_1177 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1175 /\vfor%(<|>)/ contained nextgroup=asemeNumber_1174,asemeComment_1176 skipwhite skipempty
+syntax region asemeComment_1176 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1174,asemeComment_1176 skipwhite skipempty
+syntax match asemeComment_1176 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1174,asemeComment_1176 skipwhite skipempty
+syntax match asemeNumber_1174 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeChoice_1172 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_1171,asemeComment_1173 skipwhite skipempty
+syntax region asemeComment_1173 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1171,asemeComment_1173 skipwhite skipempty
+syntax match asemeComment_1173 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1171,asemeComment_1173 skipwhite skipempty
+syntax match asemeReference_1171 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1169 /\vuses%(<|>)/ contained nextgroup=asemeReference_1168,asemeComment_1170 skipwhite skipempty
+syntax region asemeComment_1170 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1168,asemeComment_1170 skipwhite skipempty
+syntax match asemeComment_1170 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1168,asemeComment_1170 skipwhite skipempty
+syntax match asemeReference_1168 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1166 /\vas%(<|>)/ contained nextgroup=asemeChoice_1165,asemeComment_1167 skipwhite skipempty
+syntax region asemeComment_1167 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1165,asemeComment_1167 skipwhite skipempty
+syntax match asemeComment_1167 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1165,asemeComment_1167 skipwhite skipempty
+syntax match asemeChoice_1165 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1163 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_1162,asemeComment_1164 skipwhite skipempty
+syntax region asemeComment_1164 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1162,asemeComment_1164 skipwhite skipempty
+syntax match asemeComment_1164 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1162,asemeComment_1164 skipwhite skipempty
+syntax match asemeNumber_1162 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1160 /\vevery%(<|>)/ contained nextgroup=asemeNumber_1159,asemeComment_1161 skipwhite skipempty
+syntax region asemeComment_1161 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1159,asemeComment_1161 skipwhite skipempty
+syntax match asemeComment_1161 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1159,asemeComment_1161 skipwhite skipempty
+syntax match asemeNumber_1159 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1157 /\vsent%(<|>)/ contained nextgroup=asemeReference_1155,asemeComment_1158 skipwhite skipempty
+syntax region asemeComment_1158 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1155,asemeComment_1158 skipwhite skipempty
+syntax match asemeComment_1158 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1155,asemeComment_1158 skipwhite skipempty
+syntax match asemeReference_1155 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>))@=/ contained nextgroup=asemeReference_1154,asemeComment_1156 skipwhite skipempty
+syntax region asemeComment_1156 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1154,asemeComment_1156 skipwhite skipempty
+syntax match asemeComment_1156 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1154,asemeComment_1156 skipwhite skipempty
+syntax match asemeReference_1154 /\v%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1152 /\vreads%(<|>)/ contained nextgroup=asemeChoice_1149,asemeReference_1151,asemeComment_1153 skipwhite skipempty
+syntax region asemeComment_1153 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1149,asemeReference_1151,asemeComment_1153 skipwhite skipempty
+syntax match asemeComment_1153 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1149,asemeReference_1151,asemeComment_1153 skipwhite skipempty
+syntax match asemeReference_1151 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeChoice_1149 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_1148,asemeComment_1150 skipwhite skipempty
+syntax region asemeComment_1150 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1148,asemeComment_1150 skipwhite skipempty
+syntax match asemeComment_1150 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1148,asemeComment_1150 skipwhite skipempty
+syntax match asemeReference_1148 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1146 /\vafter%(<|>)/ contained nextgroup=asemeClause_1144,asemeComment_1147 skipwhite skipempty
+syntax region asemeComment_1147 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_1144,asemeComment_1147 skipwhite skipempty
+syntax match asemeComment_1147 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_1144,asemeComment_1147 skipwhite skipempty
+syntax match asemeClause_1144 /\vsent%(<|>)/ contained nextgroup=asemeReference_1142,asemeComment_1145 skipwhite skipempty
+syntax region asemeComment_1145 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1142,asemeComment_1145 skipwhite skipempty
+syntax match asemeComment_1145 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1142,asemeComment_1145 skipwhite skipempty
+syntax match asemeReference_1142 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>))@=/ contained nextgroup=asemeReference_1141,asemeComment_1143 skipwhite skipempty
+syntax region asemeComment_1143 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1141,asemeComment_1143 skipwhite skipempty
+syntax match asemeComment_1143 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1141,asemeComment_1143 skipwhite skipempty
+syntax match asemeReference_1141 /\v%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1139 /\vno%(<|>)/ contained nextgroup=asemeClause_1137,asemeComment_1140 skipwhite skipempty
+syntax region asemeComment_1140 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_1137,asemeComment_1140 skipwhite skipempty
+syntax match asemeComment_1140 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_1137,asemeComment_1140 skipwhite skipempty
+syntax match asemeClause_1137 /\vsent%(<|>)/ contained nextgroup=asemeReference_1135,asemeComment_1138 skipwhite skipempty
+syntax region asemeComment_1138 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1135,asemeComment_1138 skipwhite skipempty
+syntax match asemeComment_1138 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1135,asemeComment_1138 skipwhite skipempty
+syntax match asemeReference_1135 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>))@=/ contained nextgroup=asemeReference_1134,asemeComment_1136 skipwhite skipempty
+syntax region asemeComment_1136 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1134,asemeComment_1136 skipwhite skipempty
+syntax match asemeComment_1136 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1134,asemeComment_1136 skipwhite skipempty
+syntax match asemeReference_1134 /\v%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1132 /\vnever%(<|>)/ contained nextgroup=asemeClause_1130,asemeComment_1133 skipwhite skipempty
+syntax region asemeComment_1133 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_1130,asemeComment_1133 skipwhite skipempty
+syntax match asemeComment_1133 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_1130,asemeComment_1133 skipwhite skipempty
+syntax match asemeClause_1130 /\vsent%(<|>)/ contained nextgroup=asemeReference_1128,asemeComment_1131 skipwhite skipempty
+syntax region asemeComment_1131 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1128,asemeComment_1131 skipwhite skipempty
+syntax match asemeComment_1131 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1128,asemeComment_1131 skipwhite skipempty
+syntax match asemeReference_1128 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>))@=/ contained nextgroup=asemeReference_1127,asemeComment_1129 skipwhite skipempty
+syntax region asemeComment_1129 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1127,asemeComment_1129 skipwhite skipempty
+syntax match asemeComment_1129 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1127,asemeComment_1129 skipwhite skipempty
+syntax match asemeReference_1127 /\v%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeClause_1125 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_1123,asemeComment_1126 skipwhite skipempty
+syntax region asemeComment_1126 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1123,asemeComment_1126 skipwhite skipempty
+syntax match asemeComment_1126 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1123,asemeComment_1126 skipwhite skipempty
+syntax match asemeNumber_1123 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=asemeClause_1121,@asemeModuleInBodyOfModules,asemeComment_1124 skipwhite skipempty
+syntax region asemeComment_1124 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_1121,@asemeModuleInBodyOfModules,asemeComment_1124 skipwhite skipempty
+syntax match asemeComment_1124 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_1121,@asemeModuleInBodyOfModules,asemeComment_1124 skipwhite skipempty
+syntax match asemeClause_1121 /\vafter%(<|>)/ contained nextgroup=asemeClause_1119,asemeComment_1122 skipwhite skipempty
+syntax region asemeComment_1122 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_1119,asemeComment_1122 skipwhite skipempty
+syntax match asemeComment_1122 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_1119,asemeComment_1122 skipwhite skipempty
+syntax match asemeClause_1119 /\vsent%(<|>)/ contained nextgroup=asemeReference_1117,asemeComment_1120 skipwhite skipempty
+syntax region asemeComment_1120 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1117,asemeComment_1120 skipwhite skipempty
+syntax match asemeComment_1120 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1117,asemeComment_1120 skipwhite skipempty
+syntax match asemeReference_1117 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>))@=/ contained nextgroup=asemeReference_1115,asemeComment_1118 skipwhite skipempty
+syntax region asemeComment_1118 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1115,asemeComment_1118 skipwhite skipempty
+syntax match asemeComment_1118 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1115,asemeComment_1118 skipwhite skipempty
+syntax match asemeReference_1115 /\v%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax region asemeComment_1116 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeComment_1116 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_1116 skipwhite skipempty
+syntax match asemeDeclaration_1113 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_1114 skipwhite skipempty
+syntax region asemeComment_1114 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_1114 skipwhite skipempty
+syntax match asemeComment_1114 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_1114 skipwhite skipempty
+syntax cluster asemeActivitiesInBodyOfSrm contains=asemePunctuation_1112
+syntax region asemePunctuation_1112 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfActivities
+syntax cluster asemeBodyOfActivities contains=asemeName_1111,asemeText_39,asemeText_40,asemeNumber_41,asemeReference_42,asemeReference_43,asemePunctuation_44,asemeComment
+syntax match asemeName_1111 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits|guarantees)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits|guarantees)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax cluster asemeActivityInBodyOfActivities contains=asemeClause_984,asemeClause_991,asemeClause_998,asemeClause_1005,asemeClause_1011,asemeClause_1016,asemeClause_1019,asemeClause_1022,asemeClause_1025,asemeClause_1028,asemeChoice_1031,asemeClause_1034,asemeClause_1037,asemeClause_1040,asemeClause_1042,asemeChoice_1043,asemeChoice_1044,asemeClause_1045,asemePunctuation_1052,asemePunctuation_1066,asemePunctuation_1070,asemePunctuation_1072,asemePunctuation_1108,asemePunctuation_1109,asemeReference_1110
+syntax match asemeReference_1110 /\v%(%(%(%(every|takes|simulated|as|uses|reads|writes)%(<|>)|%(within|ends|waits|guarantees)%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@!%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemePunctuation_1109 /\v\]/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemePunctuation_1108 /\v\[/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemePunctuation_1072 /\v\)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemePunctuation_1070 /\v\:/ contained nextgroup=asemeBuiltIn_1068,asemeType_1069,asemeComment_1071 skipwhite skipempty
+syntax region asemeComment_1071 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_1068,asemeType_1069,asemeComment_1071 skipwhite skipempty
+syntax match asemeComment_1071 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_1068,asemeType_1069,asemeComment_1071 skipwhite skipempty
+syntax match asemeType_1069 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeBuiltIn_1068 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemePunctuation_1066 /\v\,/ contained nextgroup=asemeName_1058,asemeChoice_1061,asemeReference_1063,asemeReference_1064,asemeReference_1065,asemeComment_1067 skipwhite skipempty
+syntax region asemeComment_1067 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1058,asemeChoice_1061,asemeReference_1063,asemeReference_1064,asemeReference_1065,asemeComment_1067 skipwhite skipempty
+syntax match asemeComment_1067 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1058,asemeChoice_1061,asemeReference_1063,asemeReference_1064,asemeReference_1065,asemeComment_1067 skipwhite skipempty
+syntax match asemeReference_1065 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeReference_1064 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeReference_1063 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeChoice_1061 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_1060,asemeComment_1062 skipwhite skipempty
+syntax region asemeComment_1062 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1060,asemeComment_1062 skipwhite skipempty
+syntax match asemeComment_1062 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1060,asemeComment_1062 skipwhite skipempty
+syntax match asemeReference_1060 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeName_1058 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_1056,asemeComment_1059 skipwhite skipempty
+syntax region asemeComment_1059 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1056,asemeComment_1059 skipwhite skipempty
+syntax match asemeComment_1059 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1056,asemeComment_1059 skipwhite skipempty
+syntax match asemePunctuation_1056 /\v\:/ contained nextgroup=asemeBuiltIn_1054,asemeType_1055,asemeComment_1057 skipwhite skipempty
+syntax region asemeComment_1057 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_1054,asemeType_1055,asemeComment_1057 skipwhite skipempty
+syntax match asemeComment_1057 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_1054,asemeType_1055,asemeComment_1057 skipwhite skipempty
+syntax match asemeType_1055 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeBuiltIn_1054 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemePunctuation_1052 /\v\(/ contained nextgroup=asemeName_1050,asemeComment_1053 skipwhite skipempty
+syntax region asemeComment_1053 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_1050,asemeComment_1053 skipwhite skipempty
+syntax match asemeComment_1053 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_1050,asemeComment_1053 skipwhite skipempty
+syntax match asemeName_1050 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_1048,asemeComment_1051 skipwhite skipempty
+syntax region asemeComment_1051 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1048,asemeComment_1051 skipwhite skipempty
+syntax match asemeComment_1051 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1048,asemeComment_1051 skipwhite skipempty
+syntax match asemePunctuation_1048 /\v\:/ contained nextgroup=asemeBuiltIn_1046,asemeType_1047,asemeComment_1049 skipwhite skipempty
+syntax region asemeComment_1049 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_1046,asemeType_1047,asemeComment_1049 skipwhite skipempty
+syntax match asemeComment_1049 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_1046,asemeType_1047,asemeComment_1049 skipwhite skipempty
+syntax match asemeType_1047 /\v[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)?%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeBuiltIn_1046 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1045 /\vguarantees%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeChoice_1044 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeChoice_1043 /\vwaits%(<|>)%(\_s+%(every|takes|simulated|as|uses|reads|writes)%(<|>))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1042 /\vsimulated%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1040 /\vends%(<|>)/ contained nextgroup=asemeReference_1039,asemeComment_1041 skipwhite skipempty
+syntax region asemeComment_1041 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1039,asemeComment_1041 skipwhite skipempty
+syntax match asemeComment_1041 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1039,asemeComment_1041 skipwhite skipempty
+syntax match asemeReference_1039 /\v%(%(every|takes|simulated|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1037 /\vwrites%(<|>)/ contained nextgroup=asemeReference_1036,asemeComment_1038 skipwhite skipempty
+syntax region asemeComment_1038 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1036,asemeComment_1038 skipwhite skipempty
+syntax match asemeComment_1038 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1036,asemeComment_1038 skipwhite skipempty
+syntax match asemeReference_1036 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1034 /\vfor%(<|>)/ contained nextgroup=asemeNumber_1033,asemeComment_1035 skipwhite skipempty
+syntax region asemeComment_1035 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1033,asemeComment_1035 skipwhite skipempty
+syntax match asemeComment_1035 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1033,asemeComment_1035 skipwhite skipempty
+syntax match asemeNumber_1033 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeChoice_1031 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_1030,asemeComment_1032 skipwhite skipempty
+syntax region asemeComment_1032 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1030,asemeComment_1032 skipwhite skipempty
+syntax match asemeComment_1032 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1030,asemeComment_1032 skipwhite skipempty
+syntax match asemeReference_1030 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1028 /\vuses%(<|>)/ contained nextgroup=asemeReference_1027,asemeComment_1029 skipwhite skipempty
+syntax region asemeComment_1029 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1027,asemeComment_1029 skipwhite skipempty
+syntax match asemeComment_1029 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1027,asemeComment_1029 skipwhite skipempty
+syntax match asemeReference_1027 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1025 /\vas%(<|>)/ contained nextgroup=asemeChoice_1024,asemeComment_1026 skipwhite skipempty
+syntax region asemeComment_1026 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1024,asemeComment_1026 skipwhite skipempty
+syntax match asemeComment_1026 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1024,asemeComment_1026 skipwhite skipempty
+syntax match asemeChoice_1024 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1022 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_1021,asemeComment_1023 skipwhite skipempty
+syntax region asemeComment_1023 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1021,asemeComment_1023 skipwhite skipempty
+syntax match asemeComment_1023 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1021,asemeComment_1023 skipwhite skipempty
+syntax match asemeNumber_1021 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1019 /\vevery%(<|>)/ contained nextgroup=asemeNumber_1018,asemeComment_1020 skipwhite skipempty
+syntax region asemeComment_1020 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_1018,asemeComment_1020 skipwhite skipempty
+syntax match asemeComment_1020 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_1018,asemeComment_1020 skipwhite skipempty
+syntax match asemeNumber_1018 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1016 /\vsent%(<|>)/ contained nextgroup=asemeReference_1014,asemeComment_1017 skipwhite skipempty
+syntax region asemeComment_1017 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1014,asemeComment_1017 skipwhite skipempty
+syntax match asemeComment_1017 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1014,asemeComment_1017 skipwhite skipempty
+syntax match asemeReference_1014 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>))@=/ contained nextgroup=asemeReference_1013,asemeComment_1015 skipwhite skipempty
+syntax region asemeComment_1015 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1013,asemeComment_1015 skipwhite skipempty
+syntax match asemeComment_1015 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1013,asemeComment_1015 skipwhite skipempty
+syntax match asemeReference_1013 /\v%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1011 /\vreads%(<|>)/ contained nextgroup=asemeChoice_1008,asemeReference_1010,asemeComment_1012 skipwhite skipempty
+syntax region asemeComment_1012 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_1008,asemeReference_1010,asemeComment_1012 skipwhite skipempty
+syntax match asemeComment_1012 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_1008,asemeReference_1010,asemeComment_1012 skipwhite skipempty
+syntax match asemeReference_1010 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeChoice_1008 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_1007,asemeComment_1009 skipwhite skipempty
+syntax region asemeComment_1009 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1007,asemeComment_1009 skipwhite skipempty
+syntax match asemeComment_1009 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1007,asemeComment_1009 skipwhite skipempty
+syntax match asemeReference_1007 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends|guarantees)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_1005 /\vafter%(<|>)/ contained nextgroup=asemeClause_1003,asemeComment_1006 skipwhite skipempty
+syntax region asemeComment_1006 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_1003,asemeComment_1006 skipwhite skipempty
+syntax match asemeComment_1006 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_1003,asemeComment_1006 skipwhite skipempty
+syntax match asemeClause_1003 /\vsent%(<|>)/ contained nextgroup=asemeReference_1001,asemeComment_1004 skipwhite skipempty
+syntax region asemeComment_1004 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1001,asemeComment_1004 skipwhite skipempty
+syntax match asemeComment_1004 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1001,asemeComment_1004 skipwhite skipempty
+syntax match asemeReference_1001 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>))@=/ contained nextgroup=asemeReference_1000,asemeComment_1002 skipwhite skipempty
+syntax region asemeComment_1002 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1000,asemeComment_1002 skipwhite skipempty
+syntax match asemeComment_1002 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1000,asemeComment_1002 skipwhite skipempty
+syntax match asemeReference_1000 /\v%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_998 /\vno%(<|>)/ contained nextgroup=asemeClause_996,asemeComment_999 skipwhite skipempty
+syntax region asemeComment_999 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_996,asemeComment_999 skipwhite skipempty
+syntax match asemeComment_999 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_996,asemeComment_999 skipwhite skipempty
+syntax match asemeClause_996 /\vsent%(<|>)/ contained nextgroup=asemeReference_994,asemeComment_997 skipwhite skipempty
+syntax region asemeComment_997 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_994,asemeComment_997 skipwhite skipempty
+syntax match asemeComment_997 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_994,asemeComment_997 skipwhite skipempty
+syntax match asemeReference_994 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>))@=/ contained nextgroup=asemeReference_993,asemeComment_995 skipwhite skipempty
 syntax region asemeComment_995 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_993,asemeComment_995 skipwhite skipempty
 syntax match asemeComment_995 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_993,asemeComment_995 skipwhite skipempty
-syntax match asemeReference_993 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeClause_991 /\vas%(<|>)/ contained nextgroup=asemeChoice_990,asemeComment_992 skipwhite skipempty
-syntax region asemeComment_992 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_990,asemeComment_992 skipwhite skipempty
-syntax match asemeComment_992 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_990,asemeComment_992 skipwhite skipempty
-syntax match asemeChoice_990 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeClause_988 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_987,asemeComment_989 skipwhite skipempty
-syntax region asemeComment_989 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_987,asemeComment_989 skipwhite skipempty
-syntax match asemeComment_989 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_987,asemeComment_989 skipwhite skipempty
-syntax match asemeNumber_987 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeClause_985 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_984,asemeComment_986 skipwhite skipempty
-syntax region asemeComment_986 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_984,asemeComment_986 skipwhite skipempty
-syntax match asemeComment_986 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_984,asemeComment_986 skipwhite skipempty
-syntax match asemeNumber_984 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeClause_982 /\vevery%(<|>)/ contained nextgroup=asemeNumber_981,asemeComment_983 skipwhite skipempty
-syntax region asemeComment_983 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_981,asemeComment_983 skipwhite skipempty
-syntax match asemeComment_983 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_981,asemeComment_983 skipwhite skipempty
-syntax match asemeNumber_981 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeClause_979 /\vreads%(<|>)/ contained nextgroup=asemeChoice_976,asemeReference_978,asemeComment_980 skipwhite skipempty
-syntax region asemeComment_980 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_976,asemeReference_978,asemeComment_980 skipwhite skipempty
-syntax match asemeComment_980 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_976,asemeReference_978,asemeComment_980 skipwhite skipempty
-syntax match asemeReference_978 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
-syntax match asemeChoice_976 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_974,asemeComment_977 skipwhite skipempty
+syntax match asemeReference_993 /\v%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_991 /\vnever%(<|>)/ contained nextgroup=asemeClause_989,asemeComment_992 skipwhite skipempty
+syntax region asemeComment_992 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_989,asemeComment_992 skipwhite skipempty
+syntax match asemeComment_992 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_989,asemeComment_992 skipwhite skipempty
+syntax match asemeClause_989 /\vsent%(<|>)/ contained nextgroup=asemeReference_987,asemeComment_990 skipwhite skipempty
+syntax region asemeComment_990 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_987,asemeComment_990 skipwhite skipempty
+syntax match asemeComment_990 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_987,asemeComment_990 skipwhite skipempty
+syntax match asemeReference_987 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>))@=/ contained nextgroup=asemeReference_986,asemeComment_988 skipwhite skipempty
+syntax region asemeComment_988 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_986,asemeComment_988 skipwhite skipempty
+syntax match asemeComment_988 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_986,asemeComment_988 skipwhite skipempty
+syntax match asemeReference_986 /\v%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeClause_984 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_982,asemeComment_985 skipwhite skipempty
+syntax region asemeComment_985 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_982,asemeComment_985 skipwhite skipempty
+syntax match asemeComment_985 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_982,asemeComment_985 skipwhite skipempty
+syntax match asemeNumber_982 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=asemeClause_980,@asemeActivityInBodyOfActivities,asemeComment_983 skipwhite skipempty
+syntax region asemeComment_983 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_980,@asemeActivityInBodyOfActivities,asemeComment_983 skipwhite skipempty
+syntax match asemeComment_983 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_980,@asemeActivityInBodyOfActivities,asemeComment_983 skipwhite skipempty
+syntax match asemeClause_980 /\vafter%(<|>)/ contained nextgroup=asemeClause_978,asemeComment_981 skipwhite skipempty
+syntax region asemeComment_981 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_978,asemeComment_981 skipwhite skipempty
+syntax match asemeComment_981 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_978,asemeComment_981 skipwhite skipempty
+syntax match asemeClause_978 /\vsent%(<|>)/ contained nextgroup=asemeReference_976,asemeComment_979 skipwhite skipempty
+syntax region asemeComment_979 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_976,asemeComment_979 skipwhite skipempty
+syntax match asemeComment_979 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_976,asemeComment_979 skipwhite skipempty
+syntax match asemeReference_976 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>))@=/ contained nextgroup=asemeReference_974,asemeComment_977 skipwhite skipempty
 syntax region asemeComment_977 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_974,asemeComment_977 skipwhite skipempty
 syntax match asemeComment_977 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_974,asemeComment_977 skipwhite skipempty
-syntax match asemeReference_974 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|[ \t]*[\r\n]\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|simulated|waits|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
+syntax match asemeReference_974 /\v%(%(within|every|takes|simulated|waits|as|uses|reads|writes|ends|guarantees)%(<|>))@![a-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
 syntax region asemeComment_975 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
 syntax match asemeComment_975 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_975 skipwhite skipempty
 syntax match asemeDeclaration_972 /\v%(liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=liveness%(<|>)/ contained nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_973 skipwhite skipempty
@@ -1294,129 +1398,211 @@ syntax match asemeDeclaration_1 /\v%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9])
 syntax region asemeComment_2 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_0,asemeComment_2 skipwhite skipempty
 syntax match asemeComment_2 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_0,asemeComment_2 skipwhite skipempty
 syntax match asemeNumber_0 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained
-syntax cluster asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam contains=asemeClause_1291,asemeClause_1294,asemeReference_1296,asemeText_1297,asemeNumber_1298,asemeTruth_1299,asemeLogic_1300,asemeClause_1301,asemeClause_1302,asemeClause_1303,asemeClause_1304,asemeClause_1305,asemeClause_1306,asemeClause_1307,asemeClause_1308,asemeClause_1309,asemeClause_1310,asemeClause_1311,asemeClause_1312,asemeClause_1313,asemeClause_1314,asemeClause_1315,asemeCall_1316,asemeReference_1317,asemeOperator_1318,asemePunctuation_1319
-syntax match asemePunctuation_1319 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeOperator_1318 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeReference_1317 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeCall_1316 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1315 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1314 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1313 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1312 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1311 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1310 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1309 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1308 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1307 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=raise%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1306 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1305 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=ignores%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1304 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=weight%(<|>)%(\_s+[0-9])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1303 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1302 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=when%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeClause_1301 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=else%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeLogic_1300 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeTruth_1299 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeNumber_1298 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeText_1297 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeReference_1296 /\v%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@=%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1286,asemeComment_1288 skipwhite skipempty
-syntax match asemeClause_1294 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_1293,asemeComment_1295 skipwhite skipempty
-syntax region asemeComment_1295 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1293,asemeComment_1295 skipwhite skipempty
-syntax match asemeComment_1295 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1293,asemeComment_1295 skipwhite skipempty
-syntax match asemeReference_1293 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1286,asemeComment_1288 skipwhite skipempty
-syntax match asemeClause_1291 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_1289,asemeComment_1292 skipwhite skipempty
-syntax region asemeComment_1292 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1289,asemeComment_1292 skipwhite skipempty
-syntax match asemeComment_1292 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1289,asemeComment_1292 skipwhite skipempty
-syntax match asemeReference_1289 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_1287,asemeComment_1290 skipwhite skipempty
-syntax region asemeComment_1290 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1287,asemeComment_1290 skipwhite skipempty
-syntax match asemeComment_1290 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1287,asemeComment_1290 skipwhite skipempty
-syntax match asemeReference_1287 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1286,asemeComment_1288 skipwhite skipempty
-syntax region asemeComment_1288 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1286,asemeComment_1288 skipwhite skipempty
-syntax match asemeComment_1288 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1286,asemeComment_1288 skipwhite skipempty
-syntax region asemePunctuation_1286 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax region asemeComment_1285 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax match asemeComment_1285 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1285 skipwhite skipempty
-syntax cluster asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart contains=asemeClause_1236,asemeClause_1239,asemeReference_1241,asemeText_1242,asemeNumber_1243,asemeTruth_1244,asemeLogic_1245,asemeClause_1246,asemeClause_1247,asemeClause_1248,asemeClause_1249,asemeClause_1250,asemeClause_1251,asemeClause_1252,asemeClause_1253,asemeClause_1254,asemeClause_1255,asemeClause_1256,asemeClause_1257,asemeClause_1258,asemeClause_1259,asemeClause_1260,asemeCall_1261,asemeReference_1262,asemeOperator_1263,asemePunctuation_1264
-syntax match asemePunctuation_1264 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeOperator_1263 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeReference_1262 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeCall_1261 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1260 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1259 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1258 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1257 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1256 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1255 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1254 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1253 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1252 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=raise%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1251 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1250 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=ignores%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1249 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=weight%(<|>)%(\_s+[0-9])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1248 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1247 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeClause_1246 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeLogic_1245 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeTruth_1244 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeNumber_1243 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeText_1242 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeReference_1241 /\v%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@=%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1231,asemeComment_1233 skipwhite skipempty
-syntax match asemeClause_1239 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_1238,asemeComment_1240 skipwhite skipempty
-syntax region asemeComment_1240 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1238,asemeComment_1240 skipwhite skipempty
-syntax match asemeComment_1240 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1238,asemeComment_1240 skipwhite skipempty
-syntax match asemeReference_1238 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1231,asemeComment_1233 skipwhite skipempty
-syntax match asemeClause_1236 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_1234,asemeComment_1237 skipwhite skipempty
-syntax region asemeComment_1237 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1234,asemeComment_1237 skipwhite skipempty
-syntax match asemeComment_1237 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1234,asemeComment_1237 skipwhite skipempty
-syntax match asemeReference_1234 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_1232,asemeComment_1235 skipwhite skipempty
-syntax region asemeComment_1235 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1232,asemeComment_1235 skipwhite skipempty
-syntax match asemeComment_1235 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1232,asemeComment_1235 skipwhite skipempty
-syntax match asemeReference_1232 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1231,asemeComment_1233 skipwhite skipempty
-syntax region asemeComment_1233 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1231,asemeComment_1233 skipwhite skipempty
-syntax match asemeComment_1233 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1231,asemeComment_1233 skipwhite skipempty
-syntax region asemePunctuation_1231 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax region asemeComment_1230 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax match asemeComment_1230 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1230 skipwhite skipempty
-syntax cluster asemeStandingWay contains=asemeClause_1171,asemeClause_1174,asemeReference_1176,asemeText_1177,asemeNumber_1178,asemeTruth_1179,asemeLogic_1180,asemeClause_1181,asemeClause_1182,asemeClause_1183,asemeClause_1184,asemeClause_1185,asemeClause_1186,asemeClause_1187,asemeClause_1188,asemeClause_1189,asemeClause_1190,asemeClause_1191,asemeClause_1192,asemeClause_1193,asemeClause_1194,asemeClause_1195,asemeCall_1196,asemeReference_1197,asemeOperator_1198,asemePunctuation_1199
-syntax match asemePunctuation_1199 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeOperator_1198 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeReference_1197 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeCall_1196 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1195 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1194 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1193 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1192 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1191 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1190 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1189 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1188 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1187 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=raise%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1186 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1185 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=ignores%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1184 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=weight%(<|>)%(\_s+[0-9])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1183 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1182 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeClause_1181 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeLogic_1180 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeTruth_1179 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeNumber_1178 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeText_1177 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeReference_1176 /\v%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@=%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1166,asemeComment_1168 skipwhite skipempty
-syntax match asemeClause_1174 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_1173,asemeComment_1175 skipwhite skipempty
-syntax region asemeComment_1175 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1173,asemeComment_1175 skipwhite skipempty
-syntax match asemeComment_1175 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1173,asemeComment_1175 skipwhite skipempty
-syntax match asemeReference_1173 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1166,asemeComment_1168 skipwhite skipempty
-syntax match asemeClause_1171 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_1169,asemeComment_1172 skipwhite skipempty
-syntax region asemeComment_1172 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1169,asemeComment_1172 skipwhite skipempty
-syntax match asemeComment_1172 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1169,asemeComment_1172 skipwhite skipempty
-syntax match asemeReference_1169 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_1167,asemeComment_1170 skipwhite skipempty
-syntax region asemeComment_1170 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1167,asemeComment_1170 skipwhite skipempty
-syntax match asemeComment_1170 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1167,asemeComment_1170 skipwhite skipempty
-syntax match asemeReference_1167 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1166,asemeComment_1168 skipwhite skipempty
-syntax region asemeComment_1168 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1166,asemeComment_1168 skipwhite skipempty
-syntax match asemeComment_1168 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1166,asemeComment_1168 skipwhite skipempty
-syntax region asemePunctuation_1166 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax region asemeComment_1165 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
-syntax match asemeComment_1165 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_1165 skipwhite skipempty
+syntax cluster asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam contains=asemeClause_1435,asemeClause_1438,asemeReference_1440,asemeText_1441,asemeNumber_1442,asemeTruth_1443,asemeLogic_1444,asemeClause_1445,asemeClause_1446,asemeClause_1447,asemeClause_1448,asemeClause_1449,asemeClause_1450,asemeClause_1451,asemeClause_1452,asemeClause_1453,asemeClause_1454,asemeClause_1455,asemeClause_1456,asemeClause_1457,asemeClause_1458,asemeClause_1459,asemeCall_1460,asemeReference_1461,asemeOperator_1462,asemePunctuation_1463
+syntax match asemePunctuation_1463 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeOperator_1462 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeReference_1461 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeCall_1460 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1459 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1458 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1457 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1456 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1455 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1454 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1453 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1452 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1451 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=raise%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1450 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1449 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=ignores%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1448 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=weight%(<|>)%(\_s+[0-9])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1447 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1446 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=when%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeClause_1445 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=else%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeLogic_1444 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeTruth_1443 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeNumber_1442 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeText_1441 /\v%(%(%(%(%(true|false|index)\_s*\:)@![A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_,])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeReference_1440 /\v%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@=%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1430,asemeComment_1432 skipwhite skipempty
+syntax match asemeClause_1438 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_1437,asemeComment_1439 skipwhite skipempty
+syntax region asemeComment_1439 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1437,asemeComment_1439 skipwhite skipempty
+syntax match asemeComment_1439 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1437,asemeComment_1439 skipwhite skipempty
+syntax match asemeReference_1437 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1430,asemeComment_1432 skipwhite skipempty
+syntax match asemeClause_1435 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_1433,asemeComment_1436 skipwhite skipempty
+syntax region asemeComment_1436 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1433,asemeComment_1436 skipwhite skipempty
+syntax match asemeComment_1436 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1433,asemeComment_1436 skipwhite skipempty
+syntax match asemeReference_1433 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_1431,asemeComment_1434 skipwhite skipempty
+syntax region asemeComment_1434 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1431,asemeComment_1434 skipwhite skipempty
+syntax match asemeComment_1434 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1431,asemeComment_1434 skipwhite skipempty
+syntax match asemeReference_1431 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1430,asemeComment_1432 skipwhite skipempty
+syntax region asemeComment_1432 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1430,asemeComment_1432 skipwhite skipempty
+syntax match asemeComment_1432 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1430,asemeComment_1432 skipwhite skipempty
+syntax region asemePunctuation_1430 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax region asemeComment_1429 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax match asemeComment_1429 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_1429 skipwhite skipempty
+syntax cluster asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart contains=asemeClause_1380,asemeClause_1383,asemeReference_1385,asemeText_1386,asemeNumber_1387,asemeTruth_1388,asemeLogic_1389,asemeClause_1390,asemeClause_1391,asemeClause_1392,asemeClause_1393,asemeClause_1394,asemeClause_1395,asemeClause_1396,asemeClause_1397,asemeClause_1398,asemeClause_1399,asemeClause_1400,asemeClause_1401,asemeClause_1402,asemeClause_1403,asemeClause_1404,asemeCall_1405,asemeReference_1406,asemeOperator_1407,asemePunctuation_1408
+syntax match asemePunctuation_1408 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeOperator_1407 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeReference_1406 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeCall_1405 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1404 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1403 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1402 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1401 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1400 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1399 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1398 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1397 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1396 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=raise%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1395 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1394 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=ignores%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1393 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=weight%(<|>)%(\_s+[0-9])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1392 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1391 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeClause_1390 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeLogic_1389 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeTruth_1388 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeNumber_1387 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeText_1386 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(given|result)\_s+\w+\_s*\:|%(state|language|on|exit)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeReference_1385 /\v%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@=%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1375,asemeComment_1377 skipwhite skipempty
+syntax match asemeClause_1383 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_1382,asemeComment_1384 skipwhite skipempty
+syntax region asemeComment_1384 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1382,asemeComment_1384 skipwhite skipempty
+syntax match asemeComment_1384 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1382,asemeComment_1384 skipwhite skipempty
+syntax match asemeReference_1382 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1375,asemeComment_1377 skipwhite skipempty
+syntax match asemeClause_1380 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_1378,asemeComment_1381 skipwhite skipempty
+syntax region asemeComment_1381 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1378,asemeComment_1381 skipwhite skipempty
+syntax match asemeComment_1381 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1378,asemeComment_1381 skipwhite skipempty
+syntax match asemeReference_1378 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_1376,asemeComment_1379 skipwhite skipempty
+syntax region asemeComment_1379 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1376,asemeComment_1379 skipwhite skipempty
+syntax match asemeComment_1379 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1376,asemeComment_1379 skipwhite skipempty
+syntax match asemeReference_1376 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1375,asemeComment_1377 skipwhite skipempty
+syntax region asemeComment_1377 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1375,asemeComment_1377 skipwhite skipempty
+syntax match asemeComment_1377 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1375,asemeComment_1377 skipwhite skipempty
+syntax region asemePunctuation_1375 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax region asemeComment_1374 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax match asemeComment_1374 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_1374 skipwhite skipempty
+syntax cluster asemeStandingWay contains=asemeClause_1315,asemeClause_1318,asemeReference_1320,asemeText_1321,asemeNumber_1322,asemeTruth_1323,asemeLogic_1324,asemeClause_1325,asemeClause_1326,asemeClause_1327,asemeClause_1328,asemeClause_1329,asemeClause_1330,asemeClause_1331,asemeClause_1332,asemeClause_1333,asemeClause_1334,asemeClause_1335,asemeClause_1336,asemeClause_1337,asemeClause_1338,asemeClause_1339,asemeCall_1340,asemeReference_1341,asemeOperator_1342,asemePunctuation_1343
+syntax match asemePunctuation_1343 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeOperator_1342 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeReference_1341 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeCall_1340 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1339 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1338 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1337 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1336 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1335 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1334 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1333 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1332 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1331 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=raise%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1330 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1329 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=ignores%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1328 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=weight%(<|>)%(\_s+[0-9])@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1327 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1326 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeClause_1325 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeLogic_1324 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeTruth_1323 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeNumber_1322 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeText_1321 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%([.<>=!+*\/%,;)\]&\-]|\|\|))@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|%(send\_s+[A-Za-z_]\w*\_s+[A-Za-z_]\w*|%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_]\w*%(\_s*\.\_s*[A-Za-z_]\w*)*)\_s*\{%(\"%([^"\\\n]|\\.)*\"|%(%([^.])@1<=to%(<|>)%(\_s*[=.])@!)@![A-Za-z_]\w*%(<|>)|[^{}":?A-Za-z_]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"]|\{%(\"%([^"\\\n]|\\.)*\"|[^{}"])*\})*\})*\})*%(\?%(\"%([^"\\\n]|\\.)*\"|[^{}"])*)?\}|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|[ \t]*[\r\n]\_s*%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[\-+*<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeReference_1320 /\v%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@=%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1310,asemeComment_1312 skipwhite skipempty
+syntax match asemeClause_1318 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_1317,asemeComment_1319 skipwhite skipempty
+syntax region asemeComment_1319 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1317,asemeComment_1319 skipwhite skipempty
+syntax match asemeComment_1319 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1317,asemeComment_1319 skipwhite skipempty
+syntax match asemeReference_1317 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1310,asemeComment_1312 skipwhite skipempty
+syntax match asemeClause_1315 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_1313,asemeComment_1316 skipwhite skipempty
+syntax region asemeComment_1316 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1313,asemeComment_1316 skipwhite skipempty
+syntax match asemeComment_1316 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1313,asemeComment_1316 skipwhite skipempty
+syntax match asemeReference_1313 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_1311,asemeComment_1314 skipwhite skipempty
+syntax region asemeComment_1314 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1311,asemeComment_1314 skipwhite skipempty
+syntax match asemeComment_1314 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1311,asemeComment_1314 skipwhite skipempty
+syntax match asemeReference_1311 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1310,asemeComment_1312 skipwhite skipempty
+syntax region asemeComment_1312 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1310,asemeComment_1312 skipwhite skipempty
+syntax match asemeComment_1312 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1310,asemeComment_1312 skipwhite skipempty
+syntax region asemePunctuation_1310 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax region asemeComment_1309 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax match asemeComment_1309 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStandingWay,asemeComment_1309 skipwhite skipempty
+syntax cluster asemeSentTokenBeforeAsemeModuleInBodyOfModules contains=asemeClause_1204,asemeClause_1207,asemeReference_1209,asemeText_1210,asemeNumber_1211,asemeTruth_1212,asemeLogic_1213,asemeClause_1214,asemeClause_1215,asemeClause_1216,asemeClause_1217,asemeClause_1218,asemeClause_1219,asemeClause_1220,asemeClause_1221,asemeClause_1222,asemeClause_1223,asemeClause_1224,asemeClause_1225,asemeClause_1226,asemeClause_1227,asemeClause_1228,asemeCall_1229,asemeReference_1230,asemeOperator_1231,asemePunctuation_1232
+syntax match asemePunctuation_1232 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeOperator_1231 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeReference_1230 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeCall_1229 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1228 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1227 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1226 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1225 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1224 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1223 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1222 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1221 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1220 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=raise%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1219 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1218 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=ignores%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1217 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=weight%(<|>)%(\_s+[0-9])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1216 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1215 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeClause_1214 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeLogic_1213 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeTruth_1212 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeNumber_1211 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeText_1210 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeReference_1209 /\v%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@=%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1199,asemeComment_1201 skipwhite skipempty
+syntax match asemeClause_1207 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_1206,asemeComment_1208 skipwhite skipempty
+syntax region asemeComment_1208 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1206,asemeComment_1208 skipwhite skipempty
+syntax match asemeComment_1208 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1206,asemeComment_1208 skipwhite skipempty
+syntax match asemeReference_1206 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1199,asemeComment_1201 skipwhite skipempty
+syntax match asemeClause_1204 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_1202,asemeComment_1205 skipwhite skipempty
+syntax region asemeComment_1205 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1202,asemeComment_1205 skipwhite skipempty
+syntax match asemeComment_1205 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1202,asemeComment_1205 skipwhite skipempty
+syntax match asemeReference_1202 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_1200,asemeComment_1203 skipwhite skipempty
+syntax region asemeComment_1203 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1200,asemeComment_1203 skipwhite skipempty
+syntax match asemeComment_1203 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1200,asemeComment_1203 skipwhite skipempty
+syntax match asemeReference_1200 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1199,asemeComment_1201 skipwhite skipempty
+syntax region asemeComment_1201 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1199,asemeComment_1201 skipwhite skipempty
+syntax match asemeComment_1201 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1199,asemeComment_1201 skipwhite skipempty
+syntax region asemePunctuation_1199 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax region asemeComment_1198 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax match asemeComment_1198 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSentTokenBeforeAsemeModuleInBodyOfModules,@asemeModuleInBodyOfModules,asemeComment_1198 skipwhite skipempty
+syntax cluster asemeSentTokenBeforeAsemeActivityInBodyOfActivities contains=asemeClause_1079,asemeClause_1082,asemeReference_1084,asemeText_1085,asemeNumber_1086,asemeTruth_1087,asemeLogic_1088,asemeClause_1089,asemeClause_1090,asemeClause_1091,asemeClause_1092,asemeClause_1093,asemeClause_1094,asemeClause_1095,asemeClause_1096,asemeClause_1097,asemeClause_1098,asemeClause_1099,asemeClause_1100,asemeClause_1101,asemeClause_1102,asemeClause_1103,asemeCall_1104,asemeReference_1105,asemeOperator_1106,asemePunctuation_1107
+syntax match asemePunctuation_1107 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeOperator_1106 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=%(\&\&|\|\||[\-+*<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeReference_1105 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeCall_1104 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1103 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1102 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1101 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1100 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1099 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=one%(<|>)%(\_s+%(%(and|or|except)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1098 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=reply_by%(<|>)%(\_s+[0-9A-Za-z_(])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1097 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1096 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1095 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=raise%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1094 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1093 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=ignores%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1092 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=weight%(<|>)%(\_s+[0-9])@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1091 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1090 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeClause_1089 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeLogic_1088 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeTruth_1087 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeNumber_1086 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeText_1085 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)|\&\&|\|\||[<>=!]\=|[^ \t{}\[\]"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeReference_1084 /\v%(%(liveness|activities|modules|sag|suc)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@=%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1074,asemeComment_1076 skipwhite skipempty
+syntax match asemeClause_1082 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_1081,asemeComment_1083 skipwhite skipempty
+syntax region asemeComment_1083 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1081,asemeComment_1083 skipwhite skipempty
+syntax match asemeComment_1083 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1081,asemeComment_1083 skipwhite skipempty
+syntax match asemeReference_1081 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1074,asemeComment_1076 skipwhite skipempty
+syntax match asemeClause_1079 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_1077,asemeComment_1080 skipwhite skipempty
+syntax region asemeComment_1080 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1077,asemeComment_1080 skipwhite skipempty
+syntax match asemeComment_1080 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1077,asemeComment_1080 skipwhite skipempty
+syntax match asemeReference_1077 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_1075,asemeComment_1078 skipwhite skipempty
+syntax region asemeComment_1078 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_1075,asemeComment_1078 skipwhite skipempty
+syntax match asemeComment_1078 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_1075,asemeComment_1078 skipwhite skipempty
+syntax match asemeReference_1075 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_1074,asemeComment_1076 skipwhite skipempty
+syntax region asemeComment_1076 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_1074,asemeComment_1076 skipwhite skipempty
+syntax match asemeComment_1076 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_1074,asemeComment_1076 skipwhite skipempty
+syntax region asemePunctuation_1074 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax region asemeComment_1073 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
+syntax match asemeComment_1073 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSentTokenBeforeAsemeActivityInBodyOfActivities,@asemeActivityInBodyOfActivities,asemeComment_1073 skipwhite skipempty
 syntax cluster asemeFormulaTokenBeforeAsemeFormulaInBodyOfLiveness contains=asemeText_962,asemeNumber_964,asemeReference_965,asemeNumber_966,asemeOperator_967,asemePunctuation_968
 syntax match asemePunctuation_968 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\([0-9A-Za-z_ \t,:]*\)\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeFormulaTokenBeforeAsemeFormulaInBodyOfLiveness,@asemeFormulaInBodyOfLiveness,asemeComment_963 skipwhite skipempty
 syntax match asemeOperator_967 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\([0-9A-Za-z_ \t,:]*\)\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=%(\|\||\&\&|\-\>|\[\>|[.|*+~\^&ω])/ contained nextgroup=@asemeFormulaTokenBeforeAsemeFormulaInBodyOfLiveness,@asemeFormulaInBodyOfLiveness,asemeComment_963 skipwhite skipempty
@@ -1859,19 +2045,19 @@ syntax match asemeComment_15 /\v\/\/.*$/ contained contains=@Spell nextgroup=ase
 syntax region asemePunctuation_13 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeContentOfAMessage
 syntax region asemeComment start=/\v\/\*/ end=/\v\*\// contains=@Spell
 syntax match asemeComment /\v\/\/.*$/ contains=@Spell
-highlight default link asemeBlock_1100 asemeBlock
-highlight default link asemeBlock_1102 asemeBlock
-highlight default link asemeBlock_1114 asemeBlock
-highlight default link asemeBlock_1120 asemeBlock
-highlight default link asemeBlock_1125 asemeBlock
-highlight default link asemeBlock_1126 asemeBlock
-highlight default link asemeBlock_1131 asemeBlock
 highlight default link asemeBlock_118 asemeBlock
 highlight default link asemeBlock_120 asemeBlock
-highlight default link asemeBlock_1280 asemeBlock
-highlight default link asemeBlock_1282 asemeBlock
-highlight default link asemeBlock_1353 asemeBlock
-highlight default link asemeBlock_1355 asemeBlock
+highlight default link asemeBlock_1244 asemeBlock
+highlight default link asemeBlock_1246 asemeBlock
+highlight default link asemeBlock_1258 asemeBlock
+highlight default link asemeBlock_1264 asemeBlock
+highlight default link asemeBlock_1269 asemeBlock
+highlight default link asemeBlock_1270 asemeBlock
+highlight default link asemeBlock_1275 asemeBlock
+highlight default link asemeBlock_1424 asemeBlock
+highlight default link asemeBlock_1426 asemeBlock
+highlight default link asemeBlock_1497 asemeBlock
+highlight default link asemeBlock_1499 asemeBlock
 highlight default link asemeBlock_153 asemeBlock
 highlight default link asemeBlock_154 asemeBlock
 highlight default link asemeBlock_216 asemeBlock
@@ -1885,14 +2071,14 @@ highlight default link asemeBlock_745 asemeBlock
 highlight default link asemeBlock_748 asemeBlock
 highlight default link asemeBlock_92 asemeBlock
 highlight default link asemeBlock_94 asemeBlock
-highlight default link asemeBuiltIn_1011 asemeBuiltIn
-highlight default link asemeBuiltIn_1019 asemeBuiltIn
 highlight default link asemeBuiltIn_103 asemeBuiltIn
-highlight default link asemeBuiltIn_1033 asemeBuiltIn
+highlight default link asemeBuiltIn_1046 asemeBuiltIn
+highlight default link asemeBuiltIn_1054 asemeBuiltIn
+highlight default link asemeBuiltIn_1068 asemeBuiltIn
 highlight default link asemeBuiltIn_108 asemeBuiltIn
 highlight default link asemeBuiltIn_114 asemeBuiltIn
-highlight default link asemeBuiltIn_1205 asemeBuiltIn
-highlight default link asemeBuiltIn_1222 asemeBuiltIn
+highlight default link asemeBuiltIn_1349 asemeBuiltIn
+highlight default link asemeBuiltIn_1366 asemeBuiltIn
 highlight default link asemeBuiltIn_161 asemeBuiltIn
 highlight default link asemeBuiltIn_171 asemeBuiltIn
 highlight default link asemeBuiltIn_177 asemeBuiltIn
@@ -1908,9 +2094,11 @@ highlight default link asemeBuiltIn_554 asemeBuiltIn
 highlight default link asemeBuiltIn_880 asemeBuiltIn
 highlight default link asemeBuiltIn_897 asemeBuiltIn
 highlight default link asemeBuiltIn_954 asemeBuiltIn
-highlight default link asemeCall_1196 asemeCall
-highlight default link asemeCall_1261 asemeCall
-highlight default link asemeCall_1316 asemeCall
+highlight default link asemeCall_1104 asemeCall
+highlight default link asemeCall_1229 asemeCall
+highlight default link asemeCall_1340 asemeCall
+highlight default link asemeCall_1405 asemeCall
+highlight default link asemeCall_1460 asemeCall
 highlight default link asemeCall_299 asemeCall
 highlight default link asemeCall_337 asemeCall
 highlight default link asemeCall_35 asemeCall
@@ -1922,103 +2110,156 @@ highlight default link asemeCall_76 asemeCall
 highlight default link asemeCall_791 asemeCall
 highlight default link asemeCall_829 asemeCall
 highlight default link asemeCall_936 asemeCall
-highlight default link asemeChoice_1009 asemeChoice
-highlight default link asemeChoice_1010 asemeChoice
-highlight default link asemeChoice_1026 asemeChoice
-highlight default link asemeChoice_1045 asemeChoice
-highlight default link asemeChoice_1059 asemeChoice
-highlight default link asemeChoice_1066 asemeChoice
-highlight default link asemeChoice_1078 asemeChoice
-highlight default link asemeChoice_1079 asemeChoice
-highlight default link asemeChoice_1081 asemeChoice
-highlight default link asemeChoice_1140 asemeChoice
-highlight default link asemeChoice_1144 asemeChoice
-highlight default link asemeChoice_1152 asemeChoice
+highlight default link asemeChoice_1008 asemeChoice
+highlight default link asemeChoice_1024 asemeChoice
+highlight default link asemeChoice_1031 asemeChoice
+highlight default link asemeChoice_1043 asemeChoice
+highlight default link asemeChoice_1044 asemeChoice
+highlight default link asemeChoice_1061 asemeChoice
+highlight default link asemeChoice_1149 asemeChoice
+highlight default link asemeChoice_1165 asemeChoice
+highlight default link asemeChoice_1172 asemeChoice
+highlight default link asemeChoice_1184 asemeChoice
+highlight default link asemeChoice_1185 asemeChoice
+highlight default link asemeChoice_1188 asemeChoice
+highlight default link asemeChoice_1284 asemeChoice
+highlight default link asemeChoice_1288 asemeChoice
+highlight default link asemeChoice_1296 asemeChoice
 highlight default link asemeChoice_143 asemeChoice
 highlight default link asemeChoice_224 asemeChoice
 highlight default link asemeChoice_229 asemeChoice
 highlight default link asemeChoice_593 asemeChoice
 highlight default link asemeChoice_600 asemeChoice
-highlight default link asemeChoice_976 asemeChoice
-highlight default link asemeChoice_990 asemeChoice
-highlight default link asemeChoice_997 asemeChoice
-highlight default link asemeClause_1000 asemeClause
 highlight default link asemeClause_1003 asemeClause
-highlight default link asemeClause_1006 asemeClause
-highlight default link asemeClause_1008 asemeClause
-highlight default link asemeClause_1048 asemeClause
-highlight default link asemeClause_1051 asemeClause
-highlight default link asemeClause_1054 asemeClause
-highlight default link asemeClause_1057 asemeClause
-highlight default link asemeClause_1060 asemeClause
-highlight default link asemeClause_1063 asemeClause
-highlight default link asemeClause_1069 asemeClause
-highlight default link asemeClause_1072 asemeClause
-highlight default link asemeClause_1075 asemeClause
-highlight default link asemeClause_1077 asemeClause
-highlight default link asemeClause_1127 asemeClause
-highlight default link asemeClause_1136 asemeClause
-highlight default link asemeClause_1171 asemeClause
-highlight default link asemeClause_1174 asemeClause
+highlight default link asemeClause_1005 asemeClause
+highlight default link asemeClause_1011 asemeClause
+highlight default link asemeClause_1016 asemeClause
+highlight default link asemeClause_1019 asemeClause
+highlight default link asemeClause_1022 asemeClause
+highlight default link asemeClause_1025 asemeClause
+highlight default link asemeClause_1028 asemeClause
+highlight default link asemeClause_1034 asemeClause
+highlight default link asemeClause_1037 asemeClause
+highlight default link asemeClause_1040 asemeClause
+highlight default link asemeClause_1042 asemeClause
+highlight default link asemeClause_1045 asemeClause
+highlight default link asemeClause_1079 asemeClause
+highlight default link asemeClause_1082 asemeClause
+highlight default link asemeClause_1089 asemeClause
+highlight default link asemeClause_1090 asemeClause
+highlight default link asemeClause_1091 asemeClause
+highlight default link asemeClause_1092 asemeClause
+highlight default link asemeClause_1093 asemeClause
+highlight default link asemeClause_1094 asemeClause
+highlight default link asemeClause_1095 asemeClause
+highlight default link asemeClause_1096 asemeClause
+highlight default link asemeClause_1097 asemeClause
+highlight default link asemeClause_1098 asemeClause
+highlight default link asemeClause_1099 asemeClause
+highlight default link asemeClause_1100 asemeClause
+highlight default link asemeClause_1101 asemeClause
+highlight default link asemeClause_1102 asemeClause
+highlight default link asemeClause_1103 asemeClause
+highlight default link asemeClause_1119 asemeClause
+highlight default link asemeClause_1121 asemeClause
+highlight default link asemeClause_1125 asemeClause
+highlight default link asemeClause_1130 asemeClause
+highlight default link asemeClause_1132 asemeClause
+highlight default link asemeClause_1137 asemeClause
+highlight default link asemeClause_1139 asemeClause
+highlight default link asemeClause_1144 asemeClause
+highlight default link asemeClause_1146 asemeClause
+highlight default link asemeClause_1152 asemeClause
+highlight default link asemeClause_1157 asemeClause
+highlight default link asemeClause_1160 asemeClause
+highlight default link asemeClause_1163 asemeClause
+highlight default link asemeClause_1166 asemeClause
+highlight default link asemeClause_1169 asemeClause
+highlight default link asemeClause_1175 asemeClause
+highlight default link asemeClause_1178 asemeClause
 highlight default link asemeClause_1181 asemeClause
-highlight default link asemeClause_1182 asemeClause
 highlight default link asemeClause_1183 asemeClause
-highlight default link asemeClause_1184 asemeClause
-highlight default link asemeClause_1185 asemeClause
 highlight default link asemeClause_1186 asemeClause
-highlight default link asemeClause_1187 asemeClause
-highlight default link asemeClause_1188 asemeClause
-highlight default link asemeClause_1189 asemeClause
-highlight default link asemeClause_1190 asemeClause
-highlight default link asemeClause_1191 asemeClause
-highlight default link asemeClause_1192 asemeClause
-highlight default link asemeClause_1193 asemeClause
-highlight default link asemeClause_1194 asemeClause
-highlight default link asemeClause_1195 asemeClause
-highlight default link asemeClause_1208 asemeClause
-highlight default link asemeClause_1210 asemeClause
+highlight default link asemeClause_1204 asemeClause
+highlight default link asemeClause_1207 asemeClause
+highlight default link asemeClause_1214 asemeClause
+highlight default link asemeClause_1215 asemeClause
+highlight default link asemeClause_1216 asemeClause
+highlight default link asemeClause_1217 asemeClause
+highlight default link asemeClause_1218 asemeClause
+highlight default link asemeClause_1219 asemeClause
+highlight default link asemeClause_1220 asemeClause
 highlight default link asemeClause_1221 asemeClause
-highlight default link asemeClause_1236 asemeClause
-highlight default link asemeClause_1239 asemeClause
-highlight default link asemeClause_1246 asemeClause
-highlight default link asemeClause_1247 asemeClause
-highlight default link asemeClause_1248 asemeClause
-highlight default link asemeClause_1249 asemeClause
+highlight default link asemeClause_1222 asemeClause
+highlight default link asemeClause_1223 asemeClause
+highlight default link asemeClause_1224 asemeClause
+highlight default link asemeClause_1225 asemeClause
+highlight default link asemeClause_1226 asemeClause
+highlight default link asemeClause_1227 asemeClause
+highlight default link asemeClause_1228 asemeClause
 highlight default link asemeClause_125 asemeClause
-highlight default link asemeClause_1250 asemeClause
-highlight default link asemeClause_1251 asemeClause
-highlight default link asemeClause_1252 asemeClause
-highlight default link asemeClause_1253 asemeClause
-highlight default link asemeClause_1254 asemeClause
-highlight default link asemeClause_1255 asemeClause
-highlight default link asemeClause_1256 asemeClause
-highlight default link asemeClause_1257 asemeClause
-highlight default link asemeClause_1258 asemeClause
-highlight default link asemeClause_1259 asemeClause
-highlight default link asemeClause_1260 asemeClause
+highlight default link asemeClause_1271 asemeClause
 highlight default link asemeClause_128 asemeClause
-highlight default link asemeClause_1291 asemeClause
-highlight default link asemeClause_1294 asemeClause
-highlight default link asemeClause_1301 asemeClause
-highlight default link asemeClause_1302 asemeClause
-highlight default link asemeClause_1303 asemeClause
-highlight default link asemeClause_1304 asemeClause
-highlight default link asemeClause_1305 asemeClause
-highlight default link asemeClause_1306 asemeClause
-highlight default link asemeClause_1307 asemeClause
-highlight default link asemeClause_1308 asemeClause
-highlight default link asemeClause_1309 asemeClause
+highlight default link asemeClause_1280 asemeClause
 highlight default link asemeClause_131 asemeClause
-highlight default link asemeClause_1310 asemeClause
-highlight default link asemeClause_1311 asemeClause
-highlight default link asemeClause_1312 asemeClause
-highlight default link asemeClause_1313 asemeClause
-highlight default link asemeClause_1314 asemeClause
 highlight default link asemeClause_1315 asemeClause
-highlight default link asemeClause_1323 asemeClause
+highlight default link asemeClause_1318 asemeClause
+highlight default link asemeClause_1325 asemeClause
+highlight default link asemeClause_1326 asemeClause
+highlight default link asemeClause_1327 asemeClause
+highlight default link asemeClause_1328 asemeClause
+highlight default link asemeClause_1329 asemeClause
+highlight default link asemeClause_1330 asemeClause
+highlight default link asemeClause_1331 asemeClause
+highlight default link asemeClause_1332 asemeClause
+highlight default link asemeClause_1333 asemeClause
+highlight default link asemeClause_1334 asemeClause
+highlight default link asemeClause_1335 asemeClause
+highlight default link asemeClause_1336 asemeClause
+highlight default link asemeClause_1337 asemeClause
+highlight default link asemeClause_1338 asemeClause
+highlight default link asemeClause_1339 asemeClause
 highlight default link asemeClause_135 asemeClause
+highlight default link asemeClause_1352 asemeClause
+highlight default link asemeClause_1354 asemeClause
+highlight default link asemeClause_1365 asemeClause
 highlight default link asemeClause_138 asemeClause
+highlight default link asemeClause_1380 asemeClause
+highlight default link asemeClause_1383 asemeClause
+highlight default link asemeClause_1390 asemeClause
+highlight default link asemeClause_1391 asemeClause
+highlight default link asemeClause_1392 asemeClause
+highlight default link asemeClause_1393 asemeClause
+highlight default link asemeClause_1394 asemeClause
+highlight default link asemeClause_1395 asemeClause
+highlight default link asemeClause_1396 asemeClause
+highlight default link asemeClause_1397 asemeClause
+highlight default link asemeClause_1398 asemeClause
+highlight default link asemeClause_1399 asemeClause
+highlight default link asemeClause_1400 asemeClause
+highlight default link asemeClause_1401 asemeClause
+highlight default link asemeClause_1402 asemeClause
+highlight default link asemeClause_1403 asemeClause
+highlight default link asemeClause_1404 asemeClause
 highlight default link asemeClause_141 asemeClause
+highlight default link asemeClause_1435 asemeClause
+highlight default link asemeClause_1438 asemeClause
+highlight default link asemeClause_1445 asemeClause
+highlight default link asemeClause_1446 asemeClause
+highlight default link asemeClause_1447 asemeClause
+highlight default link asemeClause_1448 asemeClause
+highlight default link asemeClause_1449 asemeClause
+highlight default link asemeClause_1450 asemeClause
+highlight default link asemeClause_1451 asemeClause
+highlight default link asemeClause_1452 asemeClause
+highlight default link asemeClause_1453 asemeClause
+highlight default link asemeClause_1454 asemeClause
+highlight default link asemeClause_1455 asemeClause
+highlight default link asemeClause_1456 asemeClause
+highlight default link asemeClause_1457 asemeClause
+highlight default link asemeClause_1458 asemeClause
+highlight default link asemeClause_1459 asemeClause
+highlight default link asemeClause_1467 asemeClause
 highlight default link asemeClause_20 asemeClause
 highlight default link asemeClause_200 asemeClause
 highlight default link asemeClause_202 asemeClause
@@ -2240,132 +2481,170 @@ highlight default link asemeClause_932 asemeClause
 highlight default link asemeClause_933 asemeClause
 highlight default link asemeClause_934 asemeClause
 highlight default link asemeClause_935 asemeClause
-highlight default link asemeClause_979 asemeClause
-highlight default link asemeClause_982 asemeClause
-highlight default link asemeClause_985 asemeClause
-highlight default link asemeClause_988 asemeClause
+highlight default link asemeClause_978 asemeClause
+highlight default link asemeClause_980 asemeClause
+highlight default link asemeClause_984 asemeClause
+highlight default link asemeClause_989 asemeClause
 highlight default link asemeClause_991 asemeClause
-highlight default link asemeClause_994 asemeClause
+highlight default link asemeClause_996 asemeClause
+highlight default link asemeClause_998 asemeClause
 highlight default link asemeComment_100 asemeComment
-highlight default link asemeComment_1001 asemeComment
+highlight default link asemeComment_1002 asemeComment
 highlight default link asemeComment_1004 asemeComment
-highlight default link asemeComment_1007 asemeComment
-highlight default link asemeComment_1014 asemeComment
-highlight default link asemeComment_1016 asemeComment
-highlight default link asemeComment_1018 asemeComment
-highlight default link asemeComment_1022 asemeComment
-highlight default link asemeComment_1024 asemeComment
-highlight default link asemeComment_1027 asemeComment
+highlight default link asemeComment_1006 asemeComment
+highlight default link asemeComment_1009 asemeComment
+highlight default link asemeComment_1012 asemeComment
+highlight default link asemeComment_1015 asemeComment
+highlight default link asemeComment_1017 asemeComment
+highlight default link asemeComment_1020 asemeComment
+highlight default link asemeComment_1023 asemeComment
+highlight default link asemeComment_1026 asemeComment
+highlight default link asemeComment_1029 asemeComment
 highlight default link asemeComment_1032 asemeComment
-highlight default link asemeComment_1036 asemeComment
+highlight default link asemeComment_1035 asemeComment
+highlight default link asemeComment_1038 asemeComment
 highlight default link asemeComment_104 asemeComment
-highlight default link asemeComment_1042 asemeComment
-highlight default link asemeComment_1044 asemeComment
-highlight default link asemeComment_1046 asemeComment
+highlight default link asemeComment_1041 asemeComment
 highlight default link asemeComment_1049 asemeComment
-highlight default link asemeComment_1052 asemeComment
-highlight default link asemeComment_1055 asemeComment
-highlight default link asemeComment_1058 asemeComment
-highlight default link asemeComment_1061 asemeComment
-highlight default link asemeComment_1064 asemeComment
+highlight default link asemeComment_1051 asemeComment
+highlight default link asemeComment_1053 asemeComment
+highlight default link asemeComment_1057 asemeComment
+highlight default link asemeComment_1059 asemeComment
+highlight default link asemeComment_1062 asemeComment
 highlight default link asemeComment_1067 asemeComment
-highlight default link asemeComment_1070 asemeComment
+highlight default link asemeComment_1071 asemeComment
 highlight default link asemeComment_1073 asemeComment
 highlight default link asemeComment_1076 asemeComment
-highlight default link asemeComment_1082 asemeComment
-highlight default link asemeComment_1087 asemeComment
+highlight default link asemeComment_1078 asemeComment
+highlight default link asemeComment_1080 asemeComment
+highlight default link asemeComment_1083 asemeComment
 highlight default link asemeComment_109 asemeComment
-highlight default link asemeComment_1090 asemeComment
-highlight default link asemeComment_1095 asemeComment
-highlight default link asemeComment_1098 asemeComment
-highlight default link asemeComment_1101 asemeComment
-highlight default link asemeComment_1104 asemeComment
-highlight default link asemeComment_1106 asemeComment
-highlight default link asemeComment_1108 asemeComment
-highlight default link asemeComment_1112 asemeComment
-highlight default link asemeComment_1115 asemeComment
+highlight default link asemeComment_1114 asemeComment
+highlight default link asemeComment_1116 asemeComment
 highlight default link asemeComment_1118 asemeComment
 highlight default link asemeComment_112 asemeComment
-highlight default link asemeComment_1121 asemeComment
-highlight default link asemeComment_1123 asemeComment
-highlight default link asemeComment_1128 asemeComment
-highlight default link asemeComment_1130 asemeComment
+highlight default link asemeComment_1120 asemeComment
+highlight default link asemeComment_1122 asemeComment
+highlight default link asemeComment_1124 asemeComment
+highlight default link asemeComment_1126 asemeComment
+highlight default link asemeComment_1129 asemeComment
+highlight default link asemeComment_1131 asemeComment
 highlight default link asemeComment_1133 asemeComment
-highlight default link asemeComment_1135 asemeComment
-highlight default link asemeComment_1137 asemeComment
-highlight default link asemeComment_1141 asemeComment
+highlight default link asemeComment_1136 asemeComment
+highlight default link asemeComment_1138 asemeComment
+highlight default link asemeComment_1140 asemeComment
+highlight default link asemeComment_1143 asemeComment
 highlight default link asemeComment_1145 asemeComment
 highlight default link asemeComment_1147 asemeComment
 highlight default link asemeComment_115 asemeComment
+highlight default link asemeComment_1150 asemeComment
 highlight default link asemeComment_1153 asemeComment
-highlight default link asemeComment_1155 asemeComment
-highlight default link asemeComment_1157 asemeComment
-highlight default link asemeComment_1160 asemeComment
-highlight default link asemeComment_1162 asemeComment
+highlight default link asemeComment_1156 asemeComment
+highlight default link asemeComment_1158 asemeComment
+highlight default link asemeComment_1161 asemeComment
 highlight default link asemeComment_1164 asemeComment
-highlight default link asemeComment_1165 asemeComment
-highlight default link asemeComment_1168 asemeComment
+highlight default link asemeComment_1167 asemeComment
 highlight default link asemeComment_1170 asemeComment
-highlight default link asemeComment_1172 asemeComment
-highlight default link asemeComment_1175 asemeComment
+highlight default link asemeComment_1173 asemeComment
+highlight default link asemeComment_1176 asemeComment
+highlight default link asemeComment_1179 asemeComment
+highlight default link asemeComment_1182 asemeComment
+highlight default link asemeComment_1189 asemeComment
 highlight default link asemeComment_119 asemeComment
-highlight default link asemeComment_1202 asemeComment
-highlight default link asemeComment_1204 asemeComment
-highlight default link asemeComment_1206 asemeComment
-highlight default link asemeComment_1209 asemeComment
-highlight default link asemeComment_1213 asemeComment
-highlight default link asemeComment_1215 asemeComment
-highlight default link asemeComment_1218 asemeComment
+highlight default link asemeComment_1194 asemeComment
+highlight default link asemeComment_1197 asemeComment
+highlight default link asemeComment_1198 asemeComment
+highlight default link asemeComment_1201 asemeComment
+highlight default link asemeComment_1203 asemeComment
+highlight default link asemeComment_1205 asemeComment
+highlight default link asemeComment_1208 asemeComment
 highlight default link asemeComment_122 asemeComment
-highlight default link asemeComment_1220 asemeComment
-highlight default link asemeComment_1225 asemeComment
-highlight default link asemeComment_1228 asemeComment
-highlight default link asemeComment_1230 asemeComment
-highlight default link asemeComment_1233 asemeComment
-highlight default link asemeComment_1235 asemeComment
-highlight default link asemeComment_1237 asemeComment
+highlight default link asemeComment_1239 asemeComment
 highlight default link asemeComment_124 asemeComment
-highlight default link asemeComment_1240 asemeComment
+highlight default link asemeComment_1242 asemeComment
+highlight default link asemeComment_1245 asemeComment
+highlight default link asemeComment_1248 asemeComment
+highlight default link asemeComment_1250 asemeComment
+highlight default link asemeComment_1252 asemeComment
+highlight default link asemeComment_1256 asemeComment
+highlight default link asemeComment_1259 asemeComment
 highlight default link asemeComment_126 asemeComment
-highlight default link asemeComment_1269 asemeComment
+highlight default link asemeComment_1262 asemeComment
+highlight default link asemeComment_1265 asemeComment
+highlight default link asemeComment_1267 asemeComment
 highlight default link asemeComment_1272 asemeComment
 highlight default link asemeComment_1274 asemeComment
-highlight default link asemeComment_1276 asemeComment
-highlight default link asemeComment_1278 asemeComment
+highlight default link asemeComment_1277 asemeComment
+highlight default link asemeComment_1279 asemeComment
 highlight default link asemeComment_1281 asemeComment
-highlight default link asemeComment_1284 asemeComment
 highlight default link asemeComment_1285 asemeComment
-highlight default link asemeComment_1288 asemeComment
+highlight default link asemeComment_1289 asemeComment
 highlight default link asemeComment_129 asemeComment
-highlight default link asemeComment_1290 asemeComment
-highlight default link asemeComment_1292 asemeComment
-highlight default link asemeComment_1295 asemeComment
+highlight default link asemeComment_1291 asemeComment
+highlight default link asemeComment_1297 asemeComment
+highlight default link asemeComment_1299 asemeComment
+highlight default link asemeComment_1301 asemeComment
+highlight default link asemeComment_1304 asemeComment
+highlight default link asemeComment_1306 asemeComment
+highlight default link asemeComment_1308 asemeComment
+highlight default link asemeComment_1309 asemeComment
+highlight default link asemeComment_1312 asemeComment
+highlight default link asemeComment_1314 asemeComment
+highlight default link asemeComment_1316 asemeComment
+highlight default link asemeComment_1319 asemeComment
 highlight default link asemeComment_132 asemeComment
-highlight default link asemeComment_1322 asemeComment
-highlight default link asemeComment_1324 asemeComment
-highlight default link asemeComment_1326 asemeComment
-highlight default link asemeComment_1328 asemeComment
-highlight default link asemeComment_1330 asemeComment
-highlight default link asemeComment_1332 asemeComment
-highlight default link asemeComment_1334 asemeComment
-highlight default link asemeComment_1337 asemeComment
-highlight default link asemeComment_1339 asemeComment
 highlight default link asemeComment_134 asemeComment
-highlight default link asemeComment_1342 asemeComment
-highlight default link asemeComment_1345 asemeComment
+highlight default link asemeComment_1346 asemeComment
 highlight default link asemeComment_1348 asemeComment
-highlight default link asemeComment_1354 asemeComment
+highlight default link asemeComment_1350 asemeComment
+highlight default link asemeComment_1353 asemeComment
 highlight default link asemeComment_1357 asemeComment
+highlight default link asemeComment_1359 asemeComment
 highlight default link asemeComment_136 asemeComment
-highlight default link asemeComment_1383 asemeComment
-highlight default link asemeComment_1386 asemeComment
+highlight default link asemeComment_1362 asemeComment
+highlight default link asemeComment_1364 asemeComment
+highlight default link asemeComment_1369 asemeComment
+highlight default link asemeComment_1372 asemeComment
+highlight default link asemeComment_1374 asemeComment
+highlight default link asemeComment_1377 asemeComment
+highlight default link asemeComment_1379 asemeComment
+highlight default link asemeComment_1381 asemeComment
+highlight default link asemeComment_1384 asemeComment
 highlight default link asemeComment_139 asemeComment
-highlight default link asemeComment_1394 asemeComment
-highlight default link asemeComment_1397 asemeComment
+highlight default link asemeComment_1413 asemeComment
+highlight default link asemeComment_1416 asemeComment
+highlight default link asemeComment_1418 asemeComment
 highlight default link asemeComment_142 asemeComment
+highlight default link asemeComment_1420 asemeComment
+highlight default link asemeComment_1422 asemeComment
+highlight default link asemeComment_1425 asemeComment
+highlight default link asemeComment_1428 asemeComment
+highlight default link asemeComment_1429 asemeComment
+highlight default link asemeComment_1432 asemeComment
+highlight default link asemeComment_1434 asemeComment
+highlight default link asemeComment_1436 asemeComment
+highlight default link asemeComment_1439 asemeComment
+highlight default link asemeComment_1466 asemeComment
+highlight default link asemeComment_1468 asemeComment
 highlight default link asemeComment_147 asemeComment
+highlight default link asemeComment_1470 asemeComment
+highlight default link asemeComment_1472 asemeComment
+highlight default link asemeComment_1474 asemeComment
+highlight default link asemeComment_1476 asemeComment
+highlight default link asemeComment_1478 asemeComment
+highlight default link asemeComment_1481 asemeComment
+highlight default link asemeComment_1483 asemeComment
+highlight default link asemeComment_1486 asemeComment
+highlight default link asemeComment_1489 asemeComment
+highlight default link asemeComment_1492 asemeComment
+highlight default link asemeComment_1498 asemeComment
 highlight default link asemeComment_15 asemeComment
+highlight default link asemeComment_1501 asemeComment
 highlight default link asemeComment_151 asemeComment
+highlight default link asemeComment_1527 asemeComment
+highlight default link asemeComment_1530 asemeComment
+highlight default link asemeComment_1538 asemeComment
+highlight default link asemeComment_1541 asemeComment
 highlight default link asemeComment_156 asemeComment
 highlight default link asemeComment_158 asemeComment
 highlight default link asemeComment_160 asemeComment
@@ -2597,36 +2876,39 @@ highlight default link asemeComment_963 asemeComment
 highlight default link asemeComment_973 asemeComment
 highlight default link asemeComment_975 asemeComment
 highlight default link asemeComment_977 asemeComment
+highlight default link asemeComment_979 asemeComment
 highlight default link asemeComment_98 asemeComment
-highlight default link asemeComment_980 asemeComment
+highlight default link asemeComment_981 asemeComment
 highlight default link asemeComment_983 asemeComment
-highlight default link asemeComment_986 asemeComment
-highlight default link asemeComment_989 asemeComment
+highlight default link asemeComment_985 asemeComment
+highlight default link asemeComment_988 asemeComment
+highlight default link asemeComment_990 asemeComment
 highlight default link asemeComment_992 asemeComment
 highlight default link asemeComment_995 asemeComment
-highlight default link asemeComment_998 asemeComment
+highlight default link asemeComment_997 asemeComment
+highlight default link asemeComment_999 asemeComment
 highlight default link asemeDeclaration_1 asemeDeclaration
-highlight default link asemeDeclaration_1041 asemeDeclaration
-highlight default link asemeDeclaration_1094 asemeDeclaration
-highlight default link asemeDeclaration_1097 asemeDeclaration
-highlight default link asemeDeclaration_1103 asemeDeclaration
 highlight default link asemeDeclaration_111 asemeDeclaration
-highlight default link asemeDeclaration_1122 asemeDeclaration
-highlight default link asemeDeclaration_1129 asemeDeclaration
-highlight default link asemeDeclaration_1132 asemeDeclaration
-highlight default link asemeDeclaration_1156 asemeDeclaration
+highlight default link asemeDeclaration_1113 asemeDeclaration
 highlight default link asemeDeclaration_12 asemeDeclaration
-highlight default link asemeDeclaration_1203 asemeDeclaration
 highlight default link asemeDeclaration_121 asemeDeclaration
-highlight default link asemeDeclaration_1268 asemeDeclaration
+highlight default link asemeDeclaration_1238 asemeDeclaration
+highlight default link asemeDeclaration_1241 asemeDeclaration
+highlight default link asemeDeclaration_1247 asemeDeclaration
+highlight default link asemeDeclaration_1266 asemeDeclaration
 highlight default link asemeDeclaration_1273 asemeDeclaration
-highlight default link asemeDeclaration_1275 asemeDeclaration
-highlight default link asemeDeclaration_1277 asemeDeclaration
-highlight default link asemeDeclaration_1283 asemeDeclaration
-highlight default link asemeDeclaration_1356 asemeDeclaration
-highlight default link asemeDeclaration_1385 asemeDeclaration
-highlight default link asemeDeclaration_1396 asemeDeclaration
+highlight default link asemeDeclaration_1276 asemeDeclaration
+highlight default link asemeDeclaration_1300 asemeDeclaration
+highlight default link asemeDeclaration_1347 asemeDeclaration
+highlight default link asemeDeclaration_1412 asemeDeclaration
+highlight default link asemeDeclaration_1417 asemeDeclaration
+highlight default link asemeDeclaration_1419 asemeDeclaration
+highlight default link asemeDeclaration_1421 asemeDeclaration
+highlight default link asemeDeclaration_1427 asemeDeclaration
 highlight default link asemeDeclaration_150 asemeDeclaration
+highlight default link asemeDeclaration_1500 asemeDeclaration
+highlight default link asemeDeclaration_1529 asemeDeclaration
+highlight default link asemeDeclaration_1540 asemeDeclaration
 highlight default link asemeDeclaration_155 asemeDeclaration
 highlight default link asemeDeclaration_196 asemeDeclaration
 highlight default link asemeDeclaration_213 asemeDeclaration
@@ -2659,9 +2941,11 @@ highlight default link asemeDeclaration_943 asemeDeclaration
 highlight default link asemeDeclaration_948 asemeDeclaration
 highlight default link asemeDeclaration_95 asemeDeclaration
 highlight default link asemeDeclaration_972 asemeDeclaration
-highlight default link asemeLogic_1180 asemeLogic
-highlight default link asemeLogic_1245 asemeLogic
-highlight default link asemeLogic_1300 asemeLogic
+highlight default link asemeLogic_1088 asemeLogic
+highlight default link asemeLogic_1213 asemeLogic
+highlight default link asemeLogic_1324 asemeLogic
+highlight default link asemeLogic_1389 asemeLogic
+highlight default link asemeLogic_1444 asemeLogic
 highlight default link asemeLogic_19 asemeLogic
 highlight default link asemeLogic_283 asemeLogic
 highlight default link asemeLogic_321 asemeLogic
@@ -2673,25 +2957,25 @@ highlight default link asemeLogic_699 asemeLogic
 highlight default link asemeLogic_775 asemeLogic
 highlight default link asemeLogic_813 asemeLogic
 highlight default link asemeLogic_920 asemeLogic
-highlight default link asemeName_1015 asemeName
 highlight default link asemeName_102 asemeName
-highlight default link asemeName_1023 asemeName
-highlight default link asemeName_1039 asemeName
+highlight default link asemeName_1050 asemeName
+highlight default link asemeName_1058 asemeName
 highlight default link asemeName_106 asemeName
 highlight default link asemeName_107 asemeName
-highlight default link asemeName_1092 asemeName
+highlight default link asemeName_1111 asemeName
 highlight default link asemeName_113 asemeName
-highlight default link asemeName_1138 asemeName
-highlight default link asemeName_1142 asemeName
-highlight default link asemeName_1148 asemeName
-highlight default link asemeName_1150 asemeName
-highlight default link asemeName_1266 asemeName
-highlight default link asemeName_1267 asemeName
-highlight default link asemeName_1271 asemeName
-highlight default link asemeName_1321 asemeName
-highlight default link asemeName_1341 asemeName
-highlight default link asemeName_1343 asemeName
-highlight default link asemeName_1351 asemeName
+highlight default link asemeName_1236 asemeName
+highlight default link asemeName_1282 asemeName
+highlight default link asemeName_1286 asemeName
+highlight default link asemeName_1292 asemeName
+highlight default link asemeName_1294 asemeName
+highlight default link asemeName_1410 asemeName
+highlight default link asemeName_1411 asemeName
+highlight default link asemeName_1415 asemeName
+highlight default link asemeName_1465 asemeName
+highlight default link asemeName_1485 asemeName
+highlight default link asemeName_1487 asemeName
+highlight default link asemeName_1495 asemeName
 highlight default link asemeName_176 asemeName
 highlight default link asemeName_186 asemeName
 highlight default link asemeName_191 asemeName
@@ -2728,35 +3012,40 @@ highlight default link asemeName_950 asemeName
 highlight default link asemeName_958 asemeName
 highlight default link asemeName_970 asemeName
 highlight default link asemeNumber_0 asemeNumber
-highlight default link asemeNumber_1050 asemeNumber
-highlight default link asemeNumber_1053 asemeNumber
-highlight default link asemeNumber_1056 asemeNumber
-highlight default link asemeNumber_1068 asemeNumber
-highlight default link asemeNumber_1146 asemeNumber
-highlight default link asemeNumber_1154 asemeNumber
+highlight default link asemeNumber_1018 asemeNumber
+highlight default link asemeNumber_1021 asemeNumber
+highlight default link asemeNumber_1033 asemeNumber
+highlight default link asemeNumber_1086 asemeNumber
+highlight default link asemeNumber_1123 asemeNumber
 highlight default link asemeNumber_1159 asemeNumber
-highlight default link asemeNumber_1163 asemeNumber
-highlight default link asemeNumber_1178 asemeNumber
-highlight default link asemeNumber_1201 asemeNumber
-highlight default link asemeNumber_1212 asemeNumber
-highlight default link asemeNumber_1216 asemeNumber
-highlight default link asemeNumber_1219 asemeNumber
-highlight default link asemeNumber_1226 asemeNumber
-highlight default link asemeNumber_1243 asemeNumber
+highlight default link asemeNumber_1162 asemeNumber
+highlight default link asemeNumber_1174 asemeNumber
+highlight default link asemeNumber_1211 asemeNumber
 highlight default link asemeNumber_127 asemeNumber
+highlight default link asemeNumber_1290 asemeNumber
 highlight default link asemeNumber_1298 asemeNumber
 highlight default link asemeNumber_130 asemeNumber
-highlight default link asemeNumber_1327 asemeNumber
-highlight default link asemeNumber_1331 asemeNumber
-highlight default link asemeNumber_1336 asemeNumber
-highlight default link asemeNumber_1359 asemeNumber
-highlight default link asemeNumber_1365 asemeNumber
+highlight default link asemeNumber_1303 asemeNumber
+highlight default link asemeNumber_1307 asemeNumber
+highlight default link asemeNumber_1322 asemeNumber
+highlight default link asemeNumber_1345 asemeNumber
+highlight default link asemeNumber_1356 asemeNumber
+highlight default link asemeNumber_1360 asemeNumber
+highlight default link asemeNumber_1363 asemeNumber
 highlight default link asemeNumber_137 asemeNumber
-highlight default link asemeNumber_1371 asemeNumber
-highlight default link asemeNumber_1377 asemeNumber
-highlight default link asemeNumber_1388 asemeNumber
+highlight default link asemeNumber_1370 asemeNumber
+highlight default link asemeNumber_1387 asemeNumber
 highlight default link asemeNumber_140 asemeNumber
-highlight default link asemeNumber_1400 asemeNumber
+highlight default link asemeNumber_1442 asemeNumber
+highlight default link asemeNumber_1471 asemeNumber
+highlight default link asemeNumber_1475 asemeNumber
+highlight default link asemeNumber_1480 asemeNumber
+highlight default link asemeNumber_1503 asemeNumber
+highlight default link asemeNumber_1509 asemeNumber
+highlight default link asemeNumber_1515 asemeNumber
+highlight default link asemeNumber_1521 asemeNumber
+highlight default link asemeNumber_1532 asemeNumber
+highlight default link asemeNumber_1544 asemeNumber
 highlight default link asemeNumber_17 asemeNumber
 highlight default link asemeNumber_257 asemeNumber
 highlight default link asemeNumber_261 asemeNumber
@@ -2797,34 +3086,33 @@ highlight default link asemeNumber_918 asemeNumber
 highlight default link asemeNumber_964 asemeNumber
 highlight default link asemeNumber_966 asemeNumber
 highlight default link asemeNumber_97 asemeNumber
-highlight default link asemeNumber_981 asemeNumber
-highlight default link asemeNumber_984 asemeNumber
-highlight default link asemeNumber_987 asemeNumber
-highlight default link asemeNumber_999 asemeNumber
-highlight default link asemeOperator_1089 asemeOperator
-highlight default link asemeOperator_1105 asemeOperator
-highlight default link asemeOperator_1107 asemeOperator
-highlight default link asemeOperator_1109 asemeOperator
-highlight default link asemeOperator_1110 asemeOperator
-highlight default link asemeOperator_1111 asemeOperator
-highlight default link asemeOperator_1113 asemeOperator
-highlight default link asemeOperator_1116 asemeOperator
-highlight default link asemeOperator_1117 asemeOperator
-highlight default link asemeOperator_1119 asemeOperator
-highlight default link asemeOperator_1161 asemeOperator
-highlight default link asemeOperator_1198 asemeOperator
+highlight default link asemeNumber_982 asemeNumber
+highlight default link asemeOperator_1106 asemeOperator
+highlight default link asemeOperator_1196 asemeOperator
+highlight default link asemeOperator_1231 asemeOperator
+highlight default link asemeOperator_1249 asemeOperator
+highlight default link asemeOperator_1251 asemeOperator
+highlight default link asemeOperator_1253 asemeOperator
+highlight default link asemeOperator_1254 asemeOperator
+highlight default link asemeOperator_1255 asemeOperator
+highlight default link asemeOperator_1257 asemeOperator
+highlight default link asemeOperator_1260 asemeOperator
+highlight default link asemeOperator_1261 asemeOperator
 highlight default link asemeOperator_1263 asemeOperator
-highlight default link asemeOperator_1265 asemeOperator
-highlight default link asemeOperator_1270 asemeOperator
-highlight default link asemeOperator_1318 asemeOperator
-highlight default link asemeOperator_1320 asemeOperator
-highlight default link asemeOperator_1340 asemeOperator
-highlight default link asemeOperator_1350 asemeOperator
-highlight default link asemeOperator_1361 asemeOperator
-highlight default link asemeOperator_1367 asemeOperator
-highlight default link asemeOperator_1373 asemeOperator
-highlight default link asemeOperator_1379 asemeOperator
-highlight default link asemeOperator_1390 asemeOperator
+highlight default link asemeOperator_1305 asemeOperator
+highlight default link asemeOperator_1342 asemeOperator
+highlight default link asemeOperator_1407 asemeOperator
+highlight default link asemeOperator_1409 asemeOperator
+highlight default link asemeOperator_1414 asemeOperator
+highlight default link asemeOperator_1462 asemeOperator
+highlight default link asemeOperator_1464 asemeOperator
+highlight default link asemeOperator_1484 asemeOperator
+highlight default link asemeOperator_1494 asemeOperator
+highlight default link asemeOperator_1505 asemeOperator
+highlight default link asemeOperator_1511 asemeOperator
+highlight default link asemeOperator_1517 asemeOperator
+highlight default link asemeOperator_1523 asemeOperator
+highlight default link asemeOperator_1534 asemeOperator
 highlight default link asemeOperator_159 asemeOperator
 highlight default link asemeOperator_169 asemeOperator
 highlight default link asemeOperator_183 asemeOperator
@@ -2874,56 +3162,64 @@ highlight default link asemeOperator_967 asemeOperator
 highlight default link asemeOperator_969 asemeOperator
 highlight default link asemeOperator_99 asemeOperator
 highlight default link asemePunctuation_101 asemePunctuation
-highlight default link asemePunctuation_1013 asemePunctuation
-highlight default link asemePunctuation_1017 asemePunctuation
-highlight default link asemePunctuation_1021 asemePunctuation
-highlight default link asemePunctuation_1031 asemePunctuation
-highlight default link asemePunctuation_1035 asemePunctuation
-highlight default link asemePunctuation_1037 asemePunctuation
-highlight default link asemePunctuation_1040 asemePunctuation
-highlight default link asemePunctuation_1086 asemePunctuation
-highlight default link asemePunctuation_1093 asemePunctuation
-highlight default link asemePunctuation_1099 asemePunctuation
-highlight default link asemePunctuation_1124 asemePunctuation
-highlight default link asemePunctuation_1158 asemePunctuation
-highlight default link asemePunctuation_1166 asemePunctuation
+highlight default link asemePunctuation_1048 asemePunctuation
+highlight default link asemePunctuation_1052 asemePunctuation
+highlight default link asemePunctuation_1056 asemePunctuation
+highlight default link asemePunctuation_1066 asemePunctuation
+highlight default link asemePunctuation_1070 asemePunctuation
+highlight default link asemePunctuation_1072 asemePunctuation
+highlight default link asemePunctuation_1074 asemePunctuation
+highlight default link asemePunctuation_1107 asemePunctuation
+highlight default link asemePunctuation_1108 asemePunctuation
+highlight default link asemePunctuation_1109 asemePunctuation
+highlight default link asemePunctuation_1112 asemePunctuation
 highlight default link asemePunctuation_117 asemePunctuation
+highlight default link asemePunctuation_1193 asemePunctuation
 highlight default link asemePunctuation_1199 asemePunctuation
-highlight default link asemePunctuation_1200 asemePunctuation
-highlight default link asemePunctuation_1211 asemePunctuation
-highlight default link asemePunctuation_1214 asemePunctuation
-highlight default link asemePunctuation_1217 asemePunctuation
-highlight default link asemePunctuation_1224 asemePunctuation
-highlight default link asemePunctuation_1227 asemePunctuation
-highlight default link asemePunctuation_1229 asemePunctuation
-highlight default link asemePunctuation_1231 asemePunctuation
-highlight default link asemePunctuation_1264 asemePunctuation
-highlight default link asemePunctuation_1279 asemePunctuation
-highlight default link asemePunctuation_1286 asemePunctuation
+highlight default link asemePunctuation_1232 asemePunctuation
+highlight default link asemePunctuation_1233 asemePunctuation
+highlight default link asemePunctuation_1234 asemePunctuation
+highlight default link asemePunctuation_1237 asemePunctuation
+highlight default link asemePunctuation_1243 asemePunctuation
+highlight default link asemePunctuation_1268 asemePunctuation
 highlight default link asemePunctuation_13 asemePunctuation
-highlight default link asemePunctuation_1319 asemePunctuation
-highlight default link asemePunctuation_1325 asemePunctuation
-highlight default link asemePunctuation_1329 asemePunctuation
-highlight default link asemePunctuation_1333 asemePunctuation
-highlight default link asemePunctuation_1335 asemePunctuation
-highlight default link asemePunctuation_1338 asemePunctuation
+highlight default link asemePunctuation_1302 asemePunctuation
+highlight default link asemePunctuation_1310 asemePunctuation
+highlight default link asemePunctuation_1343 asemePunctuation
 highlight default link asemePunctuation_1344 asemePunctuation
-highlight default link asemePunctuation_1347 asemePunctuation
-highlight default link asemePunctuation_1349 asemePunctuation
-highlight default link asemePunctuation_1352 asemePunctuation
-highlight default link asemePunctuation_1362 asemePunctuation
-highlight default link asemePunctuation_1363 asemePunctuation
+highlight default link asemePunctuation_1355 asemePunctuation
+highlight default link asemePunctuation_1358 asemePunctuation
+highlight default link asemePunctuation_1361 asemePunctuation
 highlight default link asemePunctuation_1368 asemePunctuation
-highlight default link asemePunctuation_1369 asemePunctuation
-highlight default link asemePunctuation_1374 asemePunctuation
+highlight default link asemePunctuation_1371 asemePunctuation
+highlight default link asemePunctuation_1373 asemePunctuation
 highlight default link asemePunctuation_1375 asemePunctuation
-highlight default link asemePunctuation_1380 asemePunctuation
-highlight default link asemePunctuation_1381 asemePunctuation
-highlight default link asemePunctuation_1391 asemePunctuation
-highlight default link asemePunctuation_1392 asemePunctuation
-highlight default link asemePunctuation_1403 asemePunctuation
+highlight default link asemePunctuation_1408 asemePunctuation
+highlight default link asemePunctuation_1423 asemePunctuation
+highlight default link asemePunctuation_1430 asemePunctuation
 highlight default link asemePunctuation_146 asemePunctuation
+highlight default link asemePunctuation_1463 asemePunctuation
+highlight default link asemePunctuation_1469 asemePunctuation
+highlight default link asemePunctuation_1473 asemePunctuation
+highlight default link asemePunctuation_1477 asemePunctuation
+highlight default link asemePunctuation_1479 asemePunctuation
+highlight default link asemePunctuation_1482 asemePunctuation
+highlight default link asemePunctuation_1488 asemePunctuation
+highlight default link asemePunctuation_1491 asemePunctuation
+highlight default link asemePunctuation_1493 asemePunctuation
+highlight default link asemePunctuation_1496 asemePunctuation
+highlight default link asemePunctuation_1506 asemePunctuation
+highlight default link asemePunctuation_1507 asemePunctuation
+highlight default link asemePunctuation_1512 asemePunctuation
+highlight default link asemePunctuation_1513 asemePunctuation
+highlight default link asemePunctuation_1518 asemePunctuation
+highlight default link asemePunctuation_1519 asemePunctuation
 highlight default link asemePunctuation_152 asemePunctuation
+highlight default link asemePunctuation_1524 asemePunctuation
+highlight default link asemePunctuation_1525 asemePunctuation
+highlight default link asemePunctuation_1535 asemePunctuation
+highlight default link asemePunctuation_1536 asemePunctuation
+highlight default link asemePunctuation_1547 asemePunctuation
 highlight default link asemePunctuation_164 asemePunctuation
 highlight default link asemePunctuation_166 asemePunctuation
 highlight default link asemePunctuation_174 asemePunctuation
@@ -3018,56 +3314,84 @@ highlight default link asemePunctuation_959 asemePunctuation
 highlight default link asemePunctuation_961 asemePunctuation
 highlight default link asemePunctuation_968 asemePunctuation
 highlight default link asemePunctuation_971 asemePunctuation
-highlight default link asemeReference_1002 asemeReference
-highlight default link asemeReference_1005 asemeReference
-highlight default link asemeReference_1025 asemeReference
-highlight default link asemeReference_1028 asemeReference
-highlight default link asemeReference_1029 asemeReference
+highlight default link asemeReference_1000 asemeReference
+highlight default link asemeReference_1001 asemeReference
+highlight default link asemeReference_1007 asemeReference
+highlight default link asemeReference_1010 asemeReference
+highlight default link asemeReference_1013 asemeReference
+highlight default link asemeReference_1014 asemeReference
+highlight default link asemeReference_1027 asemeReference
 highlight default link asemeReference_1030 asemeReference
-highlight default link asemeReference_1038 asemeReference
-highlight default link asemeReference_1043 asemeReference
-highlight default link asemeReference_1047 asemeReference
-highlight default link asemeReference_1062 asemeReference
+highlight default link asemeReference_1036 asemeReference
+highlight default link asemeReference_1039 asemeReference
+highlight default link asemeReference_1060 asemeReference
+highlight default link asemeReference_1063 asemeReference
+highlight default link asemeReference_1064 asemeReference
 highlight default link asemeReference_1065 asemeReference
-highlight default link asemeReference_1071 asemeReference
-highlight default link asemeReference_1074 asemeReference
-highlight default link asemeReference_1080 asemeReference
-highlight default link asemeReference_1083 asemeReference
+highlight default link asemeReference_1075 asemeReference
+highlight default link asemeReference_1077 asemeReference
+highlight default link asemeReference_1081 asemeReference
 highlight default link asemeReference_1084 asemeReference
-highlight default link asemeReference_1085 asemeReference
-highlight default link asemeReference_1091 asemeReference
 highlight default link asemeReference_11 asemeReference
+highlight default link asemeReference_1105 asemeReference
+highlight default link asemeReference_1110 asemeReference
+highlight default link asemeReference_1115 asemeReference
+highlight default link asemeReference_1117 asemeReference
+highlight default link asemeReference_1127 asemeReference
+highlight default link asemeReference_1128 asemeReference
 highlight default link asemeReference_1134 asemeReference
-highlight default link asemeReference_1167 asemeReference
-highlight default link asemeReference_1169 asemeReference
-highlight default link asemeReference_1173 asemeReference
-highlight default link asemeReference_1176 asemeReference
-highlight default link asemeReference_1197 asemeReference
+highlight default link asemeReference_1135 asemeReference
+highlight default link asemeReference_1141 asemeReference
+highlight default link asemeReference_1142 asemeReference
+highlight default link asemeReference_1148 asemeReference
+highlight default link asemeReference_1151 asemeReference
+highlight default link asemeReference_1154 asemeReference
+highlight default link asemeReference_1155 asemeReference
+highlight default link asemeReference_1168 asemeReference
+highlight default link asemeReference_1171 asemeReference
+highlight default link asemeReference_1177 asemeReference
+highlight default link asemeReference_1180 asemeReference
+highlight default link asemeReference_1187 asemeReference
+highlight default link asemeReference_1190 asemeReference
+highlight default link asemeReference_1191 asemeReference
+highlight default link asemeReference_1192 asemeReference
+highlight default link asemeReference_1200 asemeReference
+highlight default link asemeReference_1202 asemeReference
+highlight default link asemeReference_1206 asemeReference
+highlight default link asemeReference_1209 asemeReference
 highlight default link asemeReference_123 asemeReference
-highlight default link asemeReference_1232 asemeReference
-highlight default link asemeReference_1234 asemeReference
-highlight default link asemeReference_1238 asemeReference
-highlight default link asemeReference_1241 asemeReference
-highlight default link asemeReference_1262 asemeReference
-highlight default link asemeReference_1287 asemeReference
-highlight default link asemeReference_1289 asemeReference
-highlight default link asemeReference_1293 asemeReference
-highlight default link asemeReference_1296 asemeReference
+highlight default link asemeReference_1230 asemeReference
+highlight default link asemeReference_1235 asemeReference
+highlight default link asemeReference_1278 asemeReference
+highlight default link asemeReference_1311 asemeReference
+highlight default link asemeReference_1313 asemeReference
 highlight default link asemeReference_1317 asemeReference
+highlight default link asemeReference_1320 asemeReference
 highlight default link asemeReference_133 asemeReference
-highlight default link asemeReference_1346 asemeReference
-highlight default link asemeReference_1360 asemeReference
-highlight default link asemeReference_1366 asemeReference
-highlight default link asemeReference_1372 asemeReference
+highlight default link asemeReference_1341 asemeReference
+highlight default link asemeReference_1376 asemeReference
 highlight default link asemeReference_1378 asemeReference
-highlight default link asemeReference_1389 asemeReference
+highlight default link asemeReference_1382 asemeReference
+highlight default link asemeReference_1385 asemeReference
 highlight default link asemeReference_14 asemeReference
-highlight default link asemeReference_1401 asemeReference
-highlight default link asemeReference_1402 asemeReference
+highlight default link asemeReference_1406 asemeReference
+highlight default link asemeReference_1431 asemeReference
+highlight default link asemeReference_1433 asemeReference
+highlight default link asemeReference_1437 asemeReference
 highlight default link asemeReference_144 asemeReference
+highlight default link asemeReference_1440 asemeReference
 highlight default link asemeReference_145 asemeReference
+highlight default link asemeReference_1461 asemeReference
 highlight default link asemeReference_148 asemeReference
 highlight default link asemeReference_149 asemeReference
+highlight default link asemeReference_1490 asemeReference
+highlight default link asemeReference_1504 asemeReference
+highlight default link asemeReference_1510 asemeReference
+highlight default link asemeReference_1516 asemeReference
+highlight default link asemeReference_1522 asemeReference
+highlight default link asemeReference_1533 asemeReference
+highlight default link asemeReference_1545 asemeReference
+highlight default link asemeReference_1546 asemeReference
 highlight default link asemeReference_198 asemeReference
 highlight default link asemeReference_204 asemeReference
 highlight default link asemeReference_207 asemeReference
@@ -3175,30 +3499,34 @@ highlight default link asemeReference_916 asemeReference
 highlight default link asemeReference_937 asemeReference
 highlight default link asemeReference_965 asemeReference
 highlight default link asemeReference_974 asemeReference
-highlight default link asemeReference_978 asemeReference
+highlight default link asemeReference_976 asemeReference
+highlight default link asemeReference_986 asemeReference
+highlight default link asemeReference_987 asemeReference
 highlight default link asemeReference_993 asemeReference
-highlight default link asemeReference_996 asemeReference
+highlight default link asemeReference_994 asemeReference
 highlight default link asemeText_10 asemeText
-highlight default link asemeText_1088 asemeText
-highlight default link asemeText_1096 asemeText
-highlight default link asemeText_1139 asemeText
-highlight default link asemeText_1143 asemeText
-highlight default link asemeText_1149 asemeText
-highlight default link asemeText_1151 asemeText
-highlight default link asemeText_1177 asemeText
-highlight default link asemeText_1242 asemeText
-highlight default link asemeText_1297 asemeText
-highlight default link asemeText_1358 asemeText
-highlight default link asemeText_1364 asemeText
-highlight default link asemeText_1370 asemeText
-highlight default link asemeText_1376 asemeText
-highlight default link asemeText_1382 asemeText
-highlight default link asemeText_1384 asemeText
-highlight default link asemeText_1387 asemeText
-highlight default link asemeText_1393 asemeText
-highlight default link asemeText_1395 asemeText
-highlight default link asemeText_1398 asemeText
-highlight default link asemeText_1399 asemeText
+highlight default link asemeText_1085 asemeText
+highlight default link asemeText_1195 asemeText
+highlight default link asemeText_1210 asemeText
+highlight default link asemeText_1240 asemeText
+highlight default link asemeText_1283 asemeText
+highlight default link asemeText_1287 asemeText
+highlight default link asemeText_1293 asemeText
+highlight default link asemeText_1295 asemeText
+highlight default link asemeText_1321 asemeText
+highlight default link asemeText_1386 asemeText
+highlight default link asemeText_1441 asemeText
+highlight default link asemeText_1502 asemeText
+highlight default link asemeText_1508 asemeText
+highlight default link asemeText_1514 asemeText
+highlight default link asemeText_1520 asemeText
+highlight default link asemeText_1526 asemeText
+highlight default link asemeText_1528 asemeText
+highlight default link asemeText_1531 asemeText
+highlight default link asemeText_1537 asemeText
+highlight default link asemeText_1539 asemeText
+highlight default link asemeText_1542 asemeText
+highlight default link asemeText_1543 asemeText
 highlight default link asemeText_157 asemeText
 highlight default link asemeText_16 asemeText
 highlight default link asemeText_168 asemeText
@@ -3226,9 +3554,11 @@ highlight default link asemeText_872 asemeText
 highlight default link asemeText_875 asemeText
 highlight default link asemeText_917 asemeText
 highlight default link asemeText_962 asemeText
-highlight default link asemeTruth_1179 asemeTruth
-highlight default link asemeTruth_1244 asemeTruth
-highlight default link asemeTruth_1299 asemeTruth
+highlight default link asemeTruth_1087 asemeTruth
+highlight default link asemeTruth_1212 asemeTruth
+highlight default link asemeTruth_1323 asemeTruth
+highlight default link asemeTruth_1388 asemeTruth
+highlight default link asemeTruth_1443 asemeTruth
 highlight default link asemeTruth_18 asemeTruth
 highlight default link asemeTruth_282 asemeTruth
 highlight default link asemeTruth_320 asemeTruth
@@ -3240,14 +3570,14 @@ highlight default link asemeTruth_698 asemeTruth
 highlight default link asemeTruth_774 asemeTruth
 highlight default link asemeTruth_812 asemeTruth
 highlight default link asemeTruth_919 asemeTruth
-highlight default link asemeType_1012 asemeType
-highlight default link asemeType_1020 asemeType
-highlight default link asemeType_1034 asemeType
+highlight default link asemeType_1047 asemeType
 highlight default link asemeType_105 asemeType
+highlight default link asemeType_1055 asemeType
+highlight default link asemeType_1069 asemeType
 highlight default link asemeType_110 asemeType
 highlight default link asemeType_116 asemeType
-highlight default link asemeType_1207 asemeType
-highlight default link asemeType_1223 asemeType
+highlight default link asemeType_1351 asemeType
+highlight default link asemeType_1367 asemeType
 highlight default link asemeType_163 asemeType
 highlight default link asemeType_173 asemeType
 highlight default link asemeType_179 asemeType

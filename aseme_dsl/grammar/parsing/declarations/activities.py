@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from aseme_dsl.grammar.formulas.expression import read_path
+from collections.abc import Iterator
+
+from aseme_dsl.grammar.formulas.expression import read_expression, read_path
 from aseme_dsl.grammar.parsing import nodes
 from aseme_dsl.grammar.parsing.declarations.pieces import Once, Pieces, is_a
 from aseme_dsl.grammar.text import tree
@@ -19,6 +21,7 @@ def activity(pieces: Pieces, node: nodes.Activity | nodes.Module) -> tree.Activi
     writes: list[tree.Path] = []
     simulated: Span | None = None
     waits: Span | None = None
+    guarantees: list[tree.Guarantee] = []
     said = Once(pieces)
     for clause in node.clauses:
         if is_a(clause, nodes.Every):
@@ -47,6 +50,8 @@ def activity(pieces: Pieces, node: nodes.Activity | nodes.Module) -> tree.Activi
             reads += [_read(pieces, item) for item in clause.reads]
         elif is_a(clause, nodes.Writes):
             writes += [read_path(pieces.source, path) for path in clause.paths]
+        elif is_a(clause, nodes.Guarantees):
+            guarantees += _guarantee(pieces, clause)
     return tree.Activity(
         pieces.new_name(node.name, "activity"),
         uses,
@@ -61,7 +66,28 @@ def activity(pieces: Pieces, node: nodes.Activity | nodes.Module) -> tree.Activi
         pieces.all(_activity_parameter, node.parameters if is_a(node, nodes.Activity) else ()),
         simulated,
         waits,
+        tuple(guarantees),
     )
+
+
+def _guarantee(pieces: Pieces, node: nodes.Guarantees) -> Iterator[tree.Guarantee]:
+    """What an activity guarantees, if it can be read."""
+    said = _sent(pieces, node.said)
+    limit = pieces.duration(node.limit) if node.limit else None
+    earlier = _sent(pieces, node.earlier) if node.earlier else None
+    if said is None or (node.limit and limit is None) or (node.earlier and earlier is None):
+        return
+    yield tree.Guarantee(said, limit, earlier, pieces.span(node))
+
+
+def _sent(pieces: Pieces, node: nodes.Sent) -> tree.Sent | None:
+    condition = None
+    if node.tokens:
+        condition = pieces.tried(lambda: read_expression(pieces.source, node.tokens))
+        if condition is None:
+            return None
+    called = pieces.new_name(node.called, "message")
+    return tree.Sent(read_path(pieces.source, node.message), called, condition, pieces.span(node))
 
 
 def _activity_parameter(pieces: Pieces, node: nodes.ActivityParameter) -> tree.ActivityParameter:
