@@ -243,7 +243,7 @@ class ModuleEnds(Problem):
 
     @property
     def message(self) -> str:
-        return f"the module `{self.module}` is no activity: it has no `{self.clause}`"
+        return f"the module `{self.module}` is not an activity: it has no `{self.clause}`"
 
     hint = "leave it out"
 
