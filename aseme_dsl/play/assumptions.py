@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import assert_never
 
+from aseme_dsl.play.evaluate import Known, value_of
 from aseme_dsl.play.scenario import (
     Assumption,
     CrashesAssumed,
@@ -12,6 +13,7 @@ from aseme_dsl.play.scenario import (
     FailuresAssumed,
     NetworkAssumed,
     PaceAssumed,
+    ValueAssumed,
 )
 from aseme_dsl.runtime.trace.records import Record
 
@@ -29,6 +31,7 @@ class Assumptions:
         """When an activity of an assumption, by its number, has started in an agent."""
         self._written: dict[tuple[int, str], int] = {}
         """When it has written last since then."""
+        self._values = tuple(item for item in self._all if isinstance(item, ValueAssumed))
         for item in self._all:
             if isinstance(item, NetworkAssumed) and item.broken_at is not None:
                 self._break(item, item.broken_at)
@@ -74,6 +77,12 @@ class Assumptions:
             if moment > due:
                 self._break(item, due)
 
+    def look(self, known: Callable[[str], Known], moment: int) -> None:
+        """Something has happened: what each agent knows may be otherwise."""
+        for item in self._values:
+            if value_of(item.value, known(item.agent)) is False:
+                self._break(item, moment)
+
     def crash(self, agent: str, moment: int) -> None:
         """An agent has crashed."""
         self._crashed.append(agent)
@@ -82,7 +91,9 @@ class Assumptions:
                 case CrashesAssumed(most=most, agents=agents):
                     if sum(name in agents for name in self._crashed) > most:
                         self._break(item, moment)
-                case PaceAssumed() | DurationAssumed() | NetworkAssumed() | FailuresAssumed():
+                case (
+                    PaceAssumed() | DurationAssumed() | NetworkAssumed() | FailuresAssumed() | ValueAssumed()
+                ):
                     pass
                 case _:
                     assert_never(item)

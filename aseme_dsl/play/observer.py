@@ -467,6 +467,7 @@ class Observer:
     # ---- what is seen ------------------------------------------------------------------------
 
     def _look(self, happening: _Happening) -> None:
+        self.assumed.look(self._known, self._now)
         view = self._view(happening, self._now, self._now)
         self._show(view)
         self.came.update(dict.fromkeys(view.occurs & self._ordered, self._now))

@@ -187,7 +187,16 @@ class FailuresAssumed:
     span: Span
 
 
-Assumption = PaceAssumed | DurationAssumed | CrashesAssumed | NetworkAssumed | FailuresAssumed
+@dataclass(frozen=True, slots=True)
+class ValueAssumed:
+    """A condition of an agent is never false. What is absent is neither."""
+
+    agent: str
+    value: Value
+    span: Span
+
+
+Assumption = PaceAssumed | DurationAssumed | CrashesAssumed | NetworkAssumed | FailuresAssumed | ValueAssumed
 
 
 GUARANTEE = "guarantee of "
@@ -445,6 +454,7 @@ __all__ = [
     "Share",
     "Stimulus",
     "Untaken",
+    "ValueAssumed",
     "Writes",
     "all_parts",
     "parts_of",

@@ -299,6 +299,11 @@ class _Lowering:
                 self._expect(rules.Sometime(failed, 0, by.nanoseconds), item.span, None)
             case nodes.Assumed():
                 self._assume(item)
+            case nodes.AssumedSo(condition=condition):
+                assert condition.agent is not None
+                for name in self._meant(condition.agent, condition.which):
+                    value = self._value(condition.expression, self.team[name])
+                    self.assumptions.append(play.ValueAssumed(name, value, item.span))
             case _:
                 assert_never(item)
 

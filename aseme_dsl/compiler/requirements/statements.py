@@ -491,6 +491,8 @@ class Check:
                 self._ranges(item.times)
                 if item.writes is not None:
                     self._channel(item.writes)
+            case nodes.AssumedSo(condition=condition):
+                self._condition(condition, self.role_of(condition.agent))
             case _:
                 assert_never(item)
 

@@ -714,7 +714,9 @@ def _path(node: object, name: str, path: tree.Path, around: Around) -> Iterator[
             return _value(around, path, Use.WRITE)
         case tree.Activity() if path.text in around.values:
             return _value(around, path, Use.WRITE)
-        case tree.Publish() | tree.Activity():
+        case tree.Sent() if len(path.segments) == 1:
+            return _message(path, around)
+        case tree.Publish() | tree.Activity() | tree.Sent():
             return _channel(around, path, Use.WRITE)
         case tree.ActivityRead() if path.text not in around.values:
             return _channel(around, path)

@@ -887,8 +887,15 @@ def _assume(reader: Reader) -> nodes.Statement:
         role = _name(reader, Wanted.ROLE)
         _need(reader, "crash")
         return nodes.Several("assume", count, role, (), None, reader.since(word.start))
+    if reader.next in _ANY or _ahead(reader) == "has":
+        if reader.next in _ANY and reader.next != "every":
+            raise _wrong(reader, "every", Wanted.AGENT_NAME)
+        condition = _of_agent(reader)
+        if not isinstance(condition, nodes.Holds):
+            raise Malformed(Diagnostic(problems.OnlyHas(), condition.span))
+        return nodes.AssumedSo(condition, reader.since(word.start))
     if not is_word(reader.next) or "." in reader.next:
-        raise _wrong(reader, "network", "fair", "at most", Wanted.ACTIVITY)
+        raise _wrong(reader, "network", "fair", "at most", Wanted.ACTIVITY, Wanted.AGENT_NAME)
     activity = _name(reader, Wanted.ACTIVITY)
     writes = None
     times: tuple[nodes.Lasts, ...] = ()

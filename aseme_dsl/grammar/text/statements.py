@@ -297,6 +297,14 @@ class Assumed:
 
 
 @dataclass(frozen=True, slots=True)
+class AssumedSo:
+    """`assume robot1 has [my.state.Identity.number == 1]`, `assume every player has [...]`."""
+
+    condition: Holds
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Share:
     """`in 95% of 200 seeds`"""
 
@@ -305,10 +313,13 @@ class Share:
     span: Span
 
 
-Statement = TakesPart | Simulated | Input | Table | Setup | Hit | Timed | Rule | Several | Fails | Assumed
+Statement = (
+    TakesPart | Simulated | Input | Table | Setup | Hit | Timed | Rule | Several | Fails | Assumed | AssumedSo
+)
 
 __all__ = [
     "Assumed",
+    "AssumedSo",
     "Computes",
     "Condition",
     "Does",

@@ -379,6 +379,10 @@ ASSUMED = [
     ("network delay 0..300ms  assume network delay 0..200ms", "0 s"),
     ("network loss 5%  assume network delay 100ms", "0 s"),
     ("from 1s for 1s b loses radio  assume network loss 1%", "1 s"),
+    ("assume a has [eyes.state.Ball.visible]", None),  # it is absent
+    ("at 1s a receives eyes.state.Ball { }  assume a has [eyes.state.Ball.visible]", "1 s"),
+    ("at 1s b receives eyes.state.Ball { }  assume a has [eyes.state.Ball.visible]", None),
+    ("at 1s b receives eyes.state.Ball { }  assume every walker has [eyes.state.Ball.visible]", "1 s"),
 ]  # fmt: skip
 
 

@@ -107,6 +107,12 @@ class MessageAlone(Problem):
         return f"write `message {self.channel}`, or ask for a member"
 
 
+class OnlyHas(Problem):
+    code = "E117"
+    message = "what is assumed of an agent is about its values, not about where it is"
+    hint = "write `assume robot1 has [...]`"
+
+
 class OnlyInScenario(Problem):
     code = "E117"
     word: str
