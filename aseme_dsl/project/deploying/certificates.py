@@ -345,7 +345,7 @@ def _begun(
     if authority is not None:
         first = max(first, authority.not_valid_before_utc)
         last = min(last, authority.not_valid_after_utc)
-        if last <= now:
+        if authority.not_valid_after_utc <= now:
             raise CertificateError("the certificate of the authority has expired")
     return (
         x509.CertificateBuilder()
