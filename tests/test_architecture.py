@@ -62,7 +62,7 @@ SUBPACKAGES = {
     "grammar": "text formulas parsing layout syntax",
     "project": (
         "files settings code building editing spreading playing studying testing stepping proving observing"
-        " comparing deploying"
+        " comparing deploying operating"
     ),
     "runtime": (
         "time chart plain message library ports trace transport platform channel conversation world activity"

@@ -10,15 +10,14 @@ import sys
 import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
-from importlib import import_module
 from types import FrameType
 from typing import NoReturn
 
 import click
 
 from aseme_dsl import __version__
+from aseme_dsl.cli.groups import LazyGroup
 from aseme_dsl.cli.terminal import protect
-from aseme_dsl.runtime.message.naming import usable
 
 FINE, ERRORS, WRONG_USE, OUR_MISTAKE, INTERRUPTED, TERMINATED, BROKEN_PIPE = 0, 1, 2, 70, 130, 143, 141
 
@@ -44,9 +43,7 @@ COMMANDS = (
     "why",
     "whynot",
     "node",
-    "status",
-    "switch",
-    "swap",
+    "team",
     "key",
     "certificates",
     "trace",
@@ -63,39 +60,25 @@ COMMANDS = (
 """The commands, in the order of the help; each is the object `command` of the module of its name, with an
 underscore where that is a keyword."""
 
+MOVED = {"status": "team status", "switch": "team switch", "swap": "team swap", "select": "team switch"}
+"""Commands that have another name now: nothing is done under the old one."""
+
 PLAYING = frozenset(("run", "test", "sim", "node", "match", "optimise"))
 """The commands in which code of the user writes to the terminal as it likes."""
 
 
-class _Commands(click.Group):
-    """Loads a command only when it is asked for."""
+class _Commands(LazyGroup):
+    """The commands of `asemec`."""
 
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        return list(COMMANDS)
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name not in COMMANDS:
-            return None
-        command = import_module(f"aseme_dsl.cli.{usable(cmd_name)}").command
-        assert isinstance(command, click.Command)
-        return command
+    package = "aseme_dsl.cli"
+    names = COMMANDS
+    moved = MOVED
 
     def invoke(self, ctx: click.Context) -> object:
         try:
             return super().invoke(ctx)
         except BrokenPipeError as error:
             raise _NobodyReads from error  # click would take it for an error of the command
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        if args and args[0] not in COMMANDS and not args[0].startswith("-"):
-            from aseme_dsl.diagnostics import closest
-
-            near = closest(args[0], COMMANDS)
-            hint = f"Did you mean {near!r}?" if near else f"Commands: {', '.join(COMMANDS)}."
-            raise click.UsageError(f"Unknown command {args[0]!r}. {hint}", ctx)
-        return super().resolve_command(ctx, args)
 
 
 @click.group(

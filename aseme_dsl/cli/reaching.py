@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 import click
 
-from aseme_dsl.cli.shared import FilePath, Refused
+from aseme_dsl.cli.shared import CommandT, FilePath, Refused
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.running import NotDone, NotOneTeam
 
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from aseme_dsl.project.playing.remote import Robot
-
-CommandT = TypeVar("CommandT", bound="Callable[..., object]")
 
 
 def key_option(command: CommandT) -> CommandT:
@@ -30,6 +28,22 @@ def key_option(command: CommandT) -> CommandT:
         help="Reach the agents over the network with the last key of FILE.  [default: the control sockets of"
         " this machine]",
     )(command)
+
+
+def within_option(usual: str, text: str) -> Callable[[CommandT], CommandT]:
+    """`--within`: a duration, which the command gets in seconds."""
+
+    def seconds(context: click.Context, parameter: click.Parameter, value: str) -> float:
+        from aseme_dsl.project.files.duration import duration
+
+        try:
+            return duration(value) / 1e9
+        except ValueError as problem:
+            raise click.BadParameter(f"{problem}.") from problem
+
+    return click.option(
+        "--within", metavar="DURATION", default=usual, show_default=True, callback=seconds, help=text
+    )
 
 
 @contextmanager

@@ -17,6 +17,7 @@ import pytest
 import aseme_dsl
 from aseme_dsl.cli import main
 from aseme_dsl.cli.program import COMMANDS
+from aseme_dsl.cli.team import NAMES as TEAM
 from tests.cli.support import GOOD, Here, asemec, command
 from tests.support.terminal import shown
 
@@ -45,19 +46,27 @@ def test_help_names_every_command(here: Here) -> None:
         assert f"\n  {name} " in done.out
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize("name", [*COMMANDS, *(f"team {name}" for name in TEAM)])
 def test_every_command_has_help_with_an_example(here: Here, name: str) -> None:
-    done = here(name, "--help")
+    done = here(*name.split(), "--help")
     assert done.code == 0
     assert "Example:" in done.out
     assert f"asemec {name}" in done.out
-    assert here(name, "-h").out == done.out
+    assert here(*name.split(), "-h").out == done.out
 
 
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
         (["chekc"], "Did you mean 'check'?"),
+        (["status"], "`asemec status` is `asemec team status` now"),
+        (["swap", "team.aseme"], "`asemec swap` is `asemec team swap` now"),
+        (["switch", "a", "b"], "`asemec switch` is `asemec team switch` now"),
+        (["select", "a", "b"], "`asemec select` is `asemec team switch` now"),
+        (["team", "statsu"], "Did you mean 'status'?"),
+        (["team", "status", "--watch"], "--watch needs a terminal"),
+        (["team", "stop", "--within", "soon"], "is not a duration"),
+        (["team", "logs", "--last", "0"], "--last"),
         (["fly"], "Commands: new, check, explain"),
         (["check", "--nothing"], "No such option"),
         (["import"], "Missing argument"),

@@ -89,7 +89,7 @@ USES = {
     "test": Use(says="    by 3s one in Walk\n  }\n"),
     "sim": Use(after=("--plain",), says="0 s\n"),
     "node": Use(("one",), ("--for", "1ms", "--trace", "one.jsonl"), says="  trace: one.jsonl\n"),
-    "swap": Use(code=1, says="error[E034]: nothing has changed:\nnothing runs from made: "),
+    "team swap": Use(code=1, says="error[E034]: nothing has changed:\nnothing runs from made: "),
     "trace": Use(says="made/trace.jsonl.gz: Walker, seed 1, virtual time\n"),
     "replay": Use(says=" of "),
     "observe": Use(says="nothing to check: "),
@@ -106,11 +106,11 @@ USES = {
 }
 """The commands that take a target."""
 OTHERS = {
-    *("new", "explain", "lsp", "status", "switch", "key", "import", "completion", "match", "diff"),
-    *("why", "whynot"),
+    *("new", "explain", "lsp", "key", "import", "completion", "match", "diff"),
+    *("why", "whynot", "team status", "team switch", "team logs", "team stop"),
 }
-"""Those that take none, or two, or others before it: `status` and `switch` are about what runs from an output
-folder (-o)."""
+"""Those that take none, or two, or others before it: `team status` and its like are about what runs from an
+output folder (-o)."""
 FORMS = (
     "   hint: name a .aseme file, a project's folder or an output folder"
     " (or, for commands that read runs, a trace)\n"
@@ -127,12 +127,21 @@ def _views_end(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sys.stdin", io.StringIO())
 
 
+def commands_of(group: click.Group) -> Iterator[tuple[str, click.Command]]:
+    """The commands of a group by name, with those of the groups in it as `team status`."""
+    context = click.Context(group)
+    for name in group.list_commands(context):
+        command = group.get_command(context, name)
+        assert command is not None
+        if isinstance(command, click.Group):
+            yield from ((f"{name} {inner}", found) for inner, found in commands_of(command))
+        else:
+            yield name, command
+
+
 def commands() -> Iterator[tuple[str, bool]]:
     """The name of each command, and whether it takes a target."""
-    context = click.Context(program)
-    for name in program.list_commands(context):
-        command = program.get_command(context, name)
-        assert command is not None
+    for name, command in commands_of(program):
         yield name, any(parameter.name in ("target", "targets") for parameter in command.params)
 
 
@@ -142,7 +151,7 @@ def test_every_command_is_known_here() -> None:
 
 
 def use(here: Here, name: str, *target: object) -> Done:
-    return here(name, *USES[name].before, *target, *USES[name].after)
+    return here(*name.split(), *USES[name].before, *target, *USES[name].after)
 
 
 @pytest.mark.parametrize("name", USES)

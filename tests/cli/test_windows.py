@@ -177,14 +177,14 @@ def running(folder: Path) -> Iterator[None]:
 @line("team", "the same on Windows")
 def test_operators_reach_a_team_over_loopback_with_its_secret(tmp_path: Path) -> None:
     with running(tmp_path):
-        done = on_windows("status", "--output", "out", "--json", cwd=tmp_path)
+        done = on_windows("team", "status", "--output", "out", "--json", cwd=tmp_path)
         assert done.code == 0, done.err
         assert "one" in done.out
         (path,) = (tmp_path / "profile").rglob("*.sock")
         port, _, secret = path.read_text("ascii").strip().partition(" ")
         assert len(bytes.fromhex(secret)) == 32
         path.write_text(f"{port} {'00' * 32}\n", "ascii")
-        wrong = on_windows("status", "--output", "out", cwd=tmp_path)
+        wrong = on_windows("team", "status", "--output", "out", cwd=tmp_path)
         assert wrong.code == 1
         assert "has ended before it answered" in wrong.err or "cannot be reached" in wrong.err
 

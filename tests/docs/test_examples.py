@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.cli.program import COMMANDS
+from aseme_dsl.cli.team import NAMES as TEAM
 from tests.docs.pages import ROOT, Page
 
 PAGES = sorted(
@@ -33,5 +34,6 @@ def test_the_examples_of_a_page_do_what_it_says(
 
 
 def test_every_command_has_its_help_in_the_reference() -> None:
+    names = [*COMMANDS, *(f"team {name}" for name in TEAM)]
     text = (ROOT / "docs" / "reference" / "commands.md").read_text("utf-8")
-    assert [name for name in COMMANDS if f"$ asemec {name} --help\n" not in text] == []
+    assert [name for name in names if f"$ asemec {name} --help\n" not in text] == []

@@ -350,11 +350,13 @@ def test_in_real_time_with_a_swap(project: Path, here: Here) -> None:
     reader = threading.Thread(target=lambda: said.extend(process.stdout or ()), daemon=True)
     reader.start()
     try:
-        wait_until(lambda: here("status", "-o", "out").code == 0 or process.poll() is not None, pause=0.2)
-        done = here("swap", "next/rescue.aseme", "-o", "out", "--within", "6s")
+        wait_until(
+            lambda: here("team", "status", "-o", "out").code == 0 or process.poll() is not None, pause=0.2
+        )
+        done = here("team", "swap", "next/rescue.aseme", "-o", "out", "--within", "6s")
         assert done.code == 0 or "nothing has changed:" in done.err  # on a slow machine
         assert (
-            "did you mean bob?" in here("switch", "bbo", "scout", "-o", "out").err
+            "did you mean bob?" in here("team", "switch", "bbo", "scout", "-o", "out").err
             or process.poll() is not None
         )
         assert process.wait(LONG) == 1

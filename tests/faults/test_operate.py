@@ -64,7 +64,7 @@ class Here:
         return done.code, done.out + done.err
 
     def status(self) -> list[dict[str, Any]]:
-        code, said = self.asemec("status", "-o", "out", "--json")
+        code, said = self.asemec("team", "status", "-o", "out", "--json")
         return json.loads(said)["processes"] if code == 0 else []
 
     def agents(self, count: int = 2) -> dict[str, dict[str, Any]]:
@@ -102,32 +102,32 @@ def test_a_team_is_asked_and_changed(here: Here) -> None:
     before = here.agents()
     assert {name: agent["role"] for name, agent in before.items()} == {"a": "player", "b": "player"}
 
-    code, said = here.asemec("swap", "wrong.aseme", "-o", "out")
+    code, said = here.asemec("team", "swap", "wrong.aseme", "-o", "out")
     assert code == 1
     assert "error" in said
-    code, said = here.asemec("swap", "three.aseme", "-o", "out")
+    code, said = here.asemec("team", "swap", "three.aseme", "-o", "out")
     assert code == 1
     assert "the new model has no player, which a plays; it has striker" in said
     assert {a["model"] for a in here.agents().values()} == {before["a"]["model"]}
 
-    code, said = here.asemec("swap", "two.aseme", "-o", "out")
+    code, said = here.asemec("team", "swap", "two.aseme", "-o", "out")
     assert code == 0, said
     after = here.agents()
     assert {a["model"] for a in after.values()} != {before["a"]["model"]}
     wait_until(lambda: "Cheer" in here.agents()["a"]["activities"])
 
-    code, said = here.asemec("switch", "b", "goalie", "-o", "out")
+    code, said = here.asemec("team", "switch", "b", "goalie", "-o", "out")
     assert code == 0, said
     assert here.agents()["b"]["role"] == "goalie"
-    code, said = here.asemec("switch", "b", "sweeper", "-o", "out")
+    code, said = here.asemec("team", "switch", "b", "sweeper", "-o", "out")
     assert code == 1
     assert "there is no plan sweeper; there are S.player, S.goalie" in said
-    code, said = here.asemec("switch", "nobody", "goalie", "-o", "out")
+    code, said = here.asemec("team", "switch", "nobody", "goalie", "-o", "out")
     assert "there is no agent nobody; there are a, b" in said
     process = here.running[0]
     process.send_signal(signal.SIGINT)
     process.wait(LONG)
-    assert here.asemec("status", "-o", "out")[0] == 1
+    assert here.asemec("team", "status", "-o", "out")[0] == 1
     kinds = [line["kind"] for line in records_of(here.folder / "out/trace.jsonl.gz")]
     assert kinds.count("swap") == 3  # refused, and done by two
     assert kinds.count("select") == 2
@@ -142,10 +142,10 @@ def test_a_team_in_several_processes_changes_as_one_or_not_at_all(here: Here) ->
     before = here.agents()
 
     here.running[1].send_signal(signal.SIGSTOP)
-    code, said = here.asemec("swap", "two.aseme", "-o", "out")
+    code, said = here.asemec("team", "swap", "two.aseme", "-o", "out")
     assert code == 1, said
     assert "does not answer" in said
-    code, said = here.asemec("status", "-o", "out")
+    code, said = here.asemec("team", "status", "-o", "out")
     assert code == 1
     pid = here.running[1].pid
     assert f"error[E034]: process {pid} (b) does not answer within" in said
@@ -153,7 +153,7 @@ def test_a_team_in_several_processes_changes_as_one_or_not_at_all(here: Here) ->
     here.running[1].send_signal(signal.SIGCONT)
     assert {a["model"] for a in here.agents().values()} == {before["a"]["model"]}
 
-    code, said = here.asemec("swap", "two.aseme", "-o", "out")
+    code, said = here.asemec("team", "swap", "two.aseme", "-o", "out")
     assert code == 0, said
     models = {agent["model"] for agent in here.agents().values()}
     assert len(models) == 1

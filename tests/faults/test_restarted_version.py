@@ -21,7 +21,7 @@ ROBOTS = ("robot1", "robot2", "robot3")
 def swap(run: Started, text: str, *arguments: str) -> None:
     """Change the team as an operator does."""
     (run.folder / "changed.aseme").write_text(text)
-    assert main(["swap", f"{run.folder}/changed.aseme", *arguments, "-o", f"{run.folder}/out"]) == 0
+    assert main(["team", "swap", f"{run.folder}/changed.aseme", *arguments, "-o", f"{run.folder}/out"]) == 0
 
 
 def begun_as(run: Started, robot: str, life: int) -> str:

@@ -539,7 +539,7 @@ def test_commands_reach_a_team_with_the_key_of_its_project(
         run.wait_for_talk()
         monkeypatch.chdir(folder)
         key = str(tmp_path / "operator.toml")
-        done = asemec("status", "--key", key, "--json")
+        done = asemec("team", "status", "--key", key, "--json")
         assert done.code == 0, done.err
         assert {process["agents"][0]["name"] for process in done.json["processes"]} == {
             "robot1",
@@ -548,16 +548,16 @@ def test_commands_reach_a_team_with_the_key_of_its_project(
         }
         text = (folder / "talk.aseme").read_text()
         (folder / "new.aseme").write_text(text.replace("Hear every 20ms", "Hear every 30ms"))
-        swapped = asemec("swap", "new.aseme", "--key", key)
+        swapped = asemec("team", "swap", "new.aseme", "--key", key)
         assert swapped.code == 0, swapped.err
         assert f"{NAME} swapped to model" in swapped.out
         (folder / "newer.aseme").write_text(text.replace("Hear every 20ms", "Hear every 40ms"))
         monkeypatch.setattr(operate, "write_version", lambda *given: ("0" * 64, "none"))
-        refused = asemec("swap", "newer.aseme", "--key", key)
+        refused = asemec("team", "swap", "newer.aseme", "--key", key)
         assert refused.code == 1
         assert "copy it there first" in refused.err
         write_key(tmp_path / "wrong.toml")
-        assert asemec("status", "--key", str(tmp_path / "wrong.toml")).code == 1
+        assert asemec("team", "status", "--key", str(tmp_path / "wrong.toml")).code == 1
         run.wait_for(lambda: [r for r in run.trace("robot1") if r["kind"] == "swap"])
         assert run.end() == 130
     assert {r["origin"] for r in run.trace("robot1") if r["kind"] == "control"} == {"bus"}

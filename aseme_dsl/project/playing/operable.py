@@ -11,6 +11,7 @@ from aseme_dsl.project.settings.configuration import Configuration
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.control.control import Changed
+    from aseme_dsl.runtime.control.recent import Recent
     from aseme_dsl.runtime.team.swap import Version
     from aseme_dsl.runtime.team.team import Team
     from aseme_dsl.runtime.version.loading import Loaded
@@ -29,10 +30,11 @@ def operable(
     activities: Path,
     changed: Callable[[Changed], None] | None = None,
     keys: Path | None = None,
+    recent: Recent | None = None,
 ) -> Iterator[None]:
     """Inside, operators reach the team over a socket, and over its transport if there is a file of `keys`.
 
-    `changed` is called with each swap that is done.
+    `changed` is called with each swap that is done; `recent`, a listener of the team's trace, has its logs.
 
     A run to which no socket can be opened continues without one, with a line in its trace.
     """
@@ -43,7 +45,7 @@ def operable(
 
     agents = team.agents
     name = agents[0].name if len(agents) == 1 else "team"
-    control = Control(team, activities, changed, output_of(loaded) / VERSIONS)
+    control = Control(team, activities, changed, output_of(loaded) / VERSIONS, recent)
     if keys is None:
         team.transport.answer(control.not_over_the_bus)
     else:

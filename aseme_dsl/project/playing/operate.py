@@ -26,6 +26,8 @@ WITHIN = 10.0
 """How long, in seconds, a swap waits for conversations to end."""
 _ANSWER = 5.0
 """How long, in seconds, it is waited for the answer of a process."""
+MOST_AT_ONCE = 64
+"""So many processes are asked at the same time."""
 _HOLD = 3.0
 _TRY = 0.3
 _PAUSE = 0.05
@@ -63,14 +65,24 @@ def look(output: Path, robots: Sequence[Robot] | None = None) -> tuple[tuple[Nod
     Raises:
         OperateError: there is none.
     """
-    from aseme_dsl.runtime.control.control_socket import endpoints
-
-    found: Sequence[Endpoint] = endpoints(output) if robots is None else robots
-    if not found:
-        raise OperateError(f"nothing runs from {output}: `asemec run … --real` does")
-    replies = _try_all({path: {"request": "status"} for path in found})
+    found: Sequence[Endpoint] = running_from(output) if robots is None else robots
+    replies = ask_each({path: {"request": "status"} for path in found})
     there = tuple(Node(path, reply) for path, reply in replies.items() if reply["ok"])
     return there, tuple(text for reply in replies.values() if not reply["ok"] for text in reply["reasons"])
+
+
+def running_from(output: Path) -> Sequence[Path]:
+    """The control sockets of what runs from an output folder.
+
+    Raises:
+        OperateError: nothing runs.
+    """
+    from aseme_dsl.runtime.control.control_socket import endpoints
+
+    found = endpoints(output)
+    if not found:
+        raise OperateError(f"nothing runs from {output}: `asemec run … --real` does")
+    return found
 
 
 def nodes(output: Path, robots: Sequence[Robot] | None = None) -> tuple[Node, ...]:
@@ -94,12 +106,12 @@ def select(output: Path, agent: str, plan: str, robots: Sequence[Robot] | None =
     there = nodes(output, None if robots is None else [r for r in robots if r.name == agent] or robots)
     node = next((node for node in there if agent in node.agents), None)
     if node is None:
-        raise OperateError(_unknown(agent, there))
+        raise OperateError(unknown_agent(agent, there))
     request: Request = {"request": "select", "agent": agent, "plan": plan}
     return _ask_all({node.socket: request}, 10.0)[node.socket]
 
 
-def _unknown(agent: str, there: Iterable[Node]) -> str:
+def unknown_agent(agent: str, there: Iterable[Node]) -> str:
     """Why an agent cannot be meant: who is meant instead, and who is there."""
     known = [name for node in there for name in node.agents]
     near = closest(agent, known)
@@ -232,7 +244,7 @@ def swap(
     concerned = [node for node in there if names is None or set(node.agents) & set(names)]
     missing = [name for name in names or () if not any(name in node.agents for node in there)]
     if missing:
-        raise OperateError(_unknown(missing[0], there))
+        raise OperateError(unknown_agent(missing[0], there))
     request: Request = {
         "request": "swap",
         "hash": name,
@@ -246,7 +258,7 @@ def swap(
             return notes
         if time.monotonic() >= deadline:
             reasons = [f"{reason} after {within:g} s" for reason in busy]
-            _try_all({path: {**request, "phase": "refuse", "reasons": reasons} for path in sockets})
+            ask_each({path: {**request, "phase": "refuse", "reasons": reasons} for path in sockets})
             raise OperateError(*reasons)
         time.sleep(_PAUSE)
 
@@ -258,7 +270,7 @@ def _prepare(sockets: list[Endpoint], request: Request) -> tuple[list[str], tupl
     if busy:
         return busy, ()
     prepare = {**request, "phase": "prepare", "within": _TRY, "hold": _HOLD}
-    outcome = _try_all({path: prepare for path in sockets}, 30.0)
+    outcome = ask_each({path: prepare for path in sockets}, 30.0)
     held = {path: reply["id"] for path, reply in outcome.items() if reply.get("state") == "prepared"}
     problems = [reason for reply in outcome.values() if not reply["ok"] for reason in reply["reasons"]]
     busy = [reason for reply in outcome.values() if reply["ok"] for reason in reply["reasons"]]
@@ -268,7 +280,7 @@ def _prepare(sockets: list[Endpoint], request: Request) -> tuple[list[str], tupl
             raise OperateError(*problems)
         return busy, ()
     for phase in ("commit", "finish"):
-        replies = _try_all({path: {"request": "swap", "phase": phase, "id": n} for path, n in held.items()})
+        replies = ask_each({path: {"request": "swap", "phase": phase, "id": n} for path, n in held.items()})
         problems = [reason for reply in replies.values() if not reply["ok"] for reason in reply["reasons"]]
         if problems and phase == "commit":
             back = _roll_back(held, "; ".join(problems))
@@ -284,7 +296,7 @@ def _models(concerned: Iterable[Endpoint]) -> list[str]:
     """Which robot follows which model, when those that are on their own have decided."""
     time.sleep(_HOLD)
     lines: list[str] = []
-    for endpoint, reply in _try_all({endpoint: {"request": "status"} for endpoint in concerned}).items():
+    for endpoint, reply in ask_each({endpoint: {"request": "status"} for endpoint in concerned}).items():
         agents = reply.get("agents", ()) if reply["ok"] else ()
         lines += [f"{agent['name']} follows model {agent['model']}" for agent in agents]
         if not reply["ok"]:
@@ -300,7 +312,7 @@ def _roll_back(held: Mapping[Endpoint, int], reason: str) -> list[str]:
     }
     return [
         f"it is not known whether it was rolled back: {text}"
-        for reply in _try_all(requests).values()
+        for reply in ask_each(requests).values()
         if not reply["ok"]
         for text in reply["reasons"]
     ]
@@ -308,14 +320,14 @@ def _roll_back(held: Mapping[Endpoint, int], reason: str) -> list[str]:
 
 def _ask_all(requests: Mapping[Endpoint, Request], timeout: float) -> dict[Endpoint, Reply]:
     """The replies. Raises OperateError with all the reasons, if one is a refusal or does not come."""
-    replies = _try_all(requests, timeout)
+    replies = ask_each(requests, timeout)
     problems = [text for reply in replies.values() if not reply["ok"] for text in reply["reasons"]]
     if problems:
         raise OperateError(*dict.fromkeys(problems))
     return replies
 
 
-def _try_all(requests: Mapping[Endpoint, Request], timeout: float = _ANSWER) -> dict[Endpoint, Reply]:
+def ask_each(requests: Mapping[Endpoint, Request], timeout: float = _ANSWER) -> dict[Endpoint, Reply]:
     """The replies; who does not answer is taken to refuse."""
     from aseme_dsl.runtime.control.control_socket import ControlError, ask
 
@@ -329,5 +341,5 @@ def _try_all(requests: Mapping[Endpoint, Request], timeout: float = _ANSWER) -> 
 
     if not requests:
         return {}
-    with ThreadPoolExecutor(len(requests)) as pool:
+    with ThreadPoolExecutor(min(len(requests), MOST_AT_ONCE)) as pool:
         return dict(zip(requests, pool.map(one, requests), strict=True))

@@ -311,6 +311,7 @@ def _play_here(
     """Run a system's team, or one plan, in this process."""
     from aseme_dsl.project.playing.operable import operable, others
     from aseme_dsl.runtime.activity.activities import ActivityError
+    from aseme_dsl.runtime.control.recent import Recent
     from aseme_dsl.runtime.team.team import TeamError, make_team
     from aseme_dsl.runtime.version.loading import activities_in, importing
 
@@ -318,6 +319,7 @@ def _play_here(
     seed = _seed(request, configuration)
     network = _network(request, configuration)
     folders = [configuration.folder.resolve(), *loaded.path]
+    recent = Recent()
     agent = request.agent
     if request.plan is not None and agent is None:
         agent = next((name for name, role in loaded.team if role == request.plan), None)
@@ -347,7 +349,11 @@ def _play_here(
                 timed_inputs=script,
                 trace=trace,
                 before=None if watching is None else watching.begin,
-                listeners=listeners if watching is None else (*listeners, watching),
+                listeners=(
+                    *listeners,
+                    *(() if watching is None else (watching,)),
+                    *((recent,) if request.real else ()),
+                ),
                 path=folders,
                 real_time=_real_time(project),
                 carried=lambda: others(loaded, activities, configuration),
@@ -360,7 +366,7 @@ def _play_here(
         except OSError as problem:
             place = problem.filename or trace
             raise PlayError(_not_written(place, problem)) from problem
-        with operable(team, loaded, activities) if request.real else nullcontext():
+        with operable(team, loaded, activities, recent=recent) if request.real else nullcontext():
             try:
                 with users_mistakes(*([loaded.folder] if loaded.folder else [])):
                     result = team.run()
@@ -410,6 +416,7 @@ def _play_robot(
     from aseme_dsl.project.settings.platform_settings import ZENOH
     from aseme_dsl.project.settings.platforms import PlatformError
     from aseme_dsl.runtime.activity.activities import ActivityError
+    from aseme_dsl.runtime.control.recent import Recent
     from aseme_dsl.runtime.team.team import TeamError, make_team
     from aseme_dsl.runtime.transport import TransportError
     from aseme_dsl.runtime.version.loading import activities_in, activities_of, importing
@@ -425,6 +432,7 @@ def _play_robot(
     project = configuration.run
     folders = [configuration.folder.resolve(), *loaded.path]
     trace = request.trace
+    recent = Recent()
     body: FarBody | None = None
     with importing(folders):
         bodies = _bodies(request.bodies, loaded, None, None, only=robot)
@@ -454,7 +462,7 @@ def _play_robot(
                 timed_inputs=script,
                 trace=trace,
                 before=None if watching is None else watching.begin,
-                listeners=listeners if watching is None else (*listeners, watching),
+                listeners=(*listeners, recent, *(() if watching is None else (watching,))),
                 path=folders,
                 here=[robot],
                 transport=_transport(request.platform or ZENOH, loaded, configuration, [robot]),
@@ -463,7 +471,7 @@ def _play_robot(
                 carried=lambda: others(loaded, activities, configuration),
                 state_directory=_state(request, project),
             )
-            with operable(team, loaded, activities, request.changed, keys):
+            with operable(team, loaded, activities, request.changed, keys, recent):
                 result = team.run()
         except (TeamError, ActivityError, TransportError, PlatformError) as problem:
             raise PlayError(NotPlayed(str(problem))) from problem

@@ -4,8 +4,10 @@ A request is an object with `version` (1), `request`, and what it needs; a reply
 either what was asked for or `reasons`. How they travel is not known here.
 
 - `{"version": 1, "request": "status"}`
-  The reply has system, model, time (ns) and the agents. Each agent has name, role, model, over, failure,
-  steps, configuration and activities.
+  The reply has the members of `status.status_of`.
+- `{"version": 1, "request": "logs", "after": 0, "most": 100}`
+  The recent records after that number (of a negative one: the last so many), and `next`, which is `after` of
+  the next request. `missed` of those that were asked for are only in the trace.
 - `{"version": 1, "request": "select", "agent": "robot2", "plan": "goalie"}`
 - `{"version": 1, "request": "stop"}`
 - `{"version": 1, "request": "swap", "phase": "ready", "hash": "9f2c…"}`
@@ -37,12 +39,14 @@ from dataclasses import field
 from functools import partial
 from pathlib import Path
 from queue import Empty, SimpleQueue
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeGuard
 
 from aseme_dsl.outside import loads
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.control.control_log import PROGRAM, ControlLog, Origin
-from aseme_dsl.runtime.control.replies import AgentStatus, Reply
+from aseme_dsl.runtime.control.recent import MOST_ASKED, Recent
+from aseme_dsl.runtime.control.replies import HeldSwap, Reply
+from aseme_dsl.runtime.control.status import status_of
 from aseme_dsl.runtime.team.swap import Swap, Version, version_of
 from aseme_dsl.runtime.version.loading import LoadError, activities_of, load_beside, package_like
 from aseme_dsl.runtime.version.versions import HASH, VersionError, read_version
@@ -88,9 +92,10 @@ class Control:
         activities: Path | None = None,
         changed: Callable[[Changed], None] | None = None,
         store: Path | None = None,
+        recent: Recent | None = None,
     ) -> None:
         """`activities` is the folder of the team's activities; `store` the folder of the versions to which it
-        may be changed.
+        may be changed; `recent` what listens to its trace, for `logs`.
 
         `changed` is called with each swap that is done.
         """
@@ -103,6 +108,7 @@ class Control:
         self._numbers = itertools.count(1)
         self._held: _Held | None = None
         self._store = store
+        self._recent = recent
         self._versions: dict[str, Version] = {}
 
     def read(self, data: bytes, origin: Origin) -> Reply:
@@ -141,6 +147,7 @@ class Control:
     def _fulfil(self, request: dict[str, object]) -> Reply:
         answers: dict[str, Callable[[dict[str, object]], Reply]] = {
             "status": self._status,
+            "logs": self._logs,
             "select": self._select,
             "swap": self._swap,
             "stop": self._stop,
@@ -151,46 +158,31 @@ class Control:
         if answer is None:
             known = ", ".join(answers)
             raise Refused(f"there is no request {request.get('request')!r}; there are {known}")
-        if request["request"] != "status" and not self._team.trace.begun:
+        if request["request"] not in ("status", "logs") and not self._team.trace.begun:
             raise Refused("the run has not begun")
         return {"version": FORMAT, "ok": True, **answer(request)}
 
     # ---- asking ------------------------------------------------------------------------------
 
     def _status(self, request: dict[str, object]) -> Reply:
-        team = self._team
         held = self._held
-        agents: list[AgentStatus] = []
-        for agent in team.agents:
-            chart = agent.chart
-            names = agent.plan.by_label
-            labels = chart.configuration() if chart.started else ()
-            agents.append(
-                {
-                    "name": agent.name,
-                    "role": agent.role,
-                    "system": agent.plan.system,
-                    "model": agent.plan.model,
-                    "over": agent.over,
-                    "failure": chart.failure,
-                    "steps": agent.steps,
-                    "configuration": list(labels),
-                    "activities": [name for x in labels if x in names and (name := names[x].activity)],
-                }
-            )
+        going: HeldSwap | None = None
+        if held is not None and held.is_alive():
+            going = {"id": held.number, "state": held.state}
+        return status_of(self._team, self._activities, self._recent, going)
+
+    def _logs(self, request: dict[str, object]) -> Reply:
+        if self._recent is None:
+            raise Refused("this run keeps no recent records")
+        after, most = request.get("after", 0), request.get("most", MOST_ASKED)
+        if not (_is_whole(after) and _is_whole(most)):
+            raise Refused("after and most are whole numbers")
+        found, missed = self._recent.after(after, max(0, most))
+        following = found[-1].number if found else self._recent.number if after < 0 else after
         return {
-            "system": team.system,
-            "model": team.version.model,
-            "activity_folder": None if self._activities is None else str(self._activities.absolute()),
-            "plans": list(team.version.charts),
-            "time": team.driver.clock.now(),
-            "agents": agents,
-            "elsewhere": sorted(team.elsewhere),
-            "clocks": {
-                name: {"difference": peer.difference, "uncertainty": peer.uncertainty}
-                for name, peer in sorted(team.peers().items())
-            },
-            "swap": None if held is None or not held.is_alive() else {"id": held.number, "state": held.state},
+            "records": [{"number": item.number, "at": item.at, "record": item.record} for item in found],
+            "next": following,
+            "missed": missed,
         }
 
     # ---- changing ----------------------------------------------------------------------------
@@ -288,7 +280,7 @@ class Control:
         }
 
 
-KINDS = ("status", "select", "swap", "stop")
+KINDS = ("status", "logs", "select", "swap", "stop")
 """The requests that there are."""
 
 
@@ -298,6 +290,10 @@ def _is_text(value: object) -> bool:
 
 def _is_number(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _is_whole(value: object) -> TypeGuard[int]:
+    return isinstance(value, int) and not isinstance(value, bool) and abs(value) < 1 << 53
 
 
 def _is_list(value: object) -> bool:
@@ -317,6 +313,8 @@ _MEMBERS: dict[str, tuple[Callable[[object], bool], str]] = {
     "within": (_is_number, "a number"),
     "hold": (_is_number, "a number"),
     "id": (_is_number, "a number"),
+    "after": (_is_number, "a number"),
+    "most": (_is_number, "a number"),
 }
 """What a request may have: whether a value fits, and what it should be."""
 

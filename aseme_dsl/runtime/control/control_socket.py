@@ -207,6 +207,11 @@ def _exactly(connection: socket.socket, size: int) -> bytes:
     return found
 
 
+def label_of(path: Path) -> str:
+    """The agent whose socket it is; that of a process with several is called `team`."""
+    return path.stem.rpartition("-")[0]
+
+
 def _who(path: Path) -> str:
     """Whose socket it is, for people: `process 4711 (robot2)`."""
     name, _, number = path.stem.rpartition("-")

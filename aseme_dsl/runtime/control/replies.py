@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypedDict, cast
 
+from aseme_dsl.runtime.control.usage import Usage
+
 
 class AgentStatus(TypedDict):
     """What `status` says of an agent."""
@@ -17,7 +19,38 @@ class AgentStatus(TypedDict):
     failure: str | None
     steps: int
     configuration: list[str]
+    states: list[str]
+    """The names of the configuration's states, as people call them."""
     activities: list[str]
+    waiting: int
+    """Inputs that wait for its next step."""
+    unread: int
+    """Agent messages that wait for it."""
+
+
+class PeerStatus(TypedDict):
+    """What a process knows of an agent that runs in another: counts of messages from it, and to it."""
+
+    connected: bool
+    received: int
+    refused: int
+    lost: int
+    """To it."""
+    dropped: int
+    duplicated: int
+    reordered: int
+    unreadable: int
+    late: int
+    waiting: int
+    """To it."""
+
+
+class LogRecord(TypedDict):
+    """A record of `logs`: its number, the time by the machine's clock (s since 1970), and what is traced."""
+
+    number: int
+    at: float
+    record: dict[str, object]
 
 
 class ClockDifference(TypedDict):
@@ -49,7 +82,16 @@ class Reply(TypedDict, total=False):
     agents: list[AgentStatus]
     elsewhere: list[str]
     clocks: dict[str, ClockDifference]
+    peers: dict[str, PeerStatus]
+    process: Usage
+    faults: int
+    counts: dict[str, int]
+    trace_error: str | None
     swap: HeldSwap | None
+    # logs
+    records: list[LogRecord]
+    next: int
+    missed: int
     # select
     agent: str
     plan: str

@@ -1,4 +1,4 @@
-"""`asemec swap`: hot-swap a running team to a new model version."""
+"""`asemec team swap`: hot-swap a running team to a new model version."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from aseme_dsl.cli.reaching import key_option, not_done, reached
+from aseme_dsl.cli.reaching import key_option, not_done, reached, within_option
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
     colour_option,
@@ -21,35 +21,19 @@ from aseme_dsl.cli.shared import (
 from aseme_dsl.diagnostics import has_errors
 
 
-def _seconds(context: click.Context, parameter: click.Parameter, value: str) -> float:
-    from aseme_dsl.project.files.duration import duration
-
-    try:
-        return duration(value) / 1e9
-    except ValueError as problem:
-        raise click.BadParameter(f"{problem}.") from problem
-
-
 @click.command(
     short_help="Hot-swap a running team to a new model version.",
     help="Compile TARGET and switch the agents that run from the output directory to the new model. Each"
     " agent keeps its active states and its data. The swap happens between two steps, for all agents or for"
     f" none. It is refused if an agent is in a state that TARGET does not have. {TARGET_HELP}",
-    epilog="Example: asemec swap team.aseme   ·   asemec swap half_time.aseme -o out --within 5s",
+    epilog="Example: asemec team swap team.aseme   ·   asemec team swap half_time.aseme -o out --within 5s",
 )
 @target_argument
 @folder_option(
     "-o", "--output", text="Output directory that the team runs from.  [default: the project's, else out]"
 )
 @key_option
-@click.option(
-    "--within",
-    metavar="DURATION",
-    default="10s",
-    show_default=True,
-    callback=_seconds,
-    help="Time to wait for conversations of changed protocols.",
-)
+@within_option("10s", "Time to wait for conversations of changed protocols.")
 @click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only this agent. Repeatable.")
 @folder_option(
     "--activities", text="Directory of the new version's activities.  [default: that of the running team]"

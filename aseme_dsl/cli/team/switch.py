@@ -1,4 +1,4 @@
-"""`asemec switch`: have a running agent take another role."""
+"""`asemec team switch`: have a running agent take another role."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from aseme_dsl.cli.shared import json_option, print_json, running_option
     help="Switch AGENT, which runs in real time, to ROLE (or SYSTEM.ROLE) of any system in the output"
     " directory. The switch cancels the agent's activities and leaves its conversations. Variables that both"
     " roles have, and received state messages, keep their values.",
-    epilog="Example: asemec switch robot2 goalie   ·   asemec switch keeper Kouretes.player -o out",
+    epilog="Example: asemec team switch robot2 goalie   ·   asemec team switch keeper Kouretes.player -o out",
 )
 @click.argument("agent")
 @click.argument("role")
