@@ -15,6 +15,7 @@ import click
 import pytest
 
 from aseme_dsl.cli import view
+from aseme_dsl.cli.groups import LazyGroup
 from aseme_dsl.cli.program import program
 from tests.cli.support import GOOD, Done, Here
 
@@ -107,7 +108,7 @@ USES = {
 """The commands that take a target."""
 OTHERS = {
     *("new", "explain", "lsp", "key", "import", "completion", "match", "diff"),
-    *("why", "whynot", "team status", "team switch", "team logs", "team stop"),
+    *("why", "whynot", "certificates", "team status", "team switch", "team logs", "team stop"),
 }
 """Those that take none, or two, or others before it: `team status` and its like are about what runs from an
 output folder (-o)."""
@@ -133,7 +134,7 @@ def commands_of(group: click.Group) -> Iterator[tuple[str, click.Command]]:
     for name in group.list_commands(context):
         command = group.get_command(context, name)
         assert command is not None
-        if isinstance(command, click.Group):
+        if isinstance(command, LazyGroup):
             yield from ((f"{name} {inner}", found) for inner, found in commands_of(command))
         else:
             yield name, command
