@@ -123,6 +123,8 @@ LISTED: dict[str, str] = {
     "runtime/channel/persist.py: _settle: os.open": "a folder, of which nothing is read",
     "runtime/workers/processes.py: _run: pickle.loads": CHILD,
     "runtime/world/body.py: fit_to_travel: pickle.loads": "what this process has just pickled",
+    "runtime/transport/heartbeats/heartbeats.py: _receive: recvfrom": "of the size of a heartbeat",
+    "runtime/transport/heartbeats/heartbeats.py: _run: recv": "from itself, by which it is woken",
     "runtime/world/shared_world.py: _answer: recv": PROVEN,
     "runtime/world/shared_world.py: _serve: recv": PROVEN,
     "runtime/trace/trace_schema.py: schema: json.loads": OWN,

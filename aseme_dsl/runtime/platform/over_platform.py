@@ -61,6 +61,7 @@ class PlatformLink:
 
     readable = True
     patience = PATIENCE
+    datagrams = ()
     lease = None
 
     def __init__(self, platform: Platform, system: str, team: Sequence[str], lease: float = LEASE) -> None:

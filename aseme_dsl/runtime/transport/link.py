@@ -86,11 +86,16 @@ class Link(Protocol):
 
     @property
     def lease(self) -> int | None:
-        """An agent that answers no PING for so many ns is unreachable; None: the link itself asks.
+        """An agent that answers nothing for so many ns is unreachable; None: the link itself asks.
 
         With a lease, what `appeared` says may be a copy of something old: it counts when that incarnation
         says something to this one of ours.
         """
+        ...
+
+    @property
+    def datagrams(self) -> Sequence[tuple[str, int]]:
+        """The addresses and UDP ports at which heartbeats can be received; none: there are none."""
         ...
 
     def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:

@@ -13,17 +13,19 @@ import contextlib
 import hmac
 import itertools
 import json
+import os
 import re
 import secrets
 import threading
 import weakref
 from collections.abc import Iterator, Sequence
-from contextlib import nullcontext
+from contextlib import contextmanager, nullcontext
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
+from aseme_dsl.runtime.transport.heartbeats.addresses import own_addresses
 from aseme_dsl.runtime.transport.link import NOBODY
 from aseme_dsl.runtime.transport.meeting import Meeting, joining
 from aseme_dsl.runtime.transport.port import TransportError
@@ -41,6 +43,10 @@ MISSING = (
 
 
 QUESTIONS = ("history", "control")
+_RUNTIME = "ZENOH_RUNTIME"
+CLOSINGS = 3
+MOST_THREADS = 32
+"""Each part of zenoh has so many threads at most."""
 _LIFE = re.compile("[0-9a-f]{1,16}")
 _NONCE_BYTES = 16
 _ASKERS = 256
@@ -61,6 +67,28 @@ def meeting_settings(meeting: Meeting) -> Iterator[tuple[str, str]]:
     yield "listen/endpoints", json.dumps([f"unixsock-stream/{meeting.own}"])
     yield "connect/endpoints", json.dumps([f"unixsock-stream/{path}" for path in meeting.others])
     yield "transport/link/protocols", '["unixsock-stream"]'
+
+
+@contextmanager
+def threads(robots: int) -> Iterator[None]:
+    """Inside, zenoh begins with so many threads that no link of a team of so many waits for another one.
+
+    When zenoh closes a TCP connection to a robot that does not acknowledge any more, its thread waits for
+    10 s in the system call (SO_LINGER), and with it all links of that thread: by default zenoh has one or two
+    threads for all (eclipse-zenoh/zenoh, issues 2718 and 1101). A link that breaks again and again is closed
+    up to `CLOSINGS` times in these 10 s. Zenoh takes the number from its environment when it is first used in
+    a process. A value that the user has set stays.
+    """
+    if _RUNTIME in os.environ:
+        yield
+        return
+    number = min(MOST_THREADS, 2 + CLOSINGS * max(1, robots - 1))
+    parts = ", ".join(f"{part}: (worker_threads: {number})" for part in ("rx", "tx", "net", "acc"))
+    os.environ[_RUNTIME] = f"({parts})"
+    try:
+        yield
+    finally:
+        os.environ.pop(_RUNTIME, None)
 
 
 class ZenohLink:
@@ -93,6 +121,11 @@ class ZenohLink:
         """References to our tokens and subscribers: zenoh withdraws a token that is garbage-collected."""
         self._publishers: dict[str, Any] = {}
         self._lock = threading.Lock()
+
+    @property
+    def datagrams(self) -> Sequence[tuple[str, int]]:
+        """The same addresses and port numbers as for TCP."""
+        return own_addresses(self._network.listen)
 
     def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
         """Connect and say that these agents are here."""
@@ -191,7 +224,8 @@ class ZenohLink:
                 for key, value in meeting_settings(meeting):
                     self._config.insert_json5(key, value)
             try:
-                return zenoh.open(self._config)
+                with nullcontext() if meeting is not None else threads(len(self._network.team)):
+                    return zenoh.open(self._config)
             except zenoh.ZError as problem:
                 raise TransportError(f"the network cannot be used: {_first_line(problem)}") from problem
 

@@ -44,6 +44,7 @@ from aseme_dsl.runtime.transport.delivery.sending import (
 )
 from aseme_dsl.runtime.transport.delivery.state import Delivery
 from aseme_dsl.runtime.transport.delivery.upkeep import keep_up
+from aseme_dsl.runtime.transport.delivery.watching import listen, watch_over
 from aseme_dsl.runtime.transport.link import NOBODY, Link
 from aseme_dsl.runtime.transport.port import Answer, Connected, Peer, Transport, TransportError
 from aseme_dsl.runtime.transport.stream import Letter, Outgoing
@@ -97,9 +98,18 @@ class Post(Transport):
         assert isinstance(clock, RealClock)  # the team has seen to that
         state.origin = clock.origin
         state.archive.learn((*team.elsewhere.values(), *(agent.plan for agent in team.agents)))
-        state.link.open(tuple(state.here), state.incarnation, self.inbox)
+        listen(state)
+        try:
+            state.link.open(tuple(state.here), state.incarnation, self.inbox)
+        except TransportError:
+            if state.heartbeats is not None:
+                state.heartbeats.close()
+            raise
         self._thread = threading.Thread(target=keep_up, args=(state,), name="aseme transport", daemon=True)
         self._thread.start()
+        if state.heartbeats is not None:
+            state.heartbeats.start()
+            threading.Thread(target=watch_over, args=(state,), name="aseme presence", daemon=True).start()
 
     def go(self) -> None:
         self.state.gate.set()
@@ -121,6 +131,8 @@ class Post(Transport):
             state.rest.notify()
             acknowledge_all(state)
         self._thread.join()
+        if state.heartbeats is not None:
+            state.heartbeats.close()
         state.link.close()
         with state.lock:
             for (_, name), way in state.ways.items():
@@ -130,8 +142,10 @@ class Post(Transport):
                 if other.life is not None or other.counts:
                     counts = dict(sorted(other.counts.items())) or None
                     tell(state, other, "count", counts=counts, **clock_record(state, other))
-            if state.strange:
-                tell(state, Other(NOBODY), "count", counts={"refused": state.strange})
+            late = 0 if state.heartbeats is None else state.heartbeats.late
+            counts = {"refused": state.strange, "late": late}
+            if any(counts.values()):
+                tell(state, Other(NOBODY), "count", counts={what: n for what, n in counts.items() if n})
 
     def _wait_for_last_words(self) -> None:
         """Wait until all has arrived that is on its way, as long as something still does."""

@@ -97,6 +97,7 @@ class Air:
 class _AirLink:
     readable = False
     patience = PATIENCE
+    datagrams = ()
     lease = None
     largest = None
 

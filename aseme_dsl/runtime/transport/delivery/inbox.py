@@ -14,7 +14,6 @@ from aseme_dsl.runtime.transport.delivery.presence import (
     end_before,
     is_current,
     is_fresh,
-    vanished,
 )
 from aseme_dsl.runtime.transport.delivery.receiving import (
     accepted,
@@ -26,6 +25,7 @@ from aseme_dsl.runtime.transport.delivery.sending import (
     hurry,
 )
 from aseme_dsl.runtime.transport.delivery.state import Delivery
+from aseme_dsl.runtime.transport.delivery.watching import departed
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.port import Answer
 
@@ -87,7 +87,7 @@ class Inbox:
 
     def vanished(self, agent: str, incarnation: int) -> None:
         """An agent elsewhere is not there any more."""
-        vanished(self._state, agent, incarnation)
+        departed(self._state, agent, incarnation)
 
     def returned(self, agent: str, to: str, name: str, reason: str) -> None:
         """What one of our agents sent to an external agent was not delivered; `name` is its `reply-with`."""

@@ -24,7 +24,7 @@ MOST_HOPED = 4
 TWIN_SECONDS = 2.0
 """How long a newer incarnation of an agent may take to answer, and after how long it is asked again."""
 PINGS = 4
-"""So many PINGs in each lease; an agent that answers none of so many is unreachable."""
+"""So many PINGs in each lease."""
 
 
 def appeared(state: Delivery, agent: str, incarnation: int) -> None:
@@ -81,9 +81,16 @@ def ask_twin(state: Delivery, agent: str, life: int) -> None:
         time.sleep(TWIN_SECONDS)
 
 
+def has_returned(state: Delivery, other: Other) -> bool:
+    """Whether an agent that was unreachable has heard us since. Called with the lock."""
+    return not other.alive and state.lease is not None and other.heard_at > other.gone_at * 1e9
+
+
 def come_back(state: Delivery, other: Other) -> None:
     """An agent that was unreachable is the same incarnation still. Called with the lock."""
-    other.alive = True
+    other.alive, other.doubted_at = True, 0
+    if state.heartbeats is not None:
+        state.heartbeats.ask(other.name, False)
     tell(state, other, "reconnected")
     hurry(state, [key for key in state.ways if key[1] == other.name])
 
@@ -114,7 +121,9 @@ def vanished(state: Delivery, agent: str, incarnation: int, reason: Reason = "cr
             other.ended.add(incarnation)
         if other.life != incarnation or not other.alive:
             return
-        other.alive, other.gone_at = False, time.monotonic()
+        other.alive, other.gone_at, other.doubted_at = False, time.monotonic(), 0
+        if state.heartbeats is not None:
+            state.heartbeats.ask(agent, True)
         tell(state, other, "gone")
     state.team.conversations.vanished(agent, reason)
     with state.lock:
@@ -133,7 +142,8 @@ def begin_life(state: Delivery, other: Other, life: int) -> None:
     first = other.life is None
     other.life, other.alive, other.clock = life, True, None
     other.measured.clear()
-    other.unanswered, other.answered_at, other.ask_at = 0, time.monotonic_ns(), 0
+    other.heard_at, other.ask_at = time.monotonic_ns(), 0
+    other.beats, other.doubted_at, other.parted = False, 0, False
     tell(state, other, "connected" if first else "restarted")
     for (mine, name), way in state.ways.items():
         if name != other.name:
@@ -196,19 +206,3 @@ def is_current(state: Delivery, other: Other, envelope: Envelope) -> bool:
     if life != other.life:
         begin_life(state, other, life)
     return True
-
-
-def silent(state: Delivery) -> list[tuple[str, int]]:
-    """Agents, as (name, incarnation), that have not answered for a lease although their token is present.
-
-    A token alone proves nothing: any process may hold a copy of it.
-    """
-    if state.lease is None:
-        return []
-    before = time.monotonic_ns() - state.lease
-    return [
-        (other.name, other.life)
-        for other in state.others.values()
-        # Not by time alone: we may have been suspended ourselves.
-        if other.alive and other.life is not None and other.unanswered >= PINGS and other.answered_at < before
-    ]

@@ -13,12 +13,14 @@ from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.delivery.clocks import deadline_of, moment_of, sent_at
 from aseme_dsl.runtime.transport.delivery.presence import (
     come_back,
+    has_returned,
 )
 from aseme_dsl.runtime.transport.delivery.records import Got, Other, Way
 from aseme_dsl.runtime.transport.delivery.reports import count, meet_stranger, tell_once
 from aseme_dsl.runtime.transport.delivery.sending import (
     acknowledge,
     hand_over,
+    introduction,
     pump,
     say,
 )
@@ -46,21 +48,30 @@ def accepted(
         way.pinged = read.time
         if way.owed:
             acknowledge(state, to, other.name, way)
-        say(state, to, other.name, "pong", state.envelope(envelopes.PONG, asked=read.time, heard=came))
+        learn(state, to, other, read, payload)
+        pong = state.envelope(envelopes.PONG, asked=read.time, heard=came)
+        say(state, to, other.name, "pong", pong, payload=introduction(state, to, other))
         return ()
     if read.kind == envelopes.PONG:
         if read.asked not in way.asked:
             count(state, other, "duplicated", "one came twice; the second was dropped")
             return ()
         way.asked.remove(read.asked)
-        other.unanswered, other.answered_at = 0, came
+        learn(state, to, other, read, payload)
+        other.heard_at = max(other.heard_at, read.asked)
         trip = (came - read.asked) - (read.time - read.heard)
         other.measured.append((trip, ((read.asked - read.heard) + (came - read.time)) // 2))
-        if not other.alive and state.lease is not None and not state.closing:
+        if has_returned(state, other) and not state.closing:
             come_back(state, other)
         return ()
     # Not before its turn: what comes twice is looked into once.
     return [decoded(state, other, *item) for item in in_order(state, to, other, way, read, payload)]
+
+
+def learn(state: Delivery, to: str, other: Other, read: Envelope, payload: bytes) -> None:
+    """Take the introduction in a PING or PONG, if heartbeats are sent. Called with the lock."""
+    if payload and state.heartbeats is not None:
+        state.heartbeats.learn(to, other.name, read.incarnation, payload)
 
 
 def sender_of(state: Delivery, to: str, sender: str) -> Other | None:

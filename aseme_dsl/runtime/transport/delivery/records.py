@@ -65,11 +65,15 @@ class Other:
     present: set[int] = field(default_factory=set)
     """The incarnations that say that they are there; there may be two for a while."""
     ended: set[int] = field(default_factory=set)
-    """The incarnations that were unreachable: with a lease, only the answer to a PING brings one back."""
-    unanswered: int = 0
-    """How many PINGs were sent since the last answer."""
-    answered_at: int = 0
-    """When that came, in ns."""
+    """The incarnations that were unreachable: with a lease, only an answer brings one back."""
+    heard_at: int = 0
+    """The latest moment of our clock, in ns, at which it heard us, as an answer of it proves."""
+    beats: bool = False
+    """Whether heartbeats of this incarnation have come."""
+    doubted_at: int = 0
+    """When the link said that it is not there any more, in ns; 0: it is not doubted."""
+    parted: bool = False
+    """Whether this incarnation has said farewell."""
     gone_at: float = -math.inf
     """When it was told last that it is not there any more, in seconds."""
     clock: int | None = None

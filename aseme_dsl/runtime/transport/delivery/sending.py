@@ -68,10 +68,18 @@ def hand_over(state: Delivery, other: Other, sent: Sent, place: int = 0, sample:
     state.link.send(other.name, sent.sender, sent.way, sent.envelope, stamp, sent.payload, place > 0)
 
 
-def say(state: Delivery, mine: str, name: str, way: str, envelope: Envelope, life: int | None = None) -> None:
+def say(
+    state: Delivery,
+    mine: str,
+    name: str,
+    way: str,
+    envelope: Envelope,
+    life: int | None = None,
+    payload: bytes = b"",
+) -> None:
     """Send something of the post's own, to the incarnation of the other one or to another."""
     stamp = Stamp(state.others[name].life or 0 if life is None else life)
-    state.link.send(name, mine, way, envelope, stamp, b"", True)
+    state.link.send(name, mine, way, envelope, stamp, payload, True)
 
 
 def acknowledge(state: Delivery, mine: str, name: str, way: Way) -> None:
@@ -92,8 +100,14 @@ def ping(state: Delivery, mine: str, other: Other) -> None:
     """Called with the lock."""
     envelope = state.envelope(envelopes.PING)
     state.ways[mine, other.name].asked.append(envelope.time)
-    other.unanswered += 1
-    say(state, mine, other.name, "ping", envelope)
+    say(state, mine, other.name, "ping", envelope, payload=introduction(state, mine, other))
+
+
+def introduction(state: Delivery, mine: str, other: Other) -> bytes:
+    """What an agent elsewhere needs to send heartbeats to one of ours. Called with the lock."""
+    if state.heartbeats is None or other.life is None:
+        return b""
+    return state.heartbeats.introduction(mine, other.name, other.life)
 
 
 def hurry(state: Delivery, ways: Iterable[tuple[str, str]]) -> None:

@@ -12,6 +12,7 @@ from aseme_dsl.runtime.transport.delivery.archive import Archive
 from aseme_dsl.runtime.transport.delivery.codec import Codec
 from aseme_dsl.runtime.transport.delivery.records import Other, Way
 from aseme_dsl.runtime.transport.envelope import Envelope
+from aseme_dsl.runtime.transport.heartbeats.heartbeats import Heartbeats
 from aseme_dsl.runtime.transport.link import Link
 from aseme_dsl.runtime.transport.port import Connected
 
@@ -48,6 +49,14 @@ class Delivery:
         self.strangers: set[str] = set()
         self.strange = 0
         """How much has come from untrusted senders, and from senders without a name."""
+        self.heartbeats: Heartbeats | None = None
+        """None: the link has no addresses for them, and PINGs have to do."""
+        self.refused = 0
+        """How many refused heartbeats have been told."""
+        self.watched_at = 0
+        """When it was looked last for agents that have become unreachable, in ns."""
+        self.watching = threading.Event()
+        """Set when there is something to look at before it is time."""
         self.twins: set[int] = set()
         """Newer incarnations of our own agents of which something says that they are there."""
 

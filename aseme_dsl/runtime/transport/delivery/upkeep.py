@@ -4,12 +4,7 @@ from __future__ import annotations
 
 import time
 
-from aseme_dsl.runtime.transport.delivery.presence import (
-    PINGS,
-    knock,
-    silent,
-    vanished,
-)
+from aseme_dsl.runtime.transport.delivery.presence import PINGS, knock
 from aseme_dsl.runtime.transport.delivery.records import QUESTIONS, Other
 from aseme_dsl.runtime.transport.delivery.sending import (
     acknowledge,
@@ -18,6 +13,7 @@ from aseme_dsl.runtime.transport.delivery.sending import (
     pump_quietly,
 )
 from aseme_dsl.runtime.transport.delivery.state import Delivery
+from aseme_dsl.runtime.transport.delivery.watching import watch
 
 BEAT = 0.02
 """How often, in seconds, acknowledgements are sent and what is overdue is looked for."""
@@ -48,9 +44,8 @@ def keep_up(state: Delivery) -> None:
                 else:
                     # What was just sent or came is looked after in a moment, not while it is answered.
                     state.rest.wait(BEAT)
-            quiet = silent(state)
-        for name, life in quiet:  # without the lock, since it notifies conversations
-            vanished(state, name, life, "timed_out")
+        if state.heartbeats is None:
+            watch(state)
 
 
 def look_after(state: Delivery) -> bool:

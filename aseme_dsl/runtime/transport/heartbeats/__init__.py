@@ -1,0 +1,1 @@
+"""Heartbeats: datagrams that show whether agents on several machines reach each other."""

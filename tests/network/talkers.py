@@ -1,0 +1,223 @@
+"""A team of four robots on four machines, all of which talk to each other all the time."""
+
+from __future__ import annotations
+
+import signal
+import time
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import psutil
+
+from tests.cli.support import asemec
+from tests.faults.test_network import certify
+from tests.network.machines import Machines
+from tests.support.network import own_name
+from tests.support.traces import records_of
+from tests.support.waiting import LONG, wait_until
+
+NAMES = ("robot1", "robot2", "robot3", "robot4")
+PERIOD = 0.05
+"""So often, in seconds, each robot says something to each other one."""
+LEASE = 2.0
+
+TEAM = """
+system TALK
+message Tick { int n  string who }
+message Question { int n }
+topic team { signal Tick queued }
+
+aip ask {
+  participant asker {
+    sends    request Question
+    receives inform Question
+    process  = Ask . Wait . (Compare | Mourn | GiveUp)
+  }
+  participant helper [1..*] {
+    sends    inform Question
+    receives request Question
+    process  = Think . Tell
+  }
+  control asker {
+    enter Ask     : / send request Question to helper
+    enter Compare : inform Question from helper
+    enter Mourn   : lost helper
+    enter GiveUp  : after(60s)
+  }
+  control helper {
+    enter Think : request Question from asker
+    leave Tell  : / send inform Question to asker
+  }
+}
+
+srm robot {
+  plays ask.asker, ask.helper
+  liveness { robot = Say~ || Hear~ || asker~ || helper~ || helper~ || helper~ || helper~ }
+  activities {
+    Say every 50ms writes team.signal.Tick
+    Hear every 50ms reads robot1.team.signal.Tick, robot2.team.signal.Tick, robot3.team.signal.Tick,
+      robot4.team.signal.Tick
+    Ask takes 10ms simulated  Wait takes 10ms simulated  Compare takes 200ms simulated
+    Mourn takes 200ms simulated  GiveUp takes 200ms simulated
+    Think takes 300ms simulated  Tell takes 10ms simulated
+  }
+}
+team T { robot[1..4] : robot }
+"""
+
+SAY = """
+from aseme_dsl.runtime import Context
+from monas.TALK.messages import Tick
+
+
+class Say:
+    def execute(self, context: Context) -> None:
+        Say.n = getattr(Say, "n", 0) + 1
+        context.publish("team.signal.Tick", Tick(n=Say.n, who=context.agent))
+"""
+
+HEAR = """
+class Hear:
+    def execute(self, context) -> None:
+        pass
+"""
+
+
+def project(folder: Path, deployed: str, team: str = TEAM) -> Path:
+    """A built project of the team."""
+    name = own_name("Talk")
+    (folder / "activities").mkdir(parents=True)
+    (folder / "pyproject.toml").write_text(
+        '[tool.asemec]\nfiles = ["talk.aseme"]\noutput = "out"\nactivities = "activities"\n'
+        f"[tool.asemec.deploy]\n{deployed}"
+    )
+    (folder / "talk.aseme").write_text(team.replace("TALK", name))
+    (folder / "activities" / "say.py").write_text(SAY.replace("TALK", name))
+    (folder / "activities" / "hear.py").write_text(HEAR)
+    built = asemec("build", cwd=folder)
+    assert built.code == 0, built
+    return folder
+
+
+def deployed(folder: Path, network: Machines, family: int = 0, more: str = "") -> str:
+    """`[tool.asemec.deploy]` with certificates, and hosts at IPv4 addresses (`family` 0) or IPv6 ones."""
+    certificates = folder / "certificates"
+    certificates.mkdir(parents=True)
+    every = [address for both in network.addresses.values() for address in both]
+    certify(certificates, {"team": tuple(network.addresses)}, *every)
+    hosts = ", ".join(
+        f'{name} = "{f"[{both[1]}]" if family else both[0]}"' for name, both in network.addresses.items()
+    )
+    return (
+        f'hosts = {{ {hosts} }}\nlease = "{LEASE:g}s"\n{more}'
+        f'tls = {{ authority = "{certificates}/team.pem", certificate = "{certificates}/ROBOT.pem", '
+        f'key = "{certificates}/ROBOT.key" }}\n'
+    )
+
+
+@dataclass(slots=True)
+class Talkers:
+    """The robots' processes, and what they have traced."""
+
+    folder: Path
+    network: Machines
+    processes: dict[str, psutil.Popen]
+
+    def trace(self, robot: str) -> list[dict[str, Any]]:
+        """What is in a robot's trace so far."""
+        whole = self.folder / "out" / f"trace.{robot}.jsonl.gz"
+        return records_of(whole if whole.exists() else whole.with_name(f"{whole.name}.part"))
+
+    def begin(self, robot: str, **environment: str) -> None:
+        """Start a robot on its machine."""
+        self.processes[robot] = self.network.start(
+            robot, sys_executable(), "-m", "aseme_dsl", "node", robot, "--from", "out", "-q", cwd=self.folder,
+            **environment,
+        )  # fmt: skip
+
+    def end(self) -> dict[str, Story]:
+        """End all robots; what each of them has to tell."""
+        for process in self.processes.values():
+            process.send_signal(signal.SIGTERM)
+        said = {robot: process.communicate(timeout=LONG)[0] for robot, process in self.processes.items()}
+        for robot, text in said.items():
+            assert "Traceback" not in text, f"{robot}: {text}"
+        return {robot: Story(robot, self.trace(robot)) for robot in self.processes}
+
+    def wait_for_talk(self, seconds: float = LONG) -> None:
+        """Until each robot has heard each other one."""
+
+        def all_heard() -> bool:
+            for robot, process in self.processes.items():
+                assert process.poll() is None, process.communicate()[0]
+                try:
+                    found = self.trace(robot)
+                except Exception:  # it is not there yet
+                    return False
+                heard = {r["input"][0] for r in found if r["kind"] == "arrived" and r["input"][0] != robot}
+                if heard != set(self.processes) - {robot}:
+                    return False
+            return True
+
+        wait_until(all_heard, seconds, pause=0.5)
+
+
+def sys_executable() -> str:
+    import sys
+
+    return sys.executable
+
+
+class Story:
+    """What a robot's trace tells, in seconds of the machines' clock."""
+
+    def __init__(self, robot: str, records: list[dict[str, Any]]) -> None:
+        self.robot = robot
+        self.records = records
+        machine = records[0]["machine"]
+        self.origin = machine["origin"]
+        self.heard: dict[str, list[tuple[float, int]]] = defaultdict(list)
+        """Of each other robot the signals that came: when, and their numbers."""
+        for record in records:
+            if record["kind"] == "arrived" and record.get("channel") == "team.signal.Tick":
+                message = record["message"]
+                if message["who"] != robot:
+                    self.heard[message["who"]].append((self.at(record), message["n"]))
+
+    def at(self, record: Mapping[str, Any]) -> float:
+        """When something happened."""
+        return float((self.origin + record["time"]) / 1e9)
+
+    def news(self, peer: str, *what: str) -> list[tuple[float, str]]:
+        """What became of a peer, and when."""
+        return [
+            (self.at(r), r["what"])
+            for r in self.records
+            if r["kind"] == "peer" and r["peer"] == peer and (not what or r["what"] in what)
+        ]
+
+    def silence(self, peer: str, since: float, until: float) -> float:
+        """The longest time, in seconds, without a signal of a peer, of what lies between these moments."""
+        times = [since, *(when for when, _ in self.heard[peer] if since < when < until), until]
+        return max(b - a for a, b in pairwise(times))
+
+    def misplaced(self, peer: str) -> list[str]:
+        """Where the signals of a peer are not what it has said, each once and in order."""
+        numbers = [n for _, n in self.heard[peer]]
+        return [f"{a} {b}" for a, b in pairwise(numbers) if b != a + 1]
+
+
+@contextmanager
+def talking(folder: Path, network: Machines, **environment: str) -> Iterator[Talkers]:
+    """The team, when each hears each."""
+    team = Talkers(folder, network, {})
+    for robot in network.addresses:
+        team.begin(robot, **environment)
+    team.wait_for_talk(40)
+    time.sleep(1.0)
+    yield team
