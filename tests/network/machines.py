@@ -108,7 +108,7 @@ def machines(names: Sequence[str], seed: int = 1) -> Iterator[Machines]:
         for process in found.started:
             with contextlib.suppress(psutil.Error):
                 process.kill()
-            process.communicate()
+            process.wait()
         switch.stdin.close()
         switch.wait(LONG)
         switch.stdout.close()

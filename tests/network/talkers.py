@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import signal
+import sys
 import time
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -47,7 +48,7 @@ aip ask {
     enter Ask     : / send request Question to helper
     enter Compare : inform Question from helper
     enter Mourn   : lost helper
-    enter GiveUp  : after(60s)
+    enter GiveUp  : after(4s)
   }
   control helper {
     enter Think : request Question from asker
@@ -104,17 +105,22 @@ def project(folder: Path, deployed: str, team: str = TEAM) -> Path:
     return folder
 
 
-def deployed(folder: Path, network: Machines, family: int = 0, more: str = "") -> str:
-    """`[tool.asemec.deploy]` with certificates, and hosts at IPv4 addresses (`family` 0) or IPv6 ones."""
+def deployed(folder: Path, network: Machines) -> str:
+    """`[tool.asemec.deploy]`: each robot has a certificate and a host, the last one is found by multicast.
+
+    The second one has an IPv6 address.
+    """
     certificates = folder / "certificates"
     certificates.mkdir(parents=True)
     every = [address for both in network.addresses.values() for address in both]
     certify(certificates, {"team": tuple(network.addresses)}, *every)
-    hosts = ", ".join(
-        f'{name} = "{f"[{both[1]}]" if family else both[0]}"' for name, both in network.addresses.items()
-    )
+    *named, _ = network.addresses
+    hosts = {name: network.addresses[name][0] for name in named}
+    hosts[named[1]] = f"[{network.addresses[named[1]][1]}]"
+    told = [f'{name} = "{host}"' for name, host in hosts.items()]
     return (
-        f'hosts = {{ {hosts} }}\nlease = "{LEASE:g}s"\n{more}'
+        f"hosts = {{ {', '.join(told)} }}\n"
+        f'interface = "eth0"\nlease = "{LEASE:g}s"\n'
         f'tls = {{ authority = "{certificates}/team.pem", certificate = "{certificates}/ROBOT.pem", '
         f'key = "{certificates}/ROBOT.key" }}\n'
     )
@@ -136,7 +142,7 @@ class Talkers:
     def begin(self, robot: str, **environment: str) -> None:
         """Start a robot on its machine."""
         self.processes[robot] = self.network.start(
-            robot, sys_executable(), "-m", "aseme_dsl", "node", robot, "--from", "out", "-q", cwd=self.folder,
+            robot, sys.executable, "-m", "aseme_dsl", "node", robot, "--from", "out", "-q", cwd=self.folder,
             **environment,
         )  # fmt: skip
 
@@ -165,12 +171,6 @@ class Talkers:
             return True
 
         wait_until(all_heard, seconds, pause=0.5)
-
-
-def sys_executable() -> str:
-    import sys
-
-    return sys.executable
 
 
 class Story:
@@ -209,7 +209,44 @@ class Story:
     def misplaced(self, peer: str) -> list[str]:
         """Where the signals of a peer are not what it has said, each once and in order."""
         numbers = [n for _, n in self.heard[peer]]
-        return [f"{a} {b}" for a, b in pairwise(numbers) if b != a + 1]
+        return [f"{peer} said {b} after {a}" for a, b in pairwise(numbers) if b != a + 1]
+
+    def outcomes(self, since: float, until: float) -> Counter[str]:
+        """How the conversations that the robot began ended between two moments."""
+        return Counter(
+            r["activity"]
+            for r in self.records
+            if r["kind"] == "activity"
+            and r["what"] == "start"
+            and r["activity"] in ("Compare", "Mourn", "GiveUp")
+            and since <= self.at(r) < until
+        )
+
+
+def misdelivered(stories: Mapping[str, Story]) -> list[str]:
+    """The agent messages and signals that were lost, doubled or overtaken before the last second."""
+    found: list[str] = []
+    for sender, to in ((a, b) for a in stories for b in stories if a != b):
+        found += [f"{to}: {wrong}" for wrong in stories[to].misplaced(sender)]
+        last = max(stories[to].at(r) for r in stories[to].records if r["kind"] == "received") - 1.0
+        sent = [
+            (r["sequence"], stories[sender].at(r))
+            for r in stories[sender].records
+            if r["kind"] == "agent_message" and to in r["to"] and r["performative"] in ("request", "inform")
+        ]
+        came = [
+            r["input"][1]
+            for r in stories[to].records
+            if r["kind"] == "received"
+            and r["input"][0] == sender
+            and r["performative"] in ("request", "inform")
+        ]
+        if came != [number for number, _ in sent if number in set(came)]:
+            found.append(f"{to} has messages of {sender} twice or in another order")
+        lost = [number for number, when in sent if when < last and number not in set(came)]
+        if lost:
+            found.append(f"{to} lacks {len(lost)} messages of {sender}")
+    return found
 
 
 @contextmanager

@@ -30,12 +30,18 @@ def opened(folder: Path, project: str) -> dict[str, list[str]]:
         (
             '[tool.asemec.deploy]\nhosts = { one = "10.0.0.1", two = "10.0.0.2:7000" }\n' + TLS,
             "zenoh",
-            ["tls/10.0.0.1:7447", "tls/10.0.0.2:7000"],
+            ["tls/10.0.0.1:7447", "udp/10.0.0.1:7447", "tls/10.0.0.2:7000", "udp/10.0.0.2:7000"],
         ),
         (
             '[tool.asemec.deploy]\nhosts = { one = "10.0.0.1" }\ninterface = "eth0"\n' + TLS,
             "zenoh",
-            ["tls/10.0.0.1:7447", "tls/0.0.0.0:0#iface=eth0", "udp/224.0.0.224:7446 on eth0"],
+            [
+                "tls/10.0.0.1:7447",
+                "udp/10.0.0.1:7447",
+                "tls/0.0.0.0:0#iface=eth0",
+                "udp/eth0, any free port",
+                "udp/224.0.0.224:7446 on eth0",
+            ],
         ),
         ('[tool.asemec.mango]\nhosts = { one = "10.0.0.1:5555" }\n', "mango", ["tcp/10.0.0.1:5555"]),
         ('[tool.asemec.spade]\nhost = "xmpp.example"\n', "spade", ["nothing"]),

@@ -92,6 +92,7 @@ def network_of(deployment: Deployment | None, robot: str, team: Iterable[str] = 
         robot,
         tuple(team),
         deployment.control is not None,
+        seeks=own is None,
     )
 
 

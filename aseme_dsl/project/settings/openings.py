@@ -65,9 +65,11 @@ def _zenoh(configuration: Configuration) -> Iterator[Opening]:
     for robot in hosts:
         for end in network_of(deploy, robot).listen:
             yield Opening(ZENOH, end, f"{who} ({robot})")
+            yield Opening(ZENOH, f"udp/{end.partition('/')[2]}", f"heartbeats, for {who} ({robot})")
     if interface is not None:
         for end in network_of(deploy, "").listen:
             yield Opening(ZENOH, end, f"{who} (robots without a host)")
+            yield Opening(ZENOH, f"udp/{interface}, any free port", f"heartbeats, for {who}")
         yield Opening(ZENOH, f"udp/{MULTICAST} on {interface}", "multicast, by which robots find each other")
     elif not hosts:
         yield Opening(ZENOH, "nothing", f"it connects to {', '.join(deploy.connect)}")

@@ -69,6 +69,13 @@ class Network:
     controlled: bool = False
     """Whether the team has operators, who may ask for control and nothing else."""
 
+    seeks: bool = True
+    """Whether it connects to those whom it finds by multicast, rather than let them connect.
+
+    Zenoh makes a broken connection again within a second where its address is one of `connect`, else when it
+    looks by multicast again: every 8 s. So whoever has a host waits for those who have none.
+    """
+
     @property
     def local(self) -> bool:
         """Whether the team meets on this machine, without ports."""
@@ -87,14 +94,16 @@ class Network:
         if self.interface is not None and self.tls is None:
             raise TransportError(f"the team cannot be looked for on {self.interface} without certificates")
         yield "mode", '"peer"'
-        yield "listen/endpoints", json.dumps(self.listen)
-        yield "connect/endpoints", json.dumps(self.connect)
+        yield "listen/endpoints", json.dumps([_bare(end) for end in self.listen])
+        yield "connect/endpoints", json.dumps([_bare(end) for end in self.connect])
         # What is not there yet is looked for again soon: robots are switched on one after the other.
         yield "connect/retry", '{"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor": 2}'
         if self.interface is None:
             yield "scouting/multicast/enabled", "false"
         else:
             yield "scouting/multicast/interface", json.dumps(self.interface)
+            if not self.seeks:
+                yield "scouting/multicast/autoconnect", '{"peer": []}'
         # No other process may make us connect to an address, or change our settings.
         yield "scouting/gossip/enabled", "false"
         yield "adminspace/enabled", "false"
@@ -164,6 +173,11 @@ class Mango:
     """Where the agents of a team listen, by their names, as (host, port)."""
 
     hosts: Mapping[str, tuple[str, int]] = field(default_factory=dict)
+
+
+def _bare(endpoint: str) -> str:
+    """An endpoint as zenoh needs it: over TLS it takes the brackets of an IPv6 address for a part of it."""
+    return re.sub(r"^tls/\[([0-9A-Fa-f:.]+)\]", r"tls/\1", endpoint)
 
 
 def _is_safe(endpoint: str) -> bool:
