@@ -73,7 +73,7 @@ class Network:
     """Whether it connects to those whom it finds by multicast, rather than let them connect.
 
     Zenoh makes a broken connection again within a second where its address is one of `connect`, else when it
-    looks by multicast again: every 8 s. So whoever has a host waits for those who have none.
+    looks by multicast again: every 8 s. So a robot with a host waits for those without.
     """
 
     @property

@@ -85,7 +85,7 @@ def watch(state: Delivery) -> None:
         life = other.life
         if life is None:
             continue
-        if missed > state.lease // 2:  # we were suspended, or are: nobody could prove anything meanwhile
+        if missed > state.lease // 2:  # we were suspended: meanwhile no agent could prove anything
             other.heard_at += missed
         if has_returned(state, other):
             with state.lock:

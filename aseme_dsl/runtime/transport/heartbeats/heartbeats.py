@@ -5,7 +5,8 @@ that it has. So an answer proves that at a moment of our clock the other one cou
 link that works in one direction only, neither side has such proofs.
 
 A datagram over UDP is lost or arrives. So it waits neither for what was lost before it, as over TCP, nor for
-other links. Whoever makes one must know a key, which its receiver gives to its sender over the link.
+other links. Its sender must know a key, which the
+receiver gives to it over the link.
 """
 
 from __future__ import annotations
@@ -67,7 +68,7 @@ class _Peer:
     sent: int = 0
     """When the newest one of ours was sent."""
     asking: bool = False
-    """Whether it is gone, or doubted: it shall answer at once."""
+    """Whether it is unreachable, or doubted: it shall answer at once."""
     hurried: bool = False
     """Whether it is doubted: it is asked more often."""
 
@@ -85,15 +86,15 @@ class Heartbeats:
         """Begin to listen at these addresses; `start` lets it begin.
 
         A thread of its own calls the callbacks, which must not wait: `heard(name, life, moment)` when an
-        agent has proven that it heard us at a moment of our monotonic clock; `parted(name, life)` when it has
-        said farewell.
+        agent has proven that it heard us at a moment of our monotonic clock. `parted(name, life)` is called
+        when it has said farewell.
 
         Raises:
             TransportError: an address cannot be used.
         """
         self.period = max(SHORTEST, lease // BEATS)
         self.refused = 0
-        """How many datagrams have come that are no heartbeats, or were not made with their key."""
+        """How many datagrams have come that are not heartbeats, or were not made with their key."""
         self.late = 0
         """How many have come that are for an earlier incarnation, or came before."""
         self._heard, self._parted = heard, parted
