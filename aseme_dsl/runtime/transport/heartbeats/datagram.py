@@ -9,8 +9,8 @@ A heartbeat is one UDP datagram of 58 bytes, with numbers in network byte order:
     8   heard: `sent` of the newest heartbeat that the sender has from the receiver; 0: none
     32  HMAC-SHA-256 of all before it, with the key of the introduction
 
-An introduction is part of a PING or PONG of the link, which protects it. It has 8 bytes of tag, 32 bytes of key,
-and the addresses of the agent that introduces itself, as ASCII (`10.0.0.1 7447,fd00::1 7447`).
+An introduction is part of a PING or PONG of the link, which protects it. It has 8 bytes of tag, 32 bytes of
+key, and the addresses of the agent that introduces itself, as ASCII (`10.0.0.1 7447,fd00::1 7447`).
 """
 
 from __future__ import annotations

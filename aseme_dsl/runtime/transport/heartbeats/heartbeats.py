@@ -5,8 +5,7 @@ that it has. So an answer proves that at a moment of our clock the other one cou
 link that works in one direction only, neither side has such proofs.
 
 A datagram over UDP is lost or arrives. So it waits neither for what was lost before it, as over TCP, nor for
-other links. Its sender must know a key, which the
-receiver gives to it over the link.
+other links. Its sender must know a key, which the receiver gives to it over the link.
 """
 
 from __future__ import annotations
