@@ -49,6 +49,7 @@ class Foreign(Enum):
     RESUMING = "`resume`"
     SETTERS = "a message that is not filled with one member, just before it is published"
     SEVERAL_EVENTS = "several events"
+    SEVERAL_TARGETS = "a transition into several regions of an AND"
     SHARING = "a variable that one region changes and another one uses"
     SIGNALS = "a condition on a signal, which is consumed when it is read"
     STATES = "`in(T)`, `done(T)` and `count(T)`"

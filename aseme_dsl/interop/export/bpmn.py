@@ -48,7 +48,9 @@ def limits(chart: Statechart) -> tuple[Refusal, ...]:
         expression = item.expression
         if expression is NEVER:
             continue
-        if known[item.source].parent != known[item.target].parent:
+        if item.into:
+            found.append(Refusal(Foreign.SEVERAL_TARGETS, item.span))
+        elif known[item.source].parent != known[item.target].parent:
             found.append(Refusal(Foreign.CROSSING, item.span))
         if not item.changes_state:
             found.append(Refusal(Foreign.ACTIONS_INSIDE, item.span))

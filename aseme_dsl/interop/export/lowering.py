@@ -408,14 +408,22 @@ class _Lowering:
                 continue
             self._check(path)
             acts = (*self._spending(state, path), *self._acts(path))
-            stays = not path[0].changes_state
             yield Move(
                 condition,
-                None if stays else self.names.id_of(self.chart.node(path[-1].target)),
+                self._targets(path[-1]) if path[0].changes_state else (),
                 acts,
                 " · ".join(filter(None, map(transition_text, path))),
                 place(path[0].span),
             )
+
+    def _targets(self, transition: Transition) -> tuple[str, ...]:
+        """The ids of the targets. The first alone has the scope of all: SCION looks at no other one."""
+        if not transition.into:
+            return (self.names.id_of(self.chart.node(transition.target)),)
+        scope = self.chart.scope_of(transition)
+        alone = (replace(transition, target=label, into=()) for label in transition.into)
+        ordered = sorted(alone, key=lambda item: self.chart.scope_of(item) != scope)
+        return tuple(self.names.id_of(self.chart.node(item.target)) for item in ordered)
 
     def _interrupts(self, label: str) -> Cond:
         """Whether something interrupts a state."""

@@ -237,10 +237,10 @@ class Shape(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """A transition without an event; `target` is an id, or None where the state stays. `text`: as written."""
+    """A transition without an event; `targets` are ids, without any the state stays. `text`: as written."""
 
     condition: Cond
-    target: str | None
+    targets: tuple[str, ...]
     acts: tuple[Act, ...]
     text: str
     place: str

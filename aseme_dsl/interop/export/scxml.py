@@ -151,7 +151,7 @@ def _inner(machine: Machine, vertex: Vertex, page: _Page, indent: str) -> Iterat
 def _transition(move: Move, page: _Page, indent: str) -> Iterator[str]:
     said = f"{move.place} {move.text}".strip()
     yield f"{indent}<!-- {_comment(said)} -->"
-    target = f' target="{move.target}"' if move.target is not None else ""
+    target = f' target="{" ".join(move.targets)}"' if move.targets else ""
     condition = (
         f' cond="{_attribute(page.script.condition(move.condition))}"' if move.condition != ALWAYS else ""
     )

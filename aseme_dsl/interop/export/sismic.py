@@ -41,7 +41,7 @@ def limits(chart: Statechart) -> Iterator[Refusal]:
             continue
         left = {item.source, *(state.label for state in chart.ancestors(item.source))}
         entered = {item.target, *(state.label for state in chart.ancestors(item.target))} - left
-        if any(chart.is_region(label) for label in entered):
+        if item.into or any(chart.is_region(label) for label in entered):
             yield Refusal(Foreign.ENTERING, item.span)
 
 
@@ -111,8 +111,8 @@ def _transitions(machine: Machine, vertex: Vertex, indent: str) -> Iterator[str]
 
 def _move(move: Move, priority: int, indent: str) -> Iterator[str]:
     yield f"{indent}- priority: {priority}"
-    if move.target is not None:
-        yield f"{indent}  target: {move.target}"
+    for target in move.targets:  # at most one: see `limits`
+        yield f"{indent}  target: {target}"
     if move.condition != ALWAYS:
         yield f"{indent}  guard: {_text(_SCRIPT.condition(move.condition))}"
     if move.acts:

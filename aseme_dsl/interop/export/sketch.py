@@ -22,9 +22,9 @@ def crossings(chart: Statechart) -> tuple[Refusal, ...]:
     """The transitions that lead from inside one composite into another, which cannot be drawn."""
     known = chart.by_label
     return tuple(
-        Refusal(Foreign.CROSSING, item.span)
+        Refusal(Foreign.SEVERAL_TARGETS if item.into else Foreign.CROSSING, item.span)
         for item in chart.transitions
-        if known[item.source].parent != known[item.target].parent
+        if item.into or known[item.source].parent != known[item.target].parent
     )
 
 

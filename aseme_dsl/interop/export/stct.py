@@ -250,6 +250,8 @@ def _of_transitions(chart: Statechart) -> Iterator[Refusal]:
         if not item.changes_state:
             yield Refusal(Foreign.ACTIONS_INSIDE, span)
             continue
+        if item.into:
+            yield Refusal(Foreign.SEVERAL_TARGETS, span)
         if item.first:
             yield Refusal(Foreign.INTERRUPTS, span)
         if item.resume:

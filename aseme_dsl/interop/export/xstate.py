@@ -101,8 +101,9 @@ class _Writer:
     def _move(self, move: Move) -> Json:
         said = f"{move.place} {move.text}".strip()
         found: Json = {"description": said}
-        if move.target is not None:
-            found |= {"target": f"#{move.target}", "reenter": True}
+        if move.targets:
+            ids = [f"#{target}" for target in move.targets]
+            found |= {"target": ids if len(ids) > 1 else ids[0], "reenter": True}
         if move.condition != ALWAYS:
             found["guard"] = self._named(self.guards, "guard", self._guard(move.condition), said)
         if move.acts:

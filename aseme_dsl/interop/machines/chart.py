@@ -26,6 +26,7 @@ from aseme_dsl.interop.machines.machine import (
     Shape,
 )
 from aseme_dsl.interop.machines.places import (
+    Goal,
     Unreachable,
     Written,
     by_id,
@@ -203,7 +204,7 @@ class _Writer:
         self.number += 1
         does = list(node.entry)
         if is_wrapped(node):
-            target = node
+            goal = Goal(node)
         else:
             ids = node.initial
             first = first_of(node)
@@ -212,22 +213,23 @@ class _Writer:
             try:
                 if any(not is_inside(item, node) for item in targets):
                     raise Unreachable("it begins outside of itself")
-                target = entered(node, targets, self.known, is_start=True)
+                goal = entered(node, targets, self.known, is_start=True)
             except Unreachable as reason:
                 assert first is not None
-                target = first
+                goal = Goal(first)
                 title = f"initial {' '.join(node.initial)} of {node.id}"
                 self.row(Fate.LEFT_OUT, title, node.place, str(reason))
-            does += self.entries(node, target)
-        self.transition(start, target, "", does, f"start of {node.id}", node.place)
+            does += self.entries(node, goal)
+        self.transition(start, goal, "", does, f"start of {node.id}", node.place)
 
-    def entries(self, scope: Node, target: Node) -> list[Doing]:
-        """What is done on the way to a target, but for what stands at the STARTs that follow."""
+    def entries(self, scope: Node, goal: Goal) -> list[Doing]:
+        """What is done on the way to the targets, but for what stands at the STARTs that follow."""
+        led = {node.id: node for target in goal.targets for node in path(scope, target)}
+        ends = {target.id for target in goal.targets}
         found: list[Doing] = []
-        for node in path(scope, target):
-            if node is target and (is_composite(node) or is_wrapped(node)):
-                continue
-            found += node.entry
+        for node in sorted(led.values(), key=lambda node: label_key(self.places.label[node.id])):
+            if not (node.id in ends and (is_composite(node) or is_wrapped(node))):
+                found += node.entry
         return found
 
     def move(self, node: Node, move: Move) -> None:
@@ -293,18 +295,18 @@ class _Writer:
                 notes = [*notes, "internal: from each state inside"]
         ends = []
         for source in sources:
-            target = entered(source, targets, self.known)
-            scope = scope_of(source, target)
-            ends.append((source, target, [*move.does, *self.entries(scope, target)]))
-            if why := self.differing.overtaken(source, target, move):
+            goal = entered(source, targets, self.known)
+            scope = scope_of(source, goal.node)
+            ends.append((source, goal, [*move.does, *self.entries(scope, goal)]))
+            if why := self.differing.overtaken(source, goal.node, move):
                 fate, notes = Fate.DIFFERS, [*notes, why]
-        for source, target, does in ends:
+        for source, goal, does in ends:
             label = self.places.label[source.id]
             if label == "0":
                 raise Unreachable("the outermost state has no transitions")
-            self.transition(label, target, enabled, does, None, move.place)
-        source, target, _ = ends[0]
-        now = f"{self.places.label[source.id]} -> {self.places.label[target.id]}"
+            self.transition(label, goal, enabled, does, None, move.place)
+        source, goal, _ = ends[0]
+        now = f"{self.places.label[source.id]} -> {self.label_of(goal)}"
         self.row(fate, title, move.place, "; ".join([now, *notes]))
 
     def copied(self, node: Node, move: Move) -> list[Node]:
@@ -315,13 +317,18 @@ class _Writer:
             raise Unreachable("it is internal, and not the first of its source")
         return inner(node)
 
+    def label_of(self, goal: Goal) -> str:
+        """The label of what a transition leads to; of several targets, in parentheses."""
+        labels = [self.places.label[target.id] for target in goal.targets]
+        return f"({', '.join(sorted(labels, key=label_key))})" if goal.into else labels[0]
+
     def transition(
-        self, source: str, target: Node, enabled: str, does: list[Doing], start: str | None, place: Span
+        self, source: str, goal: Goal, enabled: str, does: list[Doing], start: str | None, place: Span
     ) -> None:
         said = self.doing(tuple(does))
         text = " ".join(filter(None, (enabled, f"/ {'; '.join(said)}" if said else "")))
-        label = self.places.label[target.id]
-        self.targets[len(self.lines)] = target.id
+        label = self.label_of(goal)
+        self.targets[len(self.lines)] = goal.node.id
         self.line(f"{source} -> {label} : {text}".rstrip())
         if start is not None:
             self.row(Fate.CHANGED if said else Fate.KEPT, start, place, f"{source} -> {label}")

@@ -7,6 +7,7 @@ All finals of a state are its END.
 from __future__ import annotations
 
 from dataclasses import field
+from itertools import combinations
 
 from aseme_dsl.amola.statechart import StateType
 from aseme_dsl.interop.machines.machine import Machine, Node, Shape, around
@@ -24,6 +25,19 @@ class Written:
     label: str
     type: StateType
     node: Node | None
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """Where a transition leads: to a state, or into several regions of an AND, to the states `into`."""
+
+    node: Node
+    into: tuple[Node, ...] = ()
+
+    @property
+    def targets(self) -> tuple[Node, ...]:
+        """The states that a line names as its targets."""
+        return self.into or (self.node,)
 
 
 @dataclass(slots=True)
@@ -148,13 +162,13 @@ def is_begun_at(node: Node, state: Node, known: dict[str, Node]) -> bool:
 
 def entered(
     source: Node, targets: tuple[Node, ...], known: dict[str, Node], *, is_start: bool = False
-) -> Node:
-    """The state that a transition leads to: of several targets in one AND all but one begin of themselves.
+) -> Goal:
+    """Where a transition leads. Of several targets in one AND, those do not count that begin of themselves.
 
     With `is_start` it begins at the START of the source.
 
     Raises:
-        Unreachable: several targets remain, or it leads from one region of an AND into another.
+        Unreachable: targets cannot be active together, or it leads from one region of an AND into another.
     """
     if any(target.shape is Shape.HISTORY for target in targets):
         raise Unreachable("a history remembers where a state was left; `resume` does that in formulas")
@@ -162,7 +176,7 @@ def entered(
         raise Unreachable("it names no state")
     left = [target for target in targets if len(targets) == 1 or not _begins_with(target, targets, known)]
     if len(left) > 1:
-        raise Unreachable("it leads to several states at once, which do not begin of themselves")
+        return _into_regions(source, tuple(left))
     target = left[0] if left else _common(targets)
     while True:
         while is_region(target):
@@ -170,16 +184,38 @@ def entered(
             target = target.parent
         crossed = next((item for item in around(target) if is_and(item) and is_inside(source, item)), None)
         if crossed is None:
-            return target
+            return Goal(target)
         here, there = region_in(source, crossed), region_in(target, crossed)
         if here is there and (is_start or source is not here):
             outer = _crossing(source, target, crossed)
             if outer is None:
-                return target
+                return Goal(target)
             crossed, there = outer, region_in(target, outer)
         if not is_begun_at(there, target, known):
             raise Unreachable("it leads from one region of a parallel state into another")
         target = crossed
+
+
+def _into_regions(source: Node, targets: tuple[Node, ...]) -> Goal:
+    """The AND around several targets, which do not begin of themselves."""
+    for first, second in combinations(targets, 2):
+        if not is_and(_lowest(first, second)):
+            raise Unreachable("it leads to several states that cannot be active together")
+    target = _common(targets)
+    for item in around(target):
+        if (
+            is_and(item)
+            and is_inside(source, item)
+            and region_in(source, item) is not region_in(target, item)
+        ):
+            raise Unreachable("it leads from one region of a parallel state into another")
+    return Goal(target, targets)
+
+
+def _lowest(one: Node, other: Node) -> Node:
+    """The innermost state that is both states, or is around them."""
+    outer = [one, *around(one)]
+    return next(item for item in (other, *around(other)) if any(item is found for found in outer))
 
 
 def _crossing(source: Node, target: Node, innermost: Node) -> Node | None:
@@ -223,6 +259,7 @@ def path(scope: Node, target: Node) -> list[Node]:
 
 
 __all__ = [
+    "Goal",
     "Places",
     "Unreachable",
     "Written",

@@ -94,7 +94,7 @@ def _vertex(machine: Machine, vertex: Vertex, scheduled: set[str]) -> dict[str, 
     moves = [
         (
             (),
-            () if move.target is None else (move.target,),
+            move.targets,
             "" if move.condition == ALWAYS else _text(SCRIPT.condition(move.condition)),
             [*_acts(move.acts, scheduled)],
         )

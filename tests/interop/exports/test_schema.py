@@ -56,8 +56,12 @@ def documents() -> tuple[str, ...]:
 def mistakes(schema: Path, document: str) -> list[str]:
     """What is wrong with a document."""
     found = etree.XMLSchema(etree.parse(schema))
-    found.validate(etree.fromstring(document.encode()))
-    return [f"line {item.line}: {item.message}" for item in found.error_log]
+    root = etree.fromstring(document.encode())
+    found.validate(root)
+    ids = {item.get("id") for item in root.iter(*(f"{{*}}{word}" for word in ("state", "parallel", "final")))}
+    targets = [name for item in root.iter("{*}transition") for name in item.get("target", "").split()]
+    wrong = [f"no state is called {name}" for name in targets if name not in ids]
+    return [*wrong, *(f"line {item.line}: {item.message}" for item in found.error_log)]
 
 
 def test_what_is_exported_is_valid() -> None:

@@ -236,3 +236,45 @@ def test_the_project_has_a_report(tmp_path: Path) -> None:
     project = import_models([place])
     assert sorted(project.files) == ["import-report.md", "oven.aseme"]
     assert "oven.scxml:4:3" in project.files["import-report.md"].decode()
+
+
+REGIONS = (
+    '<parallel id="p"><state id="q"><state id="q1"/><state id="q2"/><state id="q3"/></state>'
+    '<state id="r"><state id="r1"/><state id="r2"><transition event="again" target="r2 q3"/></state></state>'
+    '<state id="s"><state id="s1"/></state></parallel>'
+)
+
+
+def test_several_targets_in_regions_of_one_parallel_state() -> None:
+    text = machine(f'<state id="a"><transition event="go" target="r2 q2"/></state>{REGIONS}')
+    assert active(text, "go")[-3:] == [{"q2"}, {"r2"}, {"s1"}]
+    assert active(text, "go", "again")[-3:] == [{"q3"}, {"r2"}, {"s1"}]
+    assert "0.2 -> (0.3.1.3, 0.3.2.3) : go" in imported("m.scxml", text).text
+
+
+def test_a_machine_that_begins_in_several_regions() -> None:
+    text = machine(REGIONS).replace("<scxml", '<scxml initial="q3 r2"', 1)
+    assert active(text)[-3:] == [{"q3"}, {"r2"}, {"s1"}]
+
+
+def test_what_is_done_on_the_way_to_several_targets() -> None:
+    """Entries stand on the transition in document order; those of regions beside, at their STARTs."""
+    text = machine(
+        '<state id="a"><transition event="go" target="q2 r2"><assign location="n" expr="n + 1"/></transition>'
+        '</state><parallel id="p"><onentry><assign location="n" expr="n * 2"/></onentry>'
+        '<state id="q"><state id="q1"/><state id="q2"/></state>'
+        '<state id="r"><onentry><assign location="n" expr="n + 3"/></onentry><state id="r1"/>'
+        '<state id="r2"><onentry><assign location="n" expr="n * 10"/></onentry></state></state></parallel>',
+        '<data id="n" expr="1"/>',
+    )
+    player = Player(imported("m.scxml", text))
+    player.send("go")
+    assert (player.active(), player.chart.variable("n")) == ([{"p"}, {"q2"}, {"r2"}], 70)
+
+
+@pytest.mark.parametrize("targets", ["q3 q2", "q3 z"])
+def test_targets_that_cannot_be_active_together(targets: str) -> None:
+    text = machine(
+        f'<state id="a"><transition event="go" target="{targets}"/></state>{REGIONS}<state id="z"/>'
+    )
+    assert any("cannot be active together" in row.now for row in imported("m.scxml", text).rows)

@@ -122,3 +122,20 @@ def test_a_file_that_is_no_machine_is_refused(tmp_path: Path, text: str, reason:
     assert project.files == {}
     assert reason in project.diagnostics[0].message
     assert project.diagnostics[0].span is not None
+
+
+def test_several_targets_in_regions_of_one_parallel_state() -> None:
+    found = machine(
+        a={"on": {"GO": {"target": ["p.q.q2", "#r2"]}}},
+        p={
+            "type": "parallel",
+            "states": {
+                "q": {"initial": "q1", "states": {"q1": {}, "q2": {}}},
+                "r": {"initial": "r1", "states": {"r1": {}, "r2": {"id": "r2"}}},
+            },
+        },
+    )
+    assert "0.2 -> (0.3.1.3, 0.3.2.3) : GO" in found.text
+    player = Player(found)
+    player.send("GO")
+    assert [sorted(part)[0].rpartition(".")[2] for part in player.active()[-2:]] == ["q2", "r2"]
