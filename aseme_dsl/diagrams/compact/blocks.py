@@ -109,6 +109,9 @@ class _Reader:
 
     def group(self, state: State) -> Group:
         inside = self._chart.children(state.label)
+        for way in (way for item in inside for way in self._chart.outgoing_edges(item.label) if way.into):
+            ends = f"from {self._called(way.source)} into several regions of {self._called(way.target)}"
+            raise NotCompact(f"the arrow {ends} belongs to no formula")
         start = self._only(state, inside, StateType.START)
         end = next((item.label for item in inside if item.type is StateType.END), None)
         first, enter = self._onward(start, {item.label for item in inside})
@@ -227,7 +230,8 @@ class _Reader:
             return self.group(state)
         except NotCompact as reason:
             states = set(inside(self._chart, state.label)) - {state.label}
-            if any((item.source in states) != (item.target in states) for item in self._chart.transitions):
+            ends = ((item.source, item.target, *item.into) for item in self._chart.transitions)
+            if any(len({label in states for label in labels}) > 1 for labels in ends):
                 raise
             return Closed(state.label, str(reason))
 

@@ -13,6 +13,15 @@ class Endings:
     def __init__(self, chart: Statechart) -> None:
         self._chart = chart
         self._complete: dict[str, bool] = {}
+        self._entered: dict[str, list[str]] = {}
+        """Of each OR state: the states in it at which transitions from outside begin."""
+        for item in chart.transitions:
+            scope = f"{chart.scope_of(item)}."
+            for label in item.targets if item.changes_state else ():
+                around = chart.node(label).parent
+                while around is not None and around.startswith(scope):
+                    self._entered.setdefault(around, []).append(label)
+                    label, around = around, chart.node(around).parent
         for state in reversed(chart.states):  # what is inside comes first
             self._complete[state.label] = self._completes(state.label)
         self.never = frozenset(
@@ -42,6 +51,7 @@ class Endings:
     def _reached(self, label: str) -> Iterator[str]:
         start = self._chart.start_of(label)
         waiting = [start.label] if start is not None else []
+        waiting += self._entered.get(label, ())
         seen = set(waiting)
         while waiting:
             source = waiting.pop()

@@ -92,9 +92,9 @@ def _ends(view: View, way: Way) -> str:
     scope = "" if around is None else f"{short(around.name, 24)}: "
     if not way.transition.changes_state:
         return f"{scope}{_end(source)}"
-    if source is target:
+    if source is target and not way.transition.into:
         return f"{scope}{_end(source)} again"
-    return f"{scope}{_end(source)} to {_end(target)}"
+    return f"{scope}{_end(source)} to {' and '.join(_end(chart.node(x)) for x in way.transition.targets)}"
 
 
 def _end(node: State) -> str:

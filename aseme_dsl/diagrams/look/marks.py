@@ -137,6 +137,8 @@ def outside_mark(view: View, way: Way, box_id: str) -> tuple[str, Attributes, tu
     words = f"from {label}" if way.source_outside else f"to {label}"
     node = view.chart.node(label)
     lines = (words,) if node.name == label else (words, *name_lines(node))
+    if way.target_outside and way.transition.into:
+        lines = (*lines, *wrapped(f"at {', '.join(way.transition.into)}", NAME_WIDTH))
     look = {
         "style": "dashed",
         "color": style.PALE_INK,

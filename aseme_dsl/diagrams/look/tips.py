@@ -24,16 +24,17 @@ def state_tip(view: View, node: State) -> str:
         for item in (*stays, *view.chart.exits_of(node.label), *view.chart.abandons.get(node.label, ()))
     ]
     for transition in view.chart.outgoing_edges(node.label):
-        target = view.chart.node(transition.target)
-        lines.append(f"to {_title(target)}: {transition_text(transition) or 'when complete'}")
+        targets = " and ".join(_title(view.chart.node(label)) for label in transition.targets)
+        lines.append(f"to {targets}: {transition_text(transition) or 'when complete'}")
     return "\n".join(lines)
 
 
 def way_tip(view: View, way: Way) -> str:
     """Both ends, the whole expression, and when it is tried among those of its source."""
     transition = way.transition
-    labels = (transition.source, transition.target) if transition.changes_state else (transition.source,)
-    ends = " to ".join(_title(view.chart.node(label)) for label in labels)
+    ends = _title(view.chart.node(transition.source))
+    if transition.changes_state:
+        ends += f" to {' and '.join(_title(view.chart.node(label)) for label in transition.targets)}"
     lines = [ends, transition_text(transition) or "when complete"]
     rivals = view.chart.outgoing(transition.source)
     if len(rivals) > 1 and transition in rivals:

@@ -16,6 +16,9 @@ class Way:
     If one end is inside a closed state, the line ends at that state. If it is outside the view,
     `source_outside` or `target_outside` is true, and the label is that of the drawn state that stands for it.
     `place` is the index of the transition in the statechart.
+
+    A line into several regions of its target forks to the drawn states `forks`. Where its source is outside
+    the view, each of them has a way of its own, of which all but the first have a `part`.
     """
 
     place: int
@@ -24,11 +27,17 @@ class Way:
     target: str
     source_outside: bool = False
     target_outside: bool = False
+    forks: tuple[str, ...] = ()
+    part: int = 0
 
     @property
     def id(self) -> str:
         """The id that the transition has in every drawing and in the SVG."""
-        return f"t{self.place}"
+        return self.leg(self.part)
+
+    def leg(self, part: int) -> str:
+        """The id of one of its lines."""
+        return f"t{self.place}.{part}" if part else f"t{self.place}"
 
     @property
     def is_back(self) -> bool:
@@ -127,6 +136,14 @@ def view(
     return View(chart, top, tuple(states), shut, _ways(chart, drawn))
 
 
+def _forks(
+    transition: Transition, target: str | None, shown_at: Mapping[str | None, str | None]
+) -> tuple[str, ...]:
+    """The drawn states to which a line into several regions forks; none where the target is closed."""
+    found = dict.fromkeys(shown_at[label] for label in transition.into)
+    return tuple(label for label in found if label is not None and target is not None and label != target)
+
+
 def _ways(chart: Statechart, drawn: set[str]) -> tuple[Way, ...]:
     """The transitions with an end among the drawn states, but for those hidden inside a closed one."""
     shown_at: dict[str | None, str | None] = {None: None}
@@ -135,6 +152,15 @@ def _ways(chart: Statechart, drawn: set[str]) -> tuple[Way, ...]:
     found: list[Way] = []
     for place, transition in enumerate(chart.transitions):
         source, target = shown_at[transition.source], shown_at[transition.target]
+        if transition.into and source is None:
+            led = dict.fromkeys(shown_at[label] for label in transition.into if shown_at[label] != target)
+            parts = [label for label in led if label is not None and chart.node(label).parent in drawn]
+            found += (
+                Way(place, transition, transition.source, label, source_outside=True, part=part)
+                for part, label in enumerate(parts)
+            )
+            if parts:
+                continue
         if source is None and target is None:
             continue
         if source is None or target is None:
@@ -152,6 +178,7 @@ def _ways(chart: Statechart, drawn: set[str]) -> tuple[Way, ...]:
                 target or transition.target,
                 source is None,
                 target is None,
+                _forks(transition, target, shown_at) if source is not None else (),
             )
         )
     return tuple(found)

@@ -40,6 +40,17 @@ _INLINE_WIDTH = 30
 _POINT = {"shape": "point", "width": "0.02", "height": "0.02", "color": style.LINE}
 """Where a line bends."""
 
+_BAR = {
+    "shape": "box",
+    "label": "",
+    "style": "filled",
+    "width": "0.35",
+    "height": "0.05",
+    "fillcolor": style.LINE,
+    "color": style.LINE,
+}
+"""Where a line forks to several targets (UML's fork)."""
+
 
 def sheet(
     view: View, name: str, links: Mapping[str, str] | None = None, *, expressions: Expressions
@@ -83,9 +94,14 @@ def _items(
 ) -> tuple[Box | Group, ...]:
     """The drawn states, each with the turning points of transitions that belong into it."""
     beside: dict[str | None, list[Box]] = {}
+    drawn = {node.label for node in view.states}
     for way in ways:
         if way.source_outside or way.target_outside:
             beside.setdefault(None, []).append(Box(*outside_mark(view, way, _turn(way))))
+        elif way.forks:
+            scope = view.chart.scope_of(way.transition)
+            tip = {"tooltip": way_tip(view, way), "class": "transition"}
+            beside.setdefault(scope if scope in drawn else None, []).append(Box(_fork(way), tip | _BAR))
         elif outer := _outer(view, way):
             around = view.chart.node(outer).parent if outer != view.top else None
             points = beside.setdefault(around, [])
@@ -172,6 +188,10 @@ def _turn(way: Way) -> str:
     return f"{way.id}.turn"
 
 
+def _fork(way: Way) -> str:
+    return f"{way.id}.fork"
+
+
 def _corner(way: Way) -> str:
     return f"{way.id}.corner"
 
@@ -210,6 +230,8 @@ def _lines(view: View, arrangement: Arrangement, way: Way, label: Label) -> list
         return [Line(last(way.source), _turn(way), way.id, own | border("ltail", way.source), text)]
     if way.source_outside:
         return [Line(_turn(way), first(way.target), way.id, own | border("lhead", way.target), text)]
+    if way.forks:
+        return _forking_lines(view, way, tip, own, text, first, last, border)
     if outer := _outer(view, way):
         height = arrangement.rows[outer] if way.source == outer else 1
         return _turning_lines(way, outer, tip, first, last, border, height)
@@ -222,6 +244,34 @@ def _lines(view: View, arrangement: Arrangement, way: Way, label: Label) -> list
     if way.is_back:
         own["dir"] = "back"
     return [Line(last(upper), first(lower), way.id, own, text)]
+
+
+def _forking_lines(
+    view: View,
+    way: Way,
+    look: dict[str, str],
+    own: dict[str, str],
+    text: tuple[str, ...],
+    first: Callable[[str], str],
+    last: Callable[[str], str],
+    border: Callable[[str, str], dict[str, str]],
+) -> list[Line]:
+    """The lines of a transition into several regions: one to the bar where it forks, one to each target.
+
+    Where the source is inside the target, or is it, the bar is below all of them; else it is between them.
+    """
+    bar, bare = _fork(way), own | {"dir": "none"}
+    legs = [(way.leg(part), label) for part, label in enumerate(way.forks, start=1)]
+    turned = look | {"dir": "back"}
+    above = [Line(last(label), bar, leg, turned | border("ltail", label)) for leg, label in legs]
+    if view.holds(way.target, way.source):
+        return [Line(last(way.source), bar, way.id, bare | border("ltail", way.source), text), *above]
+    if way.is_back:
+        return [Line(bar, first(way.source), way.id, bare | border("lhead", way.source), text), *above]
+    return [
+        Line(last(way.source), bar, way.id, bare | border("ltail", way.source), text),
+        *(Line(bar, first(label), leg, look | border("lhead", label)) for leg, label in legs),
+    ]
 
 
 def _turning_lines(

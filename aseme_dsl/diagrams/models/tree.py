@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from aseme_dsl.amola.statechart import State, transition_text
 from aseme_dsl.diagrams.look import legend, style
@@ -50,7 +51,12 @@ def sheet(
         if way.source_outside or way.target_outside
     ]
     parents = [_parent_line(node) for node in view.states if node.label != view.top]
-    ways = [_way_line(view, way, numbers.get(way.place)) for way in view.ways if way.transition.changes_state]
+    ways = [
+        line
+        for way in view.ways
+        if way.transition.changes_state
+        for line in _way_lines(view, way, numbers.get(way.place))
+    ]
     leaves = sum(not view.is_group(node.label) for node in view.states)
     downwards = leaves <= _FEW_LEAVES
     graph = style.GRAPH | {
@@ -94,8 +100,8 @@ def _expressions(view: View, node: State) -> list[Cell]:
         *view.chart.abandons.get(node.label, ()),
     ):
         if text := transition_text(transition):
-            target = view.chart.node(transition.target)
-            where = f"to {short(target.name, _NAME_WIDTH)}: " if transition.changes_state else ""
+            names = [short(view.chart.node(label).name, _NAME_WIDTH) for label in transition.targets]
+            where = f"to {' and '.join(names)}: " if transition.changes_state else ""
             lines = wrapped(f"{where}{text}", _INLINE_WIDTH)
             cells.append(Cell(lines, size=style.SMALL_SIZE))
     return cells
@@ -107,8 +113,16 @@ def _parent_line(node: State) -> Line:
     return Line(state_id(node.parent), state_id(node.label), f"p{node.label}", look)
 
 
+def _way_lines(view: View, way: Way, number: int | None) -> Iterator[Line]:
+    """The lines of a transition: one to each of its targets."""
+    if not way.forks:
+        yield _way_line(view, way, number)
+    for part, label in enumerate(way.forks):
+        yield _way_line(view, replace(way, target=label, part=part), number)
+
+
 def _way_line(view: View, way: Way, number: int | None) -> Line:
-    """A transition; its number stands at the arrowhead, as Graphviz fails over labels between siblings."""
+    """A line of a transition. Its number is at the arrowhead: Graphviz fails over labels between siblings."""
     source = _outside_id(way) if way.source_outside else state_id(way.source)
     target = _outside_id(way) if way.target_outside else state_id(way.target)
     look = {
